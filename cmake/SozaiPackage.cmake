@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: Apache-2.0
+# What `cmake --install build` puts where, and how an embedder finds it:
+# sozai.pc for pkg-config, sozaiConfig.cmake for find_package. Nothing links
+# sozai.so, so it lives in a folder of its own below the libraries. The command
+# is installed where it is built, in hosts/cli. Included when the plugin's and
+# the colour service's targets exist.
+include(CMakePackageConfigHelpers)
+
+set(plugin_dir ${CMAKE_INSTALL_LIBDIR}/sozai)
+set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/sozai)
+set(pkgconfig_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+install(FILES api/sozai.h api/sozai_colour.h TYPE INCLUDE)
+install(FILES LICENSE README.md CHANGELOG.md TYPE DOC)
+install(FILES docs/example/embed.c DESTINATION ${CMAKE_INSTALL_DOCDIR}/example)
+
+install(TARGETS sozai LIBRARY DESTINATION ${plugin_dir})
+if(TARGET sozai-colour)
+  # Beside sozai.so, which looks for it there; the config likewise beside it.
+  install(TARGETS sozai-colour LIBRARY DESTINATION ${plugin_dir})
+  install(FILES $<TARGET_FILE_DIR:sozai-colour>/sozai.ocio DESTINATION ${plugin_dir})
+endif()
+
+install(TARGETS sozai_api EXPORT sozai-targets)
+install(EXPORT sozai-targets FILE sozaiTargets.cmake NAMESPACE sozai:: DESTINATION ${config_dir})
+configure_package_config_file(cmake/sozaiConfig.cmake.in
+  ${CMAKE_BINARY_DIR}/package/sozaiConfig.cmake
+  INSTALL_DESTINATION ${config_dir} PATH_VARS plugin_dir NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/package/sozaiConfigVersion.cmake
+  COMPATIBILITY SameMajorVersion)
+install(FILES
+  ${CMAKE_BINARY_DIR}/package/sozaiConfig.cmake
+  ${CMAKE_BINARY_DIR}/package/sozaiConfigVersion.cmake
+  DESTINATION ${config_dir})
+
+# The way from the .pc file up to the prefix, so that an installed tree may be
+# moved. Where a folder was given as an absolute path it cannot be.
+file(RELATIVE_PATH prefix_from_pc
+  ${CMAKE_INSTALL_PREFIX}/${pkgconfig_dir} ${CMAKE_INSTALL_PREFIX})
+string(REGEX REPLACE "/$" "" prefix_from_pc ${prefix_from_pc})
+foreach(name INCLUDEDIR LIBDIR)
+  if(IS_ABSOLUTE ${CMAKE_INSTALL_${name}})
+    set(pc_${name} ${CMAKE_INSTALL_${name}})
+  else()
+    set(pc_${name} "\${prefix}/${CMAKE_INSTALL_${name}}")
+  endif()
+endforeach()
+configure_file(cmake/sozai.pc.in ${CMAKE_BINARY_DIR}/package/sozai.pc @ONLY)
+install(FILES ${CMAKE_BINARY_DIR}/package/sozai.pc DESTINATION ${pkgconfig_dir})

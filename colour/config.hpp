@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <OpenColorIO/OpenColorIO.h>
+
+#include <string>
+
+namespace sozai::colour {
+
+namespace ocio = OCIO_NAMESPACE;
+
+// A config that has been checked and has a working space.
+struct Config {
+  std::string name;    // where it came from
+  std::string working; // the space of the role scene_linear
+  ocio::ConstConfigRcPtr ocio;
+};
+
+// path: NULL for $OCIO, else the shipped config. Throws Failure.
+Config open_config(const char *path);
+
+} // namespace sozai::colour

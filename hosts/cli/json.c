@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "json.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* The length of the UTF-8 character at s, or 0 when it is none. Overlong forms
+ * and surrogates are none. */
+static int character_length(const unsigned char *s) {
+  if (s[0] < 0x80) return 1;
+  int length = s[0] >= 0xf0 ? 4 : s[0] >= 0xe0 ? 3 : 2;
+  if (s[0] < 0xc2 || s[0] > 0xf4) return 0;
+  for (int i = 1; i < length; i++)
+    if ((s[i] & 0xc0) != 0x80) return 0;
+  if (s[0] == 0xe0 && s[1] < 0xa0) return 0;
+  if (s[0] == 0xed && s[1] > 0x9f) return 0;
+  if (s[0] == 0xf0 && s[1] < 0x90) return 0;
+  if (s[0] == 0xf4 && s[1] > 0x8f) return 0;
+  return length;
+}
+
+static void write_string(FILE *to, const char *text) {
+  fputc('"', to);
+  for (const unsigned char *s = (const unsigned char *)text; *s;) {
+    int length = character_length(s);
+    if (length == 0) {
+      fputs("\\ufffd", to);
+      s++;
+      continue;
+    }
+    if (*s == '"' || *s == '\\')
+      fprintf(to, "\\%c", *s);
+    else if (*s == '\n')
+      fputs("\\n", to);
+    else if (*s < 0x20 || *s == 0x7f)
+      fprintf(to, "\\u%04x", *s);
+    else
+      fwrite(s, 1, (size_t)length, to);
+    s += length;
+  }
+  fputc('"', to);
+}
+
+/* The comma, newline, indentation and name that go before a value. */
+static void begin(json *j, const char *key) {
+  if (j->depth > 0) {
+    if (!j->first) fputc(',', j->to);
+    fprintf(j->to, "\n%*s", 2 * j->depth, "");
+  }
+  j->first = false;
+  if (!key) return;
+  write_string(j->to, key);
+  fputs(": ", j->to);
+}
+
+void json_open(json *j, const char *key, char bracket) {
+  begin(j, key);
+  fputc(bracket, j->to);
+  j->depth++;
+  j->first = true;
+}
+
+void json_close(json *j, char bracket) {
+  j->depth--;
+  if (!j->first) fprintf(j->to, "\n%*s", 2 * j->depth, "");
+  fputc(bracket, j->to);
+  j->first = false;
+  if (j->depth == 0) fputc('\n', j->to);
+}
+
+void json_text(json *j, const char *key, const char *text) {
+  begin(j, key);
+  write_string(j->to, text ? text : "");
+}
+
+void number_text(char *text, size_t size, double number) {
+  for (int digits = 1; digits <= 17; digits++) {
+    snprintf(text, size, "%.*g", digits, number);
+    if (strtod(text, NULL) == number) return;
+  }
+}
+
+void json_number(json *j, const char *key, double number) {
+  if (!isfinite(number)) {
+    json_null(j, key);
+    return;
+  }
+  char text[40];
+  number_text(text, sizeof text, number);
+  begin(j, key);
+  fputs(text, j->to);
+}
+
+void json_bool(json *j, const char *key, bool value) {
+  begin(j, key);
+  fputs(value ? "true" : "false", j->to);
+}
+
+void json_null(json *j, const char *key) {
+  begin(j, key);
+  fputs("null", j->to);
+}

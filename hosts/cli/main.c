@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "cancel.h"
+#include "commands.h"
+#include "failure.h"
+#include "sozai.h"
+
+typedef struct command {
+  const char *name;
+  const char *help;
+  int (*run)(int argc, char **argv);
+} command;
+
+static const command commands[] = {
+    {"list", "the materials there are, and their presets", run_list},
+    {"describe", "a material's parameters, presets and channels", run_describe},
+    {"eval", "a material's answers at points of a CSV file", run_eval},
+    {"render", "a picture of a material on a board, a sphere or a mesh", run_render},
+    {"figures", "the figures of the papers, with their measured numbers", run_figures},
+    {"gallery", "a folder of pictures of every preset", run_gallery},
+};
+#define COMMAND_COUNT (sizeof commands / sizeof commands[0])
+
+static void print_help(FILE *to) {
+  fputs("usage: sozai <command> [options]\n\n", to);
+  for (size_t i = 0; i < COMMAND_COUNT; i++)
+    fprintf(to, "  %-10s %s\n", commands[i].name, commands[i].help);
+  fputs("\n  sozai <command> --help   a command's options\n"
+        "  sozai --version          this program's version\n"
+        "\nSOZAI_PLUGIN names another sozai.so to load.\n",
+        to);
+}
+
+int main(int argc, char **argv) {
+  signal(SIGPIPE, SIG_IGN); /* a closed pipe is a failed write, and reported as one */
+  cancel_install();
+  const char *name = argc > 1 ? argv[1] : "";
+  if (strcmp(name, "--version") == 0) {
+    printf("sozai %s (ABI %u.%u)\n", SOZAI_VERSION, SOZAI_ABI_MAJOR, SOZAI_ABI_MINOR);
+    return 0;
+  }
+  if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 || strcmp(name, "help") == 0) {
+    print_help(stdout);
+    return 0;
+  }
+  for (size_t i = 0; i < COMMAND_COUNT; i++)
+    if (strcmp(name, commands[i].name) == 0) return commands[i].run(argc - 1, argv + 1);
+  if (*name)
+    fprintf(stderr, "sozai: unknown command '%s'; see sozai --help\n", name);
+  else
+    print_help(stderr);
+  return EXIT_BAD_INPUT;
+}

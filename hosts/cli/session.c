@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "session.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "parallel.h"
+
+bool session_options_init(session_options *o, int argc, failure *why) {
+  memset(o, 0, sizeof *o);
+  o->params.items = calloc((size_t)argc + 1, sizeof *o->params.items);
+  return o->params.items ? true : fail(why, EXIT_FAILURE, "out of memory");
+}
+
+void session_options_free(session_options *o) {
+  free(o->params.items);
+  memset(o, 0, sizeof *o);
+}
+
+bool session_open(session *s, const session_options *o, failure *why) {
+  memset(s, 0, sizeof *s);
+  if (!plugin_open(&s->plugin, why)) return false;
+  if (!colour_open(&s->colour, s->plugin.path, o->config, why)) {
+    plugin_close(&s->plugin);
+    return false;
+  }
+  uint32_t threads = o->threads ? o->threads : parallel_default_threads();
+  host_init(&s->host, threads, o->verbose, &s->colour, o->config);
+  return true;
+}
+
+void session_close(session *s) {
+  colour_close(&s->colour);
+  plugin_close(&s->plugin);
+}
+
+bool session_recipe(recipe *r, const char *name, const session_options *o, failure *why) {
+  if (!recipe_open(r, name, why)) return false;
+  bool ok = !o->preset || recipe_set_preset(r, o->preset, why);
+  for (size_t i = 0; ok && i < o->params.count; i++)
+    ok = recipe_set_pair(r, o->params.items[i], why);
+  if (!ok) recipe_free(r);
+  return ok;
+}
+
+static bool unknown_channel(const sozai_texture_info *info, const char *name, failure *why) {
+  char known[512] = "";
+  for (uint32_t i = 0; i < info->channel_count; i++) {
+    size_t used = strlen(known);
+    snprintf(known + used, sizeof known - used, "%s%s", i ? ", " : "", info->channels[i]->id);
+  }
+  return fail(why, EXIT_BAD_INPUT, "unknown channel '%s' of %s; there is %s", name, info->id,
+              known);
+}
+
+static bool add_channel(const sozai_texture_info *info, const char *name, uint32_t *indices,
+                        uint32_t most, uint32_t *count, failure *why) {
+  uint32_t i = 0;
+  while (i < info->channel_count && strcmp(info->channels[i]->id, name) != 0) i++;
+  if (i == info->channel_count) return unknown_channel(info, name, why);
+  for (uint32_t k = 0; k < *count; k++)
+    if (indices[k] == i) return fail(why, EXIT_BAD_INPUT, "channel '%s' stands twice", name);
+  if (*count == most) return fail(why, EXIT_BAD_INPUT, "more than %u channels", most);
+  indices[(*count)++] = i;
+  return true;
+}
+
+bool session_channels(const sozai_texture_info *info, const char *names, uint32_t *indices,
+                      uint32_t most, uint32_t *count, failure *why) {
+  char *copy = strdup(names);
+  if (!copy) return fail(why, EXIT_FAILURE, "out of memory");
+  *count = 0;
+  bool ok = true;
+  char *rest = copy;
+  for (char *name; ok && (name = strsep(&rest, ","));)
+    ok = add_channel(info, name, indices, most, count, why);
+  free(copy);
+  return ok;
+}

@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: Apache-2.0
+ * What eval, render and the pictures share: the plugin, the colour service and
+ * the host's services, opened in that order and closed in the other. */
+#ifndef SOZAI_CLI_SESSION_H
+#define SOZAI_CLI_SESSION_H
+
+#include "colour.h"
+#include "host.h"
+#include "options.h"
+#include "plugin.h"
+#include "recipe.h"
+
+typedef struct session {
+  plugin plugin;
+  colour colour;
+  host host; /* the session may not move once open: textures point here */
+} session;
+
+/* The options that name a texture and how to run. */
+typedef struct session_options {
+  const char *preset;
+  option_texts params;
+  const char *config;
+  uint32_t threads; /* 0: as many as there are */
+  bool verbose;
+} session_options;
+
+/* Their rows of an option table. PARAMS needs one to be given room: see
+ * session_options_init. */
+#define SESSION_RUN_OPTIONS(s)                                                                     \
+  {"config", 0, OPTION_TEXT, &(s).config, "FILE",                                                  \
+   "OpenColorIO config (default: $OCIO, else the shipped one)", 0, 0},                             \
+      {"threads", 0, OPTION_COUNT, &(s).threads, "N", "threads (default: all)", 1, 256}, {         \
+    "verbose", 0, OPTION_FLAG, &(s).verbose, NULL, "log what the plugin says", 0, 0                \
+  }
+#define SESSION_TEXTURE_OPTIONS(s)                                                                 \
+  {"preset", 0, OPTION_TEXT, &(s).preset, "NAME", "start from a preset's values", 0, 0}, {         \
+    "param", 'p', OPTION_PAIRS, &(s).params, "NAME=VALUE", "set a parameter; any number of these", \
+        0, 0                                                                                       \
+  }
+
+/* argc: how many -p there can be at most. */
+bool session_options_init(session_options *o, int argc, failure *why);
+void session_options_free(session_options *o);
+
+bool session_open(session *s, const session_options *o, failure *why);
+void session_close(session *s);
+
+/* The recipe of a material or file, with the options' preset and parameters on top. */
+bool session_recipe(recipe *r, const char *name, const session_options *o, failure *why);
+
+/* "a,b" into indices of the texture's channels, in that order. most: the room
+ * in indices. false: an unknown name, or one that stands twice. */
+bool session_channels(const sozai_texture_info *info, const char *names, uint32_t *indices,
+                      uint32_t most, uint32_t *count, failure *why);
+
+#endif

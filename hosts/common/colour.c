@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "colour.h"
+
+#include <dlfcn.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include "plugin.h"
+
+#define SERVICE_NAME "sozai-colour.so"
+
+static char *beside(const char *plugin_path) {
+  const char *slash = strrchr(plugin_path, '/');
+  size_t folder = slash ? (size_t)(slash - plugin_path) + 1 : 0;
+  char *path = malloc(folder + sizeof SERVICE_NAME);
+  if (!path) return NULL;
+  memcpy(path, plugin_path, folder);
+  memcpy(path + folder, SERVICE_NAME, sizeof SERVICE_NAME);
+  return path;
+}
+
+static bool open_service(colour *c, const char *path, const char *config, failure *why) {
+  if (!plugin_load(path, SOZAI_COLOUR_ENTRY_SYMBOL, &c->library, &c->entry, why)) return false;
+  c->factory = c->entry->get_factory(SOZAI_COLOUR_FACTORY_1);
+  if (!c->factory)
+    return fail(why, EXIT_FAILURE, "%s has no factory %s", path, SOZAI_COLOUR_FACTORY_1);
+  char message[512] = "";
+  if (c->factory->open(config, &c->service, message, sizeof message) != SOZAI_OK) {
+    c->service = NULL;
+    return fail(why, EXIT_BAD_INPUT, "colour config %s: %s",
+                config ? config : "of $OCIO or shipped", message);
+  }
+  return true;
+}
+
+bool colour_open(colour *c, const char *plugin_path, const char *config, failure *why) {
+  memset(c, 0, sizeof *c);
+  char *path = beside(plugin_path);
+  if (!path) return fail(why, EXIT_FAILURE, "out of memory");
+  bool ok = true;
+  if (access(path, F_OK) == 0)
+    ok = open_service(c, path, config, why);
+  else if (config)
+    ok = fail(why, EXIT_FAILURE, "config %s needs %s, which is missing", config, path);
+  free(path);
+  if (!ok) colour_close(c);
+  return ok;
+}
+
+void colour_close(colour *c) {
+  if (c->service) c->factory->close(c->service);
+  if (c->entry) c->entry->deinit();
+  if (c->library) dlclose(c->library);
+  memset(c, 0, sizeof *c);
+}
+
+static float srgb_encode(float linear) {
+  if (!(linear > 0)) return 0;
+  if (linear >= 1) return 1;
+  return linear <= 0.0031308f ? 12.92f * linear : 1.055f * powf(linear, 1 / 2.4f) - 0.055f;
+}
+
+bool colour_to_display(const colour *c, const char *display, const char *view, float *rgb,
+                       size_t count, failure *why) {
+  if (!c->service) {
+    if (display || view)
+      return fail(why, EXIT_FAILURE, "there is no colour service to look up view '%s' in",
+                  view ? view : display);
+    for (size_t i = 0; i < 3 * count; i++) rgb[i] = srgb_encode(rgb[i]);
+    return true;
+  }
+  char message[512] = "";
+  if (c->service->to_display(c->service->self, display, view, rgb, count, message,
+                             sizeof message) != SOZAI_OK)
+    return fail(why, display || view ? EXIT_BAD_INPUT : EXIT_FAILURE, "display transform: %s",
+                message);
+  return true;
+}

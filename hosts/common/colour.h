@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: Apache-2.0
+ * The colour service beside the plugin, opened once and shared with it. */
+#ifndef SOZAI_HOSTS_COLOUR_H
+#define SOZAI_HOSTS_COLOUR_H
+
+#include <stddef.h>
+#include "failure.h"
+#include "sozai_colour.h"
+
+typedef struct colour {
+  void *library;
+  const sozai_entry_v1 *entry;
+  const sozai_colour_factory_1 *factory;
+  const sozai_colour_1 *service; /* NULL: there is none */
+} colour;
+
+/* plugin_path: where sozai.so is. config: a path, or NULL for $OCIO, else the
+ * shipped one. No library beside the plugin is no failure unless a config was
+ * asked for by name: service is then NULL. */
+bool colour_open(colour *c, const char *plugin_path, const char *config, failure *why);
+void colour_close(colour *c);
+
+/* count pixels of r g b, from the working space to the display's 0 to 1, in
+ * place. Without a service: the sRGB curve over linear Rec.709. */
+bool colour_to_display(const colour *c, const char *display, const char *view, float *rgb,
+                       size_t count, failure *why);
+
+#endif

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: Apache-2.0
+ * Why something failed, and what the program should exit with. */
+#ifndef SOZAI_HOSTS_FAILURE_H
+#define SOZAI_HOSTS_FAILURE_H
+
+#include <stdbool.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define EXIT_BAD_INPUT 2 /* the user can mend it; EXIT_FAILURE is everything else */
+
+typedef struct failure {
+  int exit_code;
+  char text[1024]; /* one line, without a newline at its end */
+} failure;
+
+/* Fill in why; always false, so that callers can `return fail(...)`. The
+ * arguments may point into why->text. */
+bool fail(failure *why, int exit_code, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// The only C++ of the hosts. OpenImageIO may throw, and so may the standard
+// library; nothing gets past this file.
+#include "image.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <vector>
+
+namespace {
+
+OIIO::TypeDesc type_of(int type) {
+  switch (type) {
+  case IMAGE_UINT8: return OIIO::TypeDesc::UINT8;
+  case IMAGE_UINT16: return OIIO::TypeDesc::UINT16;
+  case IMAGE_HALF: return OIIO::TypeDesc::HALF;
+  default: return OIIO::TypeDesc::FLOAT;
+  }
+}
+
+bool write(const char *path, uint32_t width, uint32_t height, const image_channel *channels,
+           size_t count, failure *why) {
+  auto output = OIIO::ImageOutput::create(path);
+  if (!output)
+    return fail(why, EXIT_FAILURE, "cannot write %s: %s", path, OIIO::geterror().c_str());
+  OIIO::ImageSpec spec(int(width), int(height), int(count), type_of(channels[0].type));
+  spec.channelnames.clear();
+  bool mixed = false;
+  for (size_t c = 0; c < count; c++) {
+    spec.channelnames.emplace_back(channels[c].name);
+    spec.channelformats.push_back(type_of(channels[c].type));
+    mixed = mixed || channels[c].type != channels[0].type;
+  }
+  if (!mixed) spec.channelformats.clear();
+  spec.attribute("Software", "sozai");
+  spec.attribute("compression", "zip"); // lossless; PNG's own is the same
+
+  size_t pixels = size_t(width) * height;
+  std::vector<float> interleaved(pixels * count);
+  for (size_t c = 0; c < count; c++)
+    for (size_t i = 0; i < pixels; i++)
+      interleaved[i * count + c] = channels[c].data[i * channels[c].stride];
+
+  bool ok = output->open(path, spec) &&
+            output->write_image(OIIO::TypeDesc::FLOAT, interleaved.data());
+  ok = output->close() && ok;
+  return ok || fail(why, EXIT_FAILURE, "cannot write %s: %s", path, output->geterror().c_str());
+}
+
+bool read(image *picture, const char *path, failure *why) {
+  auto input = OIIO::ImageInput::open(path);
+  if (!input)
+    return fail(why, EXIT_BAD_INPUT, "cannot read %s: %s", path, OIIO::geterror().c_str());
+  const OIIO::ImageSpec spec = input->spec();
+  if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.depth > 1)
+    return fail(why, EXIT_BAD_INPUT, "cannot read %s: not a flat picture", path);
+  size_t count = size_t(spec.nchannels);
+  picture->width = uint32_t(spec.width);
+  picture->height = uint32_t(spec.height);
+  picture->names = static_cast<char **>(std::calloc(count, sizeof(char *)));
+  picture->data =
+      static_cast<float *>(std::malloc(sizeof(float) * count * picture->width * picture->height));
+  if (!picture->names || !picture->data) return fail(why, EXIT_FAILURE, "out of memory");
+  for (picture->channels = 0; picture->channels < count; picture->channels++) {
+    char *name = strdup(spec.channelnames[picture->channels].c_str());
+    if (!name) return fail(why, EXIT_FAILURE, "out of memory");
+    picture->names[picture->channels] = name;
+  }
+  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, picture->data))
+    return fail(why, EXIT_BAD_INPUT, "cannot read %s: %s", path, input->geterror().c_str());
+  return true;
+}
+
+template <typename Function> bool guarded(failure *why, Function function) {
+  try {
+    return function();
+  } catch (const std::exception &e) {
+    return fail(why, EXIT_FAILURE, "OpenImageIO: %s", e.what());
+  } catch (...) {
+    return fail(why, EXIT_FAILURE, "OpenImageIO: an unknown exception");
+  }
+}
+
+} // namespace
+
+bool image_write(const char *path, uint32_t width, uint32_t height, const image_channel *channels,
+                 size_t count, failure *why) {
+  return guarded(why, [&] { return write(path, width, height, channels, count, why); });
+}
+
+bool image_read(image *picture, const char *path, failure *why) {
+  std::memset(picture, 0, sizeof *picture);
+  bool ok = guarded(why, [&] { return read(picture, path, why); });
+  if (!ok) image_free(picture);
+  return ok;
+}
+
+void image_free(image *picture) {
+  for (uint32_t c = 0; c < picture->channels; c++) std::free(picture->names[c]);
+  std::free(picture->names);
+  std::free(picture->data);
+  std::memset(picture, 0, sizeof *picture);
+}

@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: Apache-2.0
+ * Pictures in files, through OpenImageIO. */
+#ifndef SOZAI_HOSTS_IMAGE_H
+#define SOZAI_HOSTS_IMAGE_H
+
+#include <stddef.h>
+#include <stdint.h>
+#include "failure.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define IMAGE_UINT8 0
+#define IMAGE_UINT16 1
+#define IMAGE_HALF 2
+#define IMAGE_FLOAT 3
+
+/* One channel to write: pixel i is data[i * stride], row by row from the top. */
+typedef struct image_channel {
+  const char *name; /* "R", "albedo.R", "dive" */
+  const float *data;
+  size_t stride;
+  int type; /* IMAGE_*; channels may differ only in an EXR */
+} image_channel;
+
+/* The format is that of the path's ending. Integer types take 0 to 1. */
+bool image_write(const char *path, uint32_t width, uint32_t height, const image_channel *channels,
+                 size_t count, failure *why);
+
+/* A picture read: float whatever the file holds. */
+typedef struct image {
+  uint32_t width, height, channels;
+  char **names; /* of the channels */
+  float *data;  /* (y * width + x) * channels + channel */
+} image;
+
+bool image_read(image *picture, const char *path, failure *why);
+void image_free(image *picture);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,93 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "mesh.h"
+
+#include <assimp/cimport.h>
+#include <assimp/config.h>
+#include <assimp/mesh.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+bool mesh_allocate(mesh *m, uint32_t points, uint32_t triangles, failure *why) {
+  memset(m, 0, sizeof *m);
+  /* Embree reads 16 bytes at the last point: one float more than there are. */
+  m->points = calloc(3 * (size_t)points + 1, sizeof(float));
+  m->normals = calloc(3 * (size_t)points + 1, sizeof(float));
+  m->indices = calloc(3 * (size_t)triangles + 1, sizeof(uint32_t));
+  m->point_count = points;
+  m->triangle_count = triangles;
+  if (m->points && m->normals && m->indices) return true;
+  mesh_free(m);
+  return fail(why, EXIT_FAILURE, "out of memory for a mesh of %u triangles", triangles);
+}
+
+void mesh_free(mesh *m) {
+  free(m->points);
+  free(m->normals);
+  free(m->indices);
+  memset(m, 0, sizeof *m);
+}
+
+/* Points of a part in files are finite more often than not. */
+static float finite_or_zero(float x) { return isfinite(x) ? x : 0; }
+
+static void append(mesh *m, const struct aiMesh *part, float scale) {
+  uint32_t base = m->point_count;
+  for (uint32_t i = 0; i < part->mNumVertices; i++) {
+    float *p = m->points + 3 * (size_t)(base + i);
+    float *n = m->normals + 3 * (size_t)(base + i);
+    p[0] = scale * finite_or_zero(part->mVertices[i].x);
+    p[1] = scale * finite_or_zero(part->mVertices[i].y);
+    p[2] = scale * finite_or_zero(part->mVertices[i].z);
+    if (!part->mNormals) continue; /* stays 0: the face's own is used */
+    n[0] = finite_or_zero(part->mNormals[i].x);
+    n[1] = finite_or_zero(part->mNormals[i].y);
+    n[2] = finite_or_zero(part->mNormals[i].z);
+  }
+  m->point_count += part->mNumVertices;
+  for (uint32_t f = 0; f < part->mNumFaces; f++) {
+    const struct aiFace *face = &part->mFaces[f];
+    if (face->mNumIndices != 3) continue; /* points and lines */
+    uint32_t *t = m->indices + 3 * (size_t)m->triangle_count++;
+    for (int k = 0; k < 3; k++) t[k] = base + face->mIndices[k];
+  }
+}
+
+static bool convert(mesh *m, const struct aiScene *scene, const char *path, float scale,
+                    failure *why) {
+  uint64_t points = 0, triangles = 0;
+  for (uint32_t i = 0; i < scene->mNumMeshes; i++) {
+    points += scene->mMeshes[i]->mNumVertices;
+    triangles += scene->mMeshes[i]->mNumFaces;
+  }
+  if (points > UINT32_MAX / 4 || triangles > UINT32_MAX / 4)
+    return fail(why, EXIT_BAD_INPUT, "%s: too large: %llu triangles", path,
+                (unsigned long long)triangles);
+  if (!mesh_allocate(m, (uint32_t)points, (uint32_t)triangles, why)) return false;
+  m->point_count = m->triangle_count = 0; /* append counts what it uses */
+  for (uint32_t i = 0; i < scene->mNumMeshes; i++) append(m, scene->mMeshes[i], scale);
+  if (m->triangle_count > 0) return true;
+  mesh_free(m);
+  return fail(why, EXIT_BAD_INPUT, "%s has no triangles", path);
+}
+
+bool mesh_read(mesh *m, const char *path, double scale, failure *why) {
+  memset(m, 0, sizeof *m);
+  if (access(path, R_OK) != 0)
+    return fail(why, EXIT_BAD_INPUT, "cannot read mesh '%s'", path);
+  struct aiPropertyStore *settings = aiCreatePropertyStore();
+  if (settings) aiSetImportPropertyFloat(settings, AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 45);
+  const struct aiScene *scene = aiImportFileExWithProperties(
+      path,
+      aiProcess_Triangulate | aiProcess_JoinIdenticalVertices | aiProcess_GenSmoothNormals |
+          aiProcess_PreTransformVertices | aiProcess_SortByPType,
+      NULL, settings);
+  if (settings) aiReleasePropertyStore(settings);
+  if (!scene) return fail(why, EXIT_BAD_INPUT, "%s: %s", path, aiGetErrorString());
+  bool ok = convert(m, scene, path, (float)scale, why);
+  aiReleaseImport(scene);
+  return ok;
+}

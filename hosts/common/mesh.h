@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: Apache-2.0
+ * Triangle meshes in memory. */
+#ifndef SOZAI_HOSTS_MESH_H
+#define SOZAI_HOSTS_MESH_H
+
+#include <stdint.h>
+#include "failure.h"
+
+typedef struct mesh {
+  uint32_t point_count, triangle_count;
+  float *points;     /* x y z each */
+  float *normals;    /* x y z each, unit, one to a point */
+  uint32_t *indices; /* three to a triangle, counter-clockwise seen from outside */
+} mesh;
+
+/* Room for so many; the counts are set. */
+bool mesh_allocate(mesh *m, uint32_t points, uint32_t triangles, failure *why);
+void mesh_free(mesh *m);
+
+/* Any format Assimp reads, all its parts in one. scale: mm per unit of the
+ * file. Normals are made where the file has none, smooth up to 45 degrees. */
+bool mesh_read(mesh *m, const char *path, double scale, failure *why);
+
+#endif

@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: Apache-2.0
+ * Numbers from text. The programs never call setlocale, so that a dot is the
+ * decimal point for everyone. */
+#ifndef SOZAI_HOSTS_NUMBERS_H
+#define SOZAI_HOSTS_NUMBERS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* The whole text must be one finite number. */
+bool number_read(const char *text, double *out);
+/* Between 1 and `most` finite numbers parted by the character `between`, "x" or
+ * ","; how many, or 0 when the text is anything else. */
+size_t numbers_read(const char *text, char between, double *out, size_t most);
+
+#endif

@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: Apache-2.0
+ * Files that appear under their name only once they are whole. */
+#ifndef SOZAI_HOSTS_OUTPUT_FILE_H
+#define SOZAI_HOSTS_OUTPUT_FILE_H
+
+#include "failure.h"
+
+typedef struct output_file {
+  char *path;     /* where the file will be */
+  char *writing;  /* the name to write to: in the same folder, with the same ending */
+  bool in_place;  /* a device or a pipe: written directly, never renamed over or removed */
+} output_file;
+
+/* Also checks that the folder can be written, before hours of work. */
+bool output_begin(output_file *o, const char *path, failure *why);
+/* Give the file its name. Ends the output either way. */
+bool output_commit(output_file *o, failure *why);
+/* Forget the file. Harmless after a commit, or on a zeroed struct. */
+void output_discard(output_file *o);
+
+#endif

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: Apache-2.0
+ * Finding, checking and loading sozai.so. */
+#ifndef SOZAI_HOSTS_PLUGIN_H
+#define SOZAI_HOSTS_PLUGIN_H
+
+#include "failure.h"
+#include "sozai.h"
+
+typedef struct plugin {
+  void *library;
+  char *path;
+  const sozai_entry_v1 *entry;
+  const sozai_textures_1 *textures;
+} plugin;
+
+/* Load $SOZAI_PLUGIN if that is set, else the sozai.so that belongs to this
+ * program: see plugin.c for the places. */
+bool plugin_open(plugin *p, failure *why);
+void plugin_close(plugin *p);
+
+/* Load a library, read the version of the entry struct it exports under
+ * `symbol`, and initialise it. Shared with the colour service. */
+bool plugin_load(const char *path, const char *symbol, void **library,
+                 const sozai_entry_v1 **entry, failure *why);
+
+#endif

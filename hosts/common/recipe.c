@@ -1,0 +1,210 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "recipe.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "numbers.h"
+
+#define ENDING ".sozai"
+#define MOST_PARAMS 1024
+
+static bool out_of_memory(failure *why) { return fail(why, EXIT_FAILURE, "out of memory"); }
+
+static bool set_string(char **slot, const char *text, failure *why) {
+  char *copy = strdup(text);
+  if (!copy) return out_of_memory(why);
+  free(*slot);
+  *slot = copy;
+  return true;
+}
+
+static recipe_param *slot_for(recipe *r, const char *id, failure *why) {
+  for (size_t i = 0; i < r->param_count; i++)
+    if (strcmp(r->params[i].id, id) == 0) return &r->params[i];
+  if (r->param_count == MOST_PARAMS) {
+    fail(why, EXIT_BAD_INPUT, "more than %d parameters", MOST_PARAMS);
+    return NULL;
+  }
+  recipe_param *more = realloc(r->params, (r->param_count + 1) * sizeof *more);
+  if (more) r->params = more;
+  char *copy = more ? strdup(id) : NULL;
+  if (!copy) {
+    out_of_memory(why);
+    return NULL;
+  }
+  recipe_param *p = &r->params[r->param_count++];
+  *p = (recipe_param){.id = copy};
+  return p;
+}
+
+bool recipe_set(recipe *r, const char *id, const char *text, int line, failure *why) {
+  recipe_param *p = slot_for(r, id, why);
+  if (!p) return false;
+  p->line = line;
+  return set_string(&p->text, text, why);
+}
+
+bool recipe_set_pair(recipe *r, const char *pair, failure *why) {
+  const char *equals = strchr(pair, '=');
+  if (!equals || equals == pair)
+    return fail(why, EXIT_BAD_INPUT, "'%s' is not name=value", pair);
+  char *id = strndup(pair, (size_t)(equals - pair));
+  if (!id) return out_of_memory(why);
+  bool ok = recipe_set(r, id, equals + 1, 0, why);
+  free(id);
+  return ok;
+}
+
+bool recipe_set_preset(recipe *r, const char *preset, failure *why) {
+  return set_string(&r->preset, preset, why);
+}
+
+static int hex_digit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  c = (char)tolower((unsigned char)c);
+  return c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
+}
+
+/* %41 for A and + for a space, in place, as in any address. */
+static void decode(char *text) {
+  char *to = text;
+  for (const char *from = text; *from; from++) {
+    int high = from[0] == '%' ? hex_digit(from[1]) : -1;
+    int low = high >= 0 ? hex_digit(from[2]) : -1;
+    if (low >= 0 && high + low > 0) {
+      *to++ = (char)(16 * high + low);
+      from += 2;
+    } else
+      *to++ = *from == '+' ? ' ' : *from;
+  }
+  *to = '\0';
+}
+
+static bool apply_override(recipe *r, char *pair, failure *why) {
+  decode(pair);
+  if (strncmp(pair, "res=", 4) == 0) {
+    double *size = r->image.resolution;
+    size_t count = numbers_read(pair + 4, 'x', size, 2);
+    if (count == 1) size[1] = size[0];
+    if (count > 0 && size[0] >= 1 && size[0] <= 65536 && size[1] >= 1 && size[1] <= 65536)
+      return true;
+    return fail(why, EXIT_BAD_INPUT, "'%s' is not res=N or res=WxH from 1 to 65536", pair);
+  }
+  if (strncmp(pair, "preset=", 7) == 0) return recipe_set_preset(r, pair + 7, why);
+  return recipe_set_pair(r, pair, why);
+}
+
+static bool apply_overrides(recipe *r, const char *query, failure *why) {
+  char *copy = strdup(query);
+  if (!copy) return out_of_memory(why);
+  bool ok = true;
+  char *rest = copy;
+  for (char *pair; ok && (pair = strsep(&rest, "&"));)
+    if (*pair) ok = apply_override(r, pair, why);
+  free(copy);
+  return ok;
+}
+
+bool recipe_open(recipe *r, const char *name, failure *why) {
+  memset(r, 0, sizeof *r);
+  const char *query = strstr(name, ENDING "?");
+  if (query) query += strlen(ENDING);
+  size_t length = query ? (size_t)(query - name) : strlen(name);
+  bool is_file = length >= strlen(ENDING) &&
+                 strncmp(name + length - strlen(ENDING), ENDING, strlen(ENDING)) == 0;
+  bool ok;
+  if (is_file) {
+    r->file = strndup(name, length);
+    ok = r->file ? recipe_read_file(r, r->file, why) : out_of_memory(why);
+    if (ok && query) ok = apply_overrides(r, query + 1, why);
+  } else
+    ok = set_string(&r->material, name, why);
+  if (!ok) recipe_free(r);
+  return ok;
+}
+
+void recipe_free(recipe *r) {
+  for (size_t i = 0; i < r->param_count; i++) {
+    free(r->params[i].id);
+    free(r->params[i].text);
+  }
+  free(r->params);
+  free(r->file);
+  free(r->material);
+  free(r->preset);
+  free(r->surface.mesh);
+  memset(r, 0, sizeof *r);
+}
+
+const sozai_texture_info *recipe_info(const recipe *r, const sozai_textures_1 *textures,
+                                      failure *why) {
+  const sozai_texture_info *info = textures->find(r->material);
+  if (info) return info;
+  char known[512] = "";
+  for (uint32_t i = 0; i < textures->count(); i++) {
+    size_t used = strlen(known);
+    snprintf(known + used, sizeof known - used, "%s%s", i ? ", " : "", textures->info(i)->id);
+  }
+  fail(why, EXIT_BAD_INPUT, "%s%sunknown material '%s'; there is %s", r->file ? r->file : "",
+       r->file ? ": " : "", r->material, known);
+  return NULL;
+}
+
+static sozai_value value_of(const recipe_param *p) {
+  return (sozai_value){.id = p->id, .kind = SOZAI_KIND_STRING, .text = p->text};
+}
+
+/* What the user can mend by asking for something else. */
+static int exit_code_of(int32_t result) {
+  switch (result) {
+  case SOZAI_ERROR_UNKNOWN:
+  case SOZAI_ERROR_KIND:
+  case SOZAI_ERROR_RANGE:
+  case SOZAI_ERROR_FILE:
+  case SOZAI_ERROR_COLOUR: return EXIT_BAD_INPUT;
+  default: return EXIT_FAILURE;
+  }
+}
+
+/* create() names the parameter but cannot know its line: try the file's values
+ * one by one, and take the first that is refused alone. */
+static const recipe_param *find_culprit(const recipe *r, const sozai_textures_1 *textures,
+                                        const sozai_host *host, int32_t result) {
+  for (size_t i = 0; i < r->param_count; i++) {
+    if (r->params[i].line == 0) continue;
+    sozai_value value = value_of(&r->params[i]);
+    sozai_texture *texture = NULL;
+    int32_t alone = textures->create(host, r->material, NULL, &value, 1, &texture);
+    if (alone == SOZAI_OK) textures->destroy(texture);
+    if (alone == result) return &r->params[i];
+  }
+  return NULL;
+}
+
+static bool explain(const recipe *r, const sozai_textures_1 *textures, const sozai_host *host,
+                    int32_t result, failure *why) {
+  const char *reason = textures->last_error();
+  fail(why, exit_code_of(result), "%s", reason && *reason ? reason : "the plugin gave no reason");
+  if (!r->file || exit_code_of(result) != EXIT_BAD_INPUT) return false;
+  char text[sizeof why->text];
+  memcpy(text, why->text, sizeof text);
+  const recipe_param *culprit = find_culprit(r, textures, host, result);
+  if (culprit)
+    return fail(why, EXIT_BAD_INPUT, "%s:%d: %s", r->file, culprit->line, text);
+  return fail(why, EXIT_BAD_INPUT, "%s: %s", r->file, text);
+}
+
+bool recipe_create(const recipe *r, const sozai_textures_1 *textures, const sozai_host *host,
+                   sozai_texture **out, failure *why) {
+  *out = NULL;
+  if (!recipe_info(r, textures, why)) return false;
+  sozai_value *values = calloc(r->param_count + 1, sizeof *values);
+  if (!values) return out_of_memory(why);
+  for (size_t i = 0; i < r->param_count; i++) values[i] = value_of(&r->params[i]);
+  int32_t result = textures->create(host, r->material, r->preset, values,
+                                    (uint32_t)r->param_count, out);
+  free(values);
+  return result == SOZAI_OK || explain(r, textures, host, result, why);
+}

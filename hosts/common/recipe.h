@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: Apache-2.0
+ * What a user asks of a material: its name, a preset and parameters, from a
+ * command line, a .sozai file, or both. */
+#ifndef SOZAI_HOSTS_RECIPE_H
+#define SOZAI_HOSTS_RECIPE_H
+
+#include <stddef.h>
+#include "failure.h"
+#include "sozai.h"
+
+typedef struct recipe_param {
+  char *id;
+  char *text; /* the plugin reads it as the parameter's kind */
+  int line;   /* in the file; 0: not from a file */
+} recipe_param;
+
+#define RECIPE_NO_SHAPE 0
+#define RECIPE_PLANE 1
+#define RECIPE_BOARD 2
+#define RECIPE_MESH 3
+
+/* The surface the material is seen on. */
+typedef struct recipe_surface {
+  int shape;      /* RECIPE_* */
+  double size[3]; /* mm: width, height and thickness; 0: not said */
+  char *mesh;     /* path */
+} recipe_surface;
+
+/* The picture a .sozai file is when read as one. */
+typedef struct recipe_image {
+  double resolution[2]; /* pixels; 0: not said */
+  double size[2];       /* mm; 0: not said */
+} recipe_image;
+
+typedef struct recipe {
+  char *file; /* the file's path, or NULL */
+  char *material;
+  char *preset; /* or NULL */
+  recipe_param *params;
+  size_t param_count;
+  recipe_surface surface;
+  recipe_image image;
+} recipe;
+
+/* name: a material's id, or the path of a .sozai file, which may go on in
+ * "?parameter=value&..." ("res" stands for the image's resolution). */
+bool recipe_open(recipe *r, const char *name, failure *why);
+void recipe_free(recipe *r);
+
+/* A later value for the same parameter replaces the earlier. */
+bool recipe_set(recipe *r, const char *id, const char *text, int line, failure *why);
+/* "name=value", as in -p. */
+bool recipe_set_pair(recipe *r, const char *pair, failure *why);
+bool recipe_set_preset(recipe *r, const char *preset, failure *why);
+
+/* The kind of texture it names. */
+const sozai_texture_info *recipe_info(const recipe *r, const sozai_textures_1 *textures,
+                                      failure *why);
+/* Make the texture. A refused value of the file's is reported with its line. */
+bool recipe_create(const recipe *r, const sozai_textures_1 *textures, const sozai_host *host,
+                   sozai_texture **out, failure *why);
+
+/* Used by recipe_open: fill r from a .sozai file. */
+bool recipe_read_file(recipe *r, const char *path, failure *why);
+
+#endif

@@ -1,0 +1,309 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * The .sozai file:
+ *
+ *   material: wood
+ *   preset: keyaki            # optional, as is all that follows
+ *   params:
+ *     ring_width: 1.5
+ *     heartwood: [0.2, 0.1, 0.05]
+ *   surface:
+ *     shape: board            # plane, board or mesh
+ *     size: [120, 240, 20]    # mm: width, height, thickness
+ *     mesh: chair.obj         # for shape: mesh, beside this file
+ *   image:
+ *     resolution: [4096, 4096]
+ *     size: [1000, 1000]      # mm
+ *
+ * Read event by event, since each event knows its line and nothing is kept
+ * that was not asked for. */
+#include "recipe.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <yaml.h>
+#include "numbers.h"
+
+#define MOST_BYTES (1 << 20)
+#define MOST_TEXT 65536 /* bytes in one value */
+
+typedef struct reader {
+  yaml_parser_t parser;
+  yaml_event_t event; /* the one being looked at */
+  bool has_event;
+  recipe *out;
+  failure *why;
+} reader;
+
+typedef struct key {
+  const char *name;
+  bool (*read)(reader *in); /* from the value's first event to its last */
+} key;
+
+static int line_of(const reader *in) { return (int)in->event.start_mark.line + 1; }
+
+__attribute__((format(printf, 2, 3))) static bool refuse(reader *in, const char *format, ...) {
+  char text[512];
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  return fail(in->why, EXIT_BAD_INPUT, "%s:%d: %s", in->out->file, line_of(in), text);
+}
+
+static bool next(reader *in) {
+  if (in->has_event) yaml_event_delete(&in->event);
+  in->has_event = false;
+  if (!yaml_parser_parse(&in->parser, &in->event)) {
+    int line = (int)in->parser.problem_mark.line + 1;
+    return fail(in->why, EXIT_BAD_INPUT, "%s:%d: %s", in->out->file, line,
+                in->parser.problem ? in->parser.problem : "unreadable");
+  }
+  in->has_event = true;
+  if (in->event.type == YAML_ALIAS_EVENT) return refuse(in, "aliases are not taken here");
+  return true;
+}
+
+/* The scalar being looked at, or NULL when it is something else. */
+static const char *scalar(reader *in, const char *what) {
+  if (in->event.type != YAML_SCALAR_EVENT) {
+    refuse(in, "%s must be a single value", what);
+    return NULL;
+  }
+  const char *text = (const char *)in->event.data.scalar.value;
+  size_t length = in->event.data.scalar.length;
+  if (length > MOST_TEXT || strlen(text) != length) {
+    refuse(in, "%s is %s", what, length > MOST_TEXT ? "too long" : "not text");
+    return NULL;
+  }
+  return text;
+}
+
+static bool keep(reader *in, char **slot, const char *what) {
+  const char *text = scalar(in, what);
+  if (!text) return false;
+  if (!*text) return refuse(in, "%s is empty", what);
+  free(*slot);
+  *slot = strdup(text);
+  return *slot ? true : fail(in->why, EXIT_FAILURE, "out of memory");
+}
+
+/* One number or a list of them; how many, or 0 when refused. */
+static size_t read_numbers(reader *in, double *out, size_t most, double low, double high,
+                           const char *what) {
+  bool list = in->event.type == YAML_SEQUENCE_START_EVENT;
+  size_t count = 0;
+  if (list && !next(in)) return 0;
+  do {
+    if (list && in->event.type == YAML_SEQUENCE_END_EVENT) break;
+    const char *text = scalar(in, what);
+    if (!text) return 0;
+    if (count == most) {
+      refuse(in, "%s takes at most %zu numbers", what, most);
+      return 0;
+    }
+    double number;
+    if (!number_read(text, &number) || !(number >= low && number <= high)) {
+      refuse(in, "%s: '%.40s' is not a number from %g to %g", what, text, low, high);
+      return 0;
+    }
+    out[count++] = number;
+    if (list && !next(in)) return 0;
+  } while (list);
+  if (count == 0) refuse(in, "%s is empty", what);
+  return count;
+}
+
+static bool unknown_key(reader *in, const char *name, const key *keys, const char *where) {
+  char known[256] = "";
+  for (const key *k = keys; k->name; k++) {
+    size_t used = strlen(known);
+    snprintf(known + used, sizeof known - used, "%s%s", k == keys ? "" : ", ", k->name);
+  }
+  return refuse(in, "unknown key '%.80s' in %s; there is %s", name, where, known);
+}
+
+/* A mapping whose keys are known, from its start to its end. */
+static bool read_mapping(reader *in, const key *keys, const char *where) {
+  if (in->event.type != YAML_MAPPING_START_EVENT)
+    return refuse(in, "%s must be a mapping of keys to values", where);
+  uint32_t seen = 0;
+  for (;;) {
+    if (!next(in)) return false;
+    if (in->event.type == YAML_MAPPING_END_EVENT) return true;
+    const char *name = scalar(in, "a key");
+    if (!name) return false;
+    const key *k = keys;
+    while (k->name && strcmp(k->name, name) != 0) k++;
+    if (!k->name) return unknown_key(in, name, keys, where);
+    uint32_t bit = 1u << (k - keys);
+    if (seen & bit) return refuse(in, "'%s' stands twice", name);
+    seen |= bit;
+    if (!next(in) || !k->read(in)) return false;
+  }
+}
+
+/* ---- params ----------------------------------------------------------- */
+
+/* [0.2, 0.1, 0.05] becomes "0.2 0.1 0.05", which the plugin reads. */
+static bool join_list(reader *in, char *text, size_t size) {
+  size_t used = 0;
+  for (;;) {
+    if (!next(in)) return false;
+    if (in->event.type == YAML_SEQUENCE_END_EVENT) return true;
+    const char *item = scalar(in, "an item of a parameter's list");
+    if (!item) return false;
+    int more = snprintf(text + used, size - used, "%s%s", used ? " " : "", item);
+    if (more < 0 || (size_t)more >= size - used) return refuse(in, "a list too long");
+    used += (size_t)more;
+  }
+}
+
+static bool read_param(reader *in, const char *id, int line) {
+  if (in->event.type == YAML_SEQUENCE_START_EVENT) {
+    char text[256] = "";
+    return join_list(in, text, sizeof text) && recipe_set(in->out, id, text, line, in->why);
+  }
+  const char *text = scalar(in, "a parameter");
+  return text && recipe_set(in->out, id, text, line, in->why);
+}
+
+static bool read_params(reader *in) {
+  if (in->event.type != YAML_MAPPING_START_EVENT)
+    return refuse(in, "params must be a mapping of names to values");
+  for (;;) {
+    if (!next(in)) return false;
+    if (in->event.type == YAML_MAPPING_END_EVENT) return true;
+    const char *name = scalar(in, "a parameter's name");
+    if (!name) return false;
+    for (size_t i = 0; i < in->out->param_count; i++)
+      if (strcmp(in->out->params[i].id, name) == 0)
+        return refuse(in, "parameter '%.80s' stands twice", name);
+    int line = line_of(in);
+    char *id = strdup(name); /* the next event takes its text away */
+    if (!id) return fail(in->why, EXIT_FAILURE, "out of memory");
+    bool ok = next(in) && read_param(in, id, line);
+    free(id);
+    if (!ok) return false;
+  }
+}
+
+/* ---- surface ---------------------------------------------------------- */
+
+static bool read_shape(reader *in) {
+  static const struct {
+    const char *name;
+    int shape;
+  } shapes[] = {{"plane", RECIPE_PLANE}, {"board", RECIPE_BOARD}, {"mesh", RECIPE_MESH}};
+  const char *text = scalar(in, "shape");
+  if (!text) return false;
+  for (size_t i = 0; i < sizeof shapes / sizeof shapes[0]; i++)
+    if (strcmp(shapes[i].name, text) == 0) {
+      in->out->surface.shape = shapes[i].shape;
+      return true;
+    }
+  return refuse(in, "unknown shape '%.40s'; there is plane, board, mesh", text);
+}
+
+static bool read_surface_size(reader *in) {
+  return read_numbers(in, in->out->surface.size, 3, 1e-3, 1e6, "size (mm)") > 0;
+}
+
+/* A relative path starts from the file's own folder. */
+static bool read_mesh(reader *in) {
+  char *name = NULL;
+  if (!keep(in, &name, "mesh")) return false;
+  const char *slash = name[0] == '/' ? NULL : strrchr(in->out->file, '/');
+  if (slash) {
+    size_t folder = (size_t)(slash + 1 - in->out->file);
+    char *path = malloc(folder + strlen(name) + 1);
+    if (path) {
+      memcpy(path, in->out->file, folder);
+      strcpy(path + folder, name);
+    }
+    free(name);
+    name = path;
+  }
+  in->out->surface.mesh = name;
+  return name ? true : fail(in->why, EXIT_FAILURE, "out of memory");
+}
+
+static bool read_surface(reader *in) {
+  static const key keys[] = {
+      {"shape", read_shape}, {"size", read_surface_size}, {"mesh", read_mesh}, {NULL, NULL}};
+  int line = line_of(in);
+  if (!read_mapping(in, keys, "surface")) return false;
+  const recipe_surface *s = &in->out->surface;
+  if ((s->shape == RECIPE_MESH) == (s->mesh != NULL)) return true;
+  return fail(in->why, EXIT_BAD_INPUT, "%s:%d: surface: 'shape: mesh' and 'mesh' go together",
+              in->out->file, line);
+}
+
+/* ---- image ------------------------------------------------------------ */
+
+static bool read_pair(reader *in, double *pair, double low, double high, const char *what) {
+  size_t count = read_numbers(in, pair, 2, low, high, what);
+  if (count == 1) pair[1] = pair[0];
+  return count > 0;
+}
+
+static bool read_resolution(reader *in) {
+  double *pair = in->out->image.resolution;
+  if (!read_pair(in, pair, 1, 65536, "resolution")) return false;
+  if (pair[0] == (double)(int)pair[0] && pair[1] == (double)(int)pair[1]) return true;
+  return refuse(in, "resolution must be whole numbers");
+}
+
+static bool read_image_size(reader *in) {
+  return read_pair(in, in->out->image.size, 1e-3, 1e6, "size (mm)");
+}
+
+static bool read_image(reader *in) {
+  static const key keys[] = {
+      {"resolution", read_resolution}, {"size", read_image_size}, {NULL, NULL}};
+  return read_mapping(in, keys, "image");
+}
+
+/* ---- the file --------------------------------------------------------- */
+
+static bool read_material(reader *in) { return keep(in, &in->out->material, "material"); }
+static bool read_preset(reader *in) { return keep(in, &in->out->preset, "preset"); }
+
+static bool read_document(reader *in) {
+  static const key keys[] = {{"material", read_material}, {"preset", read_preset},
+                             {"params", read_params},     {"surface", read_surface},
+                             {"image", read_image},       {NULL, NULL}};
+  if (!next(in) || !next(in)) return false; /* the stream's start and the document's */
+  if (in->event.type == YAML_STREAM_END_EVENT) return refuse(in, "an empty file");
+  if (!next(in) || !read_mapping(in, keys, "the file")) return false;
+  if (!next(in) || !next(in)) return false; /* the document's end, and what follows */
+  if (in->event.type != YAML_STREAM_END_EVENT) return refuse(in, "more than one document");
+  if (!in->out->material) return refuse(in, "no 'material' is named");
+  return true;
+}
+
+bool recipe_read_file(recipe *r, const char *path, failure *why) {
+  FILE *file = fopen(path, "rb");
+  struct stat status;
+  if (!file || fstat(fileno(file), &status) != 0 || !S_ISREG(status.st_mode)) {
+    if (file) fclose(file);
+    return fail(why, EXIT_BAD_INPUT, "cannot read %s", path);
+  }
+  reader in = {.out = r, .why = why};
+  bool ok;
+  if (status.st_size > MOST_BYTES)
+    ok = fail(why, EXIT_BAD_INPUT, "%s: longer than %d bytes", path, MOST_BYTES);
+  else if (!yaml_parser_initialize(&in.parser))
+    ok = fail(why, EXIT_FAILURE, "out of memory");
+  else {
+    yaml_parser_set_input_file(&in.parser, file);
+    ok = read_document(&in);
+    if (in.has_event) yaml_event_delete(&in.event);
+    yaml_parser_delete(&in.parser);
+  }
+  fclose(file);
+  return ok;
+}

@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: Apache-2.0
+ * Sample points that are a function of pixel, sample and dimension alone, so
+ * that a picture does not depend on who drew which part of it.
+ *
+ * The first two dimensions of Sobol's sequence, scrambled and shuffled for each
+ * pixel and pair of dimensions by a hash in the manner of Owen (after Laine and
+ * Karras 2011, Burley 2020). */
+#ifndef SOZAI_RENDER_SAMPLES_H
+#define SOZAI_RENDER_SAMPLES_H
+
+#include <stdint.h>
+
+static inline uint32_t sample_hash(uint32_t x) {
+  x ^= x >> 16;
+  x *= 0x7feb352du;
+  x ^= x >> 15;
+  x *= 0x846ca68bu;
+  return x ^ x >> 16;
+}
+
+static inline uint32_t sample_reverse(uint32_t x) {
+  x = (x & 0x55555555u) << 1 | (x >> 1 & 0x55555555u);
+  x = (x & 0x33333333u) << 2 | (x >> 2 & 0x33333333u);
+  x = (x & 0x0f0f0f0fu) << 4 | (x >> 4 & 0x0f0f0f0fu);
+  return __builtin_bswap32(x);
+}
+
+/* Owen's scramble: each bit flips by a hash of those above it. */
+static inline uint32_t sample_scramble(uint32_t x, uint32_t seed) {
+  x = sample_reverse(x);
+  x += seed;
+  x ^= x * 0x6c50b47cu;
+  x ^= x * 0xb82f1e52u;
+  x ^= x * 0xc7afe638u;
+  x ^= x * 0x8d22f6e6u;
+  return sample_reverse(x);
+}
+
+/* Sobol's second dimension; the first is the index reversed. */
+static inline uint32_t sample_sobol_1(uint32_t index) {
+  uint32_t result = 0;
+  for (uint32_t v = 0x80000000u; index; index >>= 1, v ^= v >> 1)
+    if (index & 1) result ^= v;
+  return result;
+}
+
+static inline float sample_unit(uint32_t x) { return (float)(x >> 8) * 0x1p-24f; }
+
+/* Two numbers in [0, 1). pixel: any number of its own; pair: which dimensions. */
+static inline void sample_pair(uint32_t pixel, uint32_t index, uint32_t pair, float *u, float *v) {
+  uint32_t seed = sample_hash(pixel + 0x9e3779b9u * (pair + 1));
+  uint32_t shuffled = sample_scramble(index, seed);
+  *u = sample_unit(sample_scramble(sample_reverse(shuffled), sample_hash(seed ^ 0x68bc21ebu)));
+  *v = sample_unit(sample_scramble(sample_sobol_1(shuffled), sample_hash(seed ^ 0x02e5be93u)));
+}
+
+#endif

@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Palettes into the working space, by whichever colour service there is.
+ */
+#ifndef SOZAI_CORE_COLOUR_H
+#define SOZAI_CORE_COLOUR_H
+
+#include "params.h"
+
+/* Where sozai.so was loaded from, for sozai-colour.so beside it. */
+void colour_plugin_path(const char *path);
+/* Closes what was opened; at the last deinit. */
+void colour_close(void);
+
+/* Convert the numbers of every COLOUR setting into the working space: out has
+ * a float[3] for each parameter, filled for colours only. */
+int32_t colour_convert(const sozai_host *host, const sozai_texture_info *info, const settings *s,
+                       float (*out)[3]);
+
+#endif

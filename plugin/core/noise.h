@@ -1,0 +1,158 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Noise with its exact derivatives.
+ *
+ * Two families:
+ *   value    random numbers at the lattice points, blended by the quintic fade.
+ *   axial    along one axis (y) a gradient noise, whose gradients are value
+ *            noises across the others. It is exactly zero on every lattice
+ *            plane of y, y = 0 among them: a displacement made of it leaves
+ *            the section at y = 0 as it was. Within +-1, and within +-0.5 of
+ *            the gradients' bound; its slope along y is within
+ *            AXIAL_SLOPE_BOUND times the gradients' bound.
+ *   gradient classic 3-D gradient noise on the unit lattice, within +-1.2.
+ *
+ * Lattice coordinates must stay below 2^30 in size.
+ */
+#ifndef SOZAI_CORE_NOISE_H
+#define SOZAI_CORE_NOISE_H
+
+#include "hash.h"
+#include "maths.h"
+
+/* The supremum over f of |d/df| for gradients of +-1, found numerically. */
+#define AXIAL_SLOPE_BOUND 1.3472f
+
+/* A coordinate split into lattice cell and place within it. */
+typedef struct {
+  vu low, high; /* the hash terms of the cell's two ends */
+  vf f;         /* 0..1 within the cell */
+  vf w, dw;     /* fade(f) and its slope */
+} noise_axis;
+
+INLINE noise_axis noise_split(vf x, uint32_t multiplier) {
+  noise_axis a;
+  vi i;
+  a.f = x - vfloor(x, &i);
+  a.low = (vu)i * splatu(multiplier);
+  a.high = a.low + splatu(multiplier);
+  a.w = fade(a.f);
+  a.dw = fade_slope(a.f);
+  return a;
+}
+
+/* Value noise in one dimension, within +-1. */
+INLINE vf noise_value1(const noise_axis *x, vu seed, vf *dx) {
+  vf a = hash_signed(x->low + seed), b = hash_signed(x->high + seed);
+  *dx = (b - a) * x->dw;
+  return mix(a, b, x->w);
+}
+
+/* Value noise in two dimensions, within +-1. */
+INLINE vf noise_value2(const noise_axis *x, const noise_axis *z, vu seed, vf *dx, vf *dz) {
+  vu s0 = z->low + seed, s1 = z->high + seed;
+  vf a = hash_signed(x->low + s0), b = hash_signed(x->high + s0);
+  vf c = hash_signed(x->low + s1), d = hash_signed(x->high + s1);
+  vf p = mix(a, b, x->w), q = mix(c, d, x->w);
+  *dx = mix(b - a, d - c, z->w) * x->dw;
+  *dz = (q - p) * z->dw;
+  return mix(p, q, z->w);
+}
+
+/* From the gradients of the two planes to value and slope along y. */
+INLINE vf noise_axial_blend(const noise_axis *y, vf g0, vf g1, vf *dy) {
+  vf n0 = g0 * y->f, n1 = g1 * (y->f - splat(1.0f));
+  *dy = mix(g0, g1, y->w) + (n1 - n0) * y->dw;
+  return mix(n0, n1, y->w);
+}
+
+/* Axial noise in y alone: gradients are numbers within +-1. */
+INLINE vf noise_axial1(const noise_axis *y, vu seed, vf *dy) {
+  return noise_axial_blend(y, hash_signed(y->low + seed), hash_signed(y->high + seed), dy);
+}
+
+/* Axial noise in y with gradients varying along t. */
+INLINE vf noise_axial2(const noise_axis *y, const noise_axis *t, vu seed, vf *dy, vf *dt) {
+  vf d0, d1, unused;
+  vf g0 = noise_value1(t, y->low + seed, &d0);
+  vf g1 = noise_value1(t, y->high + seed, &d1);
+  *dt = noise_axial_blend(y, d0, d1, &unused);
+  return noise_axial_blend(y, g0, g1, dy);
+}
+
+/* Axial noise in y with gradients varying over x and z. */
+INLINE vf noise_axial3(const noise_axis *x, const noise_axis *y, const noise_axis *z, vu seed,
+                       vf *dx, vf *dy, vf *dz) {
+  vf x0, z0, x1, z1;
+  vf g0 = noise_value2(x, z, y->low + seed, &x0, &z0);
+  vf g1 = noise_value2(x, z, y->high + seed, &x1, &z1);
+  vf n0 = y->f * (splat(1.0f) - y->w), n1 = (y->f - splat(1.0f)) * y->w;
+  *dx = x0 * n0 + x1 * n1;
+  *dz = z0 * n0 + z1 * n1;
+  return noise_axial_blend(y, g0, g1, dy);
+}
+
+/* One corner of gradient noise: a gradient of three components within +-1
+ * from ten bits each, times the offset. */
+INLINE void noise_corner(vu h, vf x, vf y, vf z, vf *value, vf *gx, vf *gy, vf *gz) {
+  h = hash_mix(h);
+  vf k = splat(2.0f / 1023.0f), one = splat(1.0f);
+  *gx = to_float((vi)(h >> 22)) * k - one;
+  *gy = to_float((vi)((h >> 12) & splatu(1023u))) * k - one;
+  *gz = to_float((vi)((h >> 2) & splatu(1023u))) * k - one;
+  *value = *gx * x + *gy * y + *gz * z;
+}
+
+/* Gradient noise in three dimensions with its gradient (out[3]). */
+INLINE vf noise_gradient3(vf px, vf py, vf pz, vu seed, vf out[3]) {
+  noise_axis x = noise_split(px, HASH_X), y = noise_split(py, HASH_Y),
+             z = noise_split(pz, HASH_Z);
+  vf v[8], g[8][3];
+  for (int c = 0; c < 8; c++) {
+    vu h = seed + (c & 1 ? x.high : x.low) + (c & 2 ? y.high : y.low) + (c & 4 ? z.high : z.low);
+    noise_corner(h, x.f - splat((float)(c & 1)), y.f - splat((float)((c >> 1) & 1)),
+                 z.f - splat((float)(c >> 2)), &v[c], &g[c][0], &g[c][1], &g[c][2]);
+  }
+  vf r[4]; /* value and the blended gradients */
+  vf slope_x = splat(0.0f), slope_y, slope_z;
+  vf e[4], s[2];
+  for (int c = 0; c < 4; c++) e[c] = mix(v[2 * c], v[2 * c + 1], x.w);
+  for (int c = 0; c < 2; c++) s[c] = mix(e[2 * c], e[2 * c + 1], y.w);
+  r[0] = mix(s[0], s[1], z.w);
+  slope_x = mix(mix(v[1] - v[0], v[3] - v[2], y.w), mix(v[5] - v[4], v[7] - v[6], y.w), z.w);
+  slope_y = mix(e[1] - e[0], e[3] - e[2], z.w);
+  slope_z = s[1] - s[0];
+  for (int k = 0; k < 3; k++) {
+    vf a = mix(mix(g[0][k], g[1][k], x.w), mix(g[2][k], g[3][k], x.w), y.w);
+    vf b = mix(mix(g[4][k], g[5][k], x.w), mix(g[6][k], g[7][k], x.w), y.w);
+    r[k + 1] = mix(a, b, z.w);
+  }
+  out[0] = r[1] + slope_x * x.dw;
+  out[1] = r[2] + slope_y * y.dw;
+  out[2] = r[3] + slope_z * z.dw;
+  return r[0];
+}
+
+/* A sum of octaves of gradient noise: each `lacunarity` times finer and `gain`
+ * times weaker; an octave fades out as the footprint grows from half to all of
+ * its lattice spacing. Value, and gradient in out[3]. */
+INLINE vf noise_fractal3(vf px, vf py, vf pz, uint32_t seed, int octaves, float lacunarity,
+                         float gain, vf footprint, vf out[3]) {
+  vf sum = splat(0.0f);
+  out[0] = out[1] = out[2] = sum;
+  float scale = 1.0f, weight = 1.0f;
+  for (int o = 0; o < octaves; o++) {
+    vf g[3], k = splat(scale);
+    vf keep = splat(weight) *
+              (splat(1.0f) - smooth_step(splat(0.5f), splat(1.0f), footprint * k));
+    if (!any(gt(keep, splat(0.0f)))) break;
+    sum = sum + keep * noise_gradient3(px * k, py * k, pz * k,
+                                       splatu(hash1(seed + (uint32_t)o)), g);
+    for (int i = 0; i < 3; i++) out[i] = out[i] + keep * k * g[i];
+    scale *= lacunarity;
+    weight *= gain;
+  }
+  return sum;
+}
+
+#endif

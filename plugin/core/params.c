@@ -1,0 +1,386 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "params.h"
+
+#include <string.h>
+
+#include "status.h"
+
+#define TEXT_MAX 65536u
+#define BUFFER_MAX (1ull << 31) /* bytes in a buffer's array */
+
+static const char *kind_name(uint32_t kind) {
+  static const char *const names[] = {"text to be read", "a float", "an int",  "a bool", "a choice",
+                                      "a float3",        "a colour", "text", "a path", "a buffer"};
+  return kind < sizeof names / sizeof names[0] ? names[kind] : "an unknown kind";
+}
+
+static int is_number(uint32_t kind) {
+  return kind == SOZAI_KIND_FLOAT || kind == SOZAI_KIND_INT || kind == SOZAI_KIND_BOOL;
+}
+
+static int is_triple(uint32_t kind) {
+  return kind == SOZAI_KIND_FLOAT3 || kind == SOZAI_KIND_COLOUR;
+}
+
+static int find_parameter(const sozai_texture_info *info, const char *id) {
+  for (uint32_t i = 0; i < info->parameter_count; i++) {
+    if (strcmp(info->parameters[i]->id, id) == 0) return (int)i;
+  }
+  return -1;
+}
+
+/* ---- reading text ----------------------------------------------------- */
+
+static const char *skip_blank(const char *s) {
+  while (*s == ' ' || *s == '\t' || *s == ',') s++;
+  return s;
+}
+
+static const char *word_end(const char *s) {
+  while (*s && *s != ' ' && *s != '\t' && *s != ',' && *s != '@') s++;
+  return s;
+}
+
+static int hex_digit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+/* "#rrggbb" */
+static int read_hex(const char *s, double out[3]) {
+  if (s[0] != '#' || strlen(s) < 7) return 0;
+  for (int c = 0; c < 3; c++) {
+    int hi = hex_digit(s[1 + 2 * c]), lo = hex_digit(s[2 + 2 * c]);
+    if (hi < 0 || lo < 0) return 0;
+    out[c] = (hi * 16 + lo) / 255.0;
+  }
+  return 1;
+}
+
+static int32_t unreadable(const sozai_parameter *p, const char *text, const char *wanted) {
+  return fail(SOZAI_ERROR_KIND, "%s: cannot read \"%.80s\" as %s", p->id, text, wanted);
+}
+
+static int32_t read_text(const sozai_parameter *p, const char *text, sozai_value *v) {
+  v->kind = p->kind;
+  const char *s = skip_blank(text);
+  switch (p->kind) {
+  case SOZAI_KIND_FLOAT:
+  case SOZAI_KIND_INT: {
+    const char *e = word_end(s);
+    if (!read_number(s, e, &v->number[0]) || *skip_blank(e)) {
+      return unreadable(p, text, p->kind == SOZAI_KIND_INT ? "a whole number" : "a number");
+    }
+    return SOZAI_OK;
+  }
+  case SOZAI_KIND_BOOL:
+    if (!strcmp(s, "true") || !strcmp(s, "1") || !strcmp(s, "on") || !strcmp(s, "yes")) {
+      v->number[0] = 1.0;
+    } else if (!strcmp(s, "false") || !strcmp(s, "0") || !strcmp(s, "off") || !strcmp(s, "no")) {
+      v->number[0] = 0.0;
+    } else {
+      return unreadable(p, text, "true or false");
+    }
+    return SOZAI_OK;
+  case SOZAI_KIND_FLOAT3:
+  case SOZAI_KIND_COLOUR: {
+    v->text = NULL;
+    const char *e = s;
+    if (p->kind == SOZAI_KIND_COLOUR && *s == '#') {
+      e = word_end(s);
+      if (e - s != 7 || !read_hex(s, v->number)) return unreadable(p, text, "a colour #rrggbb");
+    } else {
+      for (int c = 0; c < 3; c++) {
+        s = skip_blank(e);
+        e = word_end(s);
+        if (!read_number(s, e, &v->number[c])) return unreadable(p, text, "three numbers");
+      }
+    }
+    s = skip_blank(e);
+    if (p->kind == SOZAI_KIND_COLOUR && *s == '@') {
+      s = skip_blank(s + 1);
+      if (!*s) return unreadable(p, text, "a colour and its space");
+      v->text = s;
+    } else if (*s) {
+      return unreadable(p, text, "three numbers");
+    }
+    return SOZAI_OK;
+  }
+  case SOZAI_KIND_BUFFER:
+    return fail(SOZAI_ERROR_KIND, "%s: takes a buffer of the host's, not text", p->id);
+  default:
+    v->text = text;
+    return SOZAI_OK;
+  }
+}
+
+/* ---- checking --------------------------------------------------------- */
+
+static int32_t check_range(const sozai_parameter *p, double x) {
+  /* written so that NaN fails */
+  if (x >= p->hard_min && x <= p->hard_max) return SOZAI_OK;
+  return fail(SOZAI_ERROR_RANGE, "%s: %.9g is outside %.9g to %.9g%s%s", p->id, x, p->hard_min,
+              p->hard_max, p->unit[0] ? " " : "", p->unit);
+}
+
+static int32_t check_choice(const sozai_parameter *p, const char *text, double *index) {
+  for (uint32_t i = 0; i < p->choice_count; i++) {
+    if (strcmp(p->choices[i], text) == 0) {
+      *index = i;
+      return SOZAI_OK;
+    }
+  }
+  char list[512] = "";
+  for (uint32_t i = 0; i < p->choice_count; i++) {
+    size_t n = strlen(list);
+    if (n + strlen(p->choices[i]) + 3 > sizeof list) break;
+    if (i) strcat(list, ", ");
+    strcat(list, p->choices[i]);
+  }
+  return fail(SOZAI_ERROR_RANGE, "%s: \"%.80s\" is none of: %s", p->id, text, list);
+}
+
+static int32_t check_count(const sozai_parameter *p, const char *what, uint64_t n, uint64_t each,
+                           const void *data) {
+  if (n > BUFFER_MAX / each) {
+    return fail(SOZAI_ERROR_RANGE, "%s: a buffer of %llu %s is larger than %llu", p->id,
+                (unsigned long long)n, what, (unsigned long long)(BUFFER_MAX / each));
+  }
+  if (n && !data) return fail(SOZAI_ERROR_ARGUMENT, "%s: the buffer's %s are NULL", p->id, what);
+  return SOZAI_OK;
+}
+
+/* Elements of a buffer's four arrays. */
+static void buffer_counts(const sozai_buffer *b, uint64_t n[4]) {
+  memset(n, 0, 4 * sizeof *n);
+  if (b->kind == SOZAI_BUFFER_TABLE) {
+    n[0] = b->dims[0] * b->dims[1];
+  } else if (b->kind == SOZAI_BUFFER_IMAGE) {
+    n[0] = b->dims[0] * b->dims[1] * b->dims[2];
+  } else {
+    n[1] = 3 * b->dims[0];
+    n[2] = b->normals ? n[1] : 0;
+    n[3] = b->kind == SOZAI_BUFFER_MESH ? 3 * b->dims[1] : 0;
+  }
+}
+
+static int32_t check_buffer(const sozai_parameter *p, const sozai_buffer *given, sozai_buffer *b) {
+  memset(b, 0, sizeof *b);
+  if (!given) return SOZAI_OK; /* none */
+  if (given->size < 8) return fail(SOZAI_ERROR_ARGUMENT, "%s: the buffer's size is not set", p->id);
+  memcpy(b, given, given->size < sizeof *b ? given->size : sizeof *b);
+  if (b->kind != p->buffer_kind) {
+    return fail(SOZAI_ERROR_KIND, "%s: takes a buffer of kind %u, not %u", p->id, p->buffer_kind,
+                b->kind);
+  }
+  for (int i = 0; i < 3; i++) {
+    if (b->dims[i] > (1u << 30)) {
+      return fail(SOZAI_ERROR_RANGE, "%s: a buffer of dimension %llu is larger than %u", p->id,
+                  (unsigned long long)b->dims[i], 1u << 30);
+    }
+  }
+  if (b->kind == SOZAI_BUFFER_IMAGE && b->dims[0] * b->dims[1] > (1ull << 40)) {
+    return fail(SOZAI_ERROR_RANGE, "%s: the image is too large", p->id);
+  }
+  uint64_t n[4];
+  buffer_counts(b, n);
+  int32_t r = check_count(p, "numbers", n[0], 4, b->data);
+  if (!r) r = check_count(p, "points", n[1], 4, b->points);
+  if (!r) r = check_count(p, "normals", n[2], 4, b->normals);
+  if (!r) r = check_count(p, "indices", n[3], 4, b->indices);
+  for (uint64_t i = 0; !r && i < n[3]; i++) {
+    if (b->indices[i] >= b->dims[0]) {
+      return fail(SOZAI_ERROR_RANGE, "%s: index %u is not below the %llu points", p->id,
+                  b->indices[i], (unsigned long long)b->dims[0]);
+    }
+  }
+  return r;
+}
+
+static int32_t check_text(const sozai_parameter *p, const char *text) {
+  if (!text) return fail(SOZAI_ERROR_ARGUMENT, "%s: its text is NULL", p->id);
+  if (strlen(text) > TEXT_MAX) {
+    return fail(SOZAI_ERROR_RANGE, "%s: text of %zu bytes is longer than %u", p->id, strlen(text),
+                TEXT_MAX);
+  }
+  return SOZAI_OK;
+}
+
+/* One value into one setting; text and buffer still the host's own. */
+static int32_t read_value(const sozai_parameter *p, const sozai_value *given, setting *s) {
+  sozai_value v = *given;
+  if (v.kind == SOZAI_KIND_STRING) {
+    int32_t r = check_text(p, v.text);
+    if (!r) r = read_text(p, given->text, &v);
+    if (r) return r;
+  }
+  if (v.kind == SOZAI_KIND_INT && p->kind == SOZAI_KIND_FLOAT) v.kind = SOZAI_KIND_FLOAT;
+  if (v.kind != p->kind) {
+    return fail(SOZAI_ERROR_KIND, "%s: takes %s, not %s", p->id, kind_name(p->kind),
+                kind_name(v.kind));
+  }
+  int32_t r = SOZAI_OK;
+  if (is_number(p->kind)) {
+    r = check_range(p, v.number[0]);
+    if (!r && p->kind != SOZAI_KIND_FLOAT && v.number[0] != (double)(int64_t)v.number[0]) {
+      r = fail(SOZAI_ERROR_KIND, "%s: %.9g is not a whole number", p->id, v.number[0]);
+    }
+    s->number[0] = v.number[0];
+  } else if (is_triple(p->kind)) {
+    for (int c = 0; c < 3 && !r; c++) r = check_range(p, v.number[c]);
+    memcpy(s->number, v.number, sizeof s->number);
+    if (p->kind == SOZAI_KIND_COLOUR) s->text = v.text && v.text[0] ? v.text : p->default_text;
+    if (!r && s->text) r = check_text(p, s->text);
+  } else if (p->kind == SOZAI_KIND_BUFFER) {
+    sozai_buffer b;
+    r = check_buffer(p, v.buffer, &b);
+    s->buffer = v.buffer;
+  } else {
+    r = check_text(p, v.text);
+    if (!r && p->kind == SOZAI_KIND_CHOICE) {
+      r = check_choice(p, v.text, &s->number[0]);
+      if (!r) s->text = p->choices[(uint32_t)s->number[0]];
+    } else {
+      s->text = v.text;
+    }
+  }
+  return r;
+}
+
+static void set_default(const sozai_parameter *p, setting *s) {
+  memset(s, 0, sizeof *s);
+  memcpy(s->number, p->default_number, sizeof s->number);
+  if (p->kind == SOZAI_KIND_CHOICE) {
+    s->text = p->choices[(uint32_t)p->default_number[0]];
+  } else {
+    s->text = p->default_text;
+  }
+}
+
+static int32_t read_values(setting *list, const sozai_texture_info *info,
+                           const sozai_value *values, uint32_t count) {
+  for (uint32_t i = 0; i < count; i++) {
+    if (!values[i].id) return fail(SOZAI_ERROR_ARGUMENT, "value %u has no parameter's id", i);
+    int k = find_parameter(info, values[i].id);
+    if (k < 0) {
+      return fail(SOZAI_ERROR_UNKNOWN, "%s has no parameter \"%.80s\"", info->id, values[i].id);
+    }
+    int32_t r = read_value(info->parameters[k], &values[i], &list[k]);
+    if (r) return r;
+  }
+  return SOZAI_OK;
+}
+
+/* ---- copying ---------------------------------------------------------- */
+
+static size_t round_up(size_t n) { return (n + 15) & ~(size_t)15; }
+
+static size_t copied_bytes(const setting *s) {
+  size_t n = 0;
+  if (s->text) n += round_up(strlen(s->text) + 1);
+  if (s->buffer) {
+    sozai_buffer b;
+    memset(&b, 0, sizeof b);
+    memcpy(&b, s->buffer, s->buffer->size < sizeof b ? s->buffer->size : sizeof b);
+    uint64_t c[4];
+    buffer_counts(&b, c);
+    n += round_up(sizeof(sozai_buffer));
+    for (int i = 0; i < 4; i++) n += round_up((size_t)c[i] * 4);
+    if (b.colour_space) n += round_up(strlen(b.colour_space) + 1);
+  }
+  return n;
+}
+
+static void *copy_into(char **at, const void *from, size_t bytes) {
+  if (!from) return NULL;
+  void *to = *at;
+  if (bytes) memcpy(to, from, bytes);
+  *at += round_up(bytes);
+  return to;
+}
+
+static void copy_owned(setting *s, char **at) {
+  if (s->text) s->text = copy_into(at, s->text, strlen(s->text) + 1);
+  if (s->buffer) {
+    sozai_buffer b;
+    memset(&b, 0, sizeof b);
+    memcpy(&b, s->buffer, s->buffer->size < sizeof b ? s->buffer->size : sizeof b);
+    b.size = sizeof b;
+    sozai_buffer *own = copy_into(at, &b, sizeof b);
+    uint64_t c[4];
+    buffer_counts(&b, c);
+    own->data = copy_into(at, c[0] ? b.data : NULL, (size_t)c[0] * 4);
+    own->points = copy_into(at, c[1] ? b.points : NULL, (size_t)c[1] * 4);
+    own->normals = copy_into(at, c[2] ? b.normals : NULL, (size_t)c[2] * 4);
+    own->indices = copy_into(at, c[3] ? b.indices : NULL, (size_t)c[3] * 4);
+    if (b.colour_space) {
+      own->colour_space = copy_into(at, b.colour_space, strlen(b.colour_space) + 1);
+    }
+    s->buffer = own;
+  }
+}
+
+/* ---- settings --------------------------------------------------------- */
+
+static int32_t read_all(setting *list, const sozai_texture_info *info, const char *preset,
+                        const sozai_value *values, uint32_t value_count) {
+  for (uint32_t i = 0; i < info->parameter_count; i++) set_default(info->parameters[i], &list[i]);
+  if (preset) {
+    uint32_t k = 0;
+    while (k < info->preset_count && strcmp(info->presets[k]->id, preset) != 0) k++;
+    if (k == info->preset_count) {
+      return fail(SOZAI_ERROR_UNKNOWN, "%s has no preset \"%.80s\"", info->id, preset);
+    }
+    int32_t r = read_values(list, info, info->presets[k]->values, info->presets[k]->value_count);
+    if (r) return r;
+  }
+  return read_values(list, info, values, value_count);
+}
+
+int32_t settings_make(settings *out, const sozai_host *host, const sozai_texture_info *info,
+                      const char *preset, const sozai_value *values, uint32_t value_count) {
+  memset(out, 0, sizeof *out);
+  if (value_count && !values) return fail(SOZAI_ERROR_ARGUMENT, "values is NULL");
+  uint32_t n = info->parameter_count;
+  size_t scratch_bytes = n * sizeof(setting);
+  setting *scratch = host_alloc(host, scratch_bytes, 64);
+  if (!scratch) return SOZAI_ERROR_MEMORY;
+  int32_t r = read_all(scratch, info, preset, values, value_count);
+  if (r == SOZAI_OK) {
+    size_t bytes = round_up(scratch_bytes);
+    for (uint32_t i = 0; i < n; i++) bytes += copied_bytes(&scratch[i]);
+    setting *list = host_alloc(host, bytes, 64);
+    if (list) {
+      memcpy(list, scratch, scratch_bytes);
+      char *at = (char *)list + round_up(scratch_bytes);
+      for (uint32_t i = 0; i < n; i++) copy_owned(&list[i], &at);
+      out->list = list;
+      out->bytes = bytes;
+      out->count = n;
+    } else {
+      r = SOZAI_ERROR_MEMORY;
+    }
+  }
+  host_free(host, scratch, scratch_bytes, 64);
+  return r;
+}
+
+void settings_free(settings *s, const sozai_host *host) {
+  host_free(host, s->list, s->bytes, 64);
+  memset(s, 0, sizeof *s);
+}
+
+int32_t settings_value(const settings *s, const sozai_texture_info *info, const char *id,
+                       sozai_value *out) {
+  int k = find_parameter(info, id);
+  if (k < 0) return fail(SOZAI_ERROR_UNKNOWN, "%s has no parameter \"%.80s\"", info->id, id);
+  memset(out, 0, sizeof *out);
+  out->id = info->parameters[k]->id;
+  out->kind = info->parameters[k]->kind;
+  memcpy(out->number, s->list[k].number, sizeof out->number);
+  out->text = s->list[k].text;
+  out->buffer = s->list[k].buffer;
+  return SOZAI_OK;
+}

@@ -1,0 +1,182 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Lanes: one source for every instruction set.
+ *
+ * A kernel's source is compiled several times, with SOZAI_LANES and one of
+ * SOZAI_ISA_SCALAR, _SSE2, _AVX2, _AVX512, _NEON defined. Arithmetic is the
+ * compiler's own on vector types; what the C operators lack (masks, minimum,
+ * gather) is here. Every function gives the same bits for a lane whatever the
+ * instruction set: IEEE single operations only, no reciprocal estimates, no
+ * fused multiply-add, and the minimum of x86, "a < b ? a : b".
+ */
+#ifndef SOZAI_CORE_SIMD_H
+#define SOZAI_CORE_SIMD_H
+
+#include <stdint.h>
+#include <string.h>
+
+#if defined(SOZAI_ISA_SSE2) || defined(SOZAI_ISA_AVX2) || defined(SOZAI_ISA_AVX512)
+#include <immintrin.h>
+#endif
+
+#define LANES SOZAI_LANES
+#define INLINE static inline __attribute__((always_inline, unused))
+
+typedef float vf __attribute__((vector_size(4 * LANES)));
+typedef int32_t vi __attribute__((vector_size(4 * LANES)));
+typedef uint32_t vu __attribute__((vector_size(4 * LANES)));
+
+#if LANES == 1
+#define SPLAT_(T, x) ((T){(x)})
+#elif LANES == 4
+#define SPLAT_(T, x) ((T){(x), (x), (x), (x)})
+#elif LANES == 8
+#define SPLAT_(T, x) ((T){(x), (x), (x), (x), (x), (x), (x), (x)})
+#elif LANES == 16
+#define SPLAT_(T, x)                                                                               \
+  ((T){(x), (x), (x), (x), (x), (x), (x), (x), (x), (x), (x), (x), (x), (x), (x), (x)})
+#endif
+
+INLINE vf splat(float x) { return SPLAT_(vf, x); }
+INLINE vi splati(int32_t x) { return SPLAT_(vi, x); }
+INLINE vu splatu(uint32_t x) { return SPLAT_(vu, x); }
+
+INLINE vi bits_of(vf x) { return (vi)x; }
+INLINE vf float_of(vi x) { return (vf)x; }
+INLINE vf to_float(vi x) { return __builtin_convertvector(x, vf); }
+/* Towards zero; |x| < 2^31, or the result is the machine's own. */
+INLINE vi to_int(vf x) { return __builtin_convertvector(x, vi); }
+
+INLINE vf load(const float *p) {
+  vf r;
+  memcpy(&r, p, sizeof r);
+  return r;
+}
+INLINE void store(float *p, vf x) { memcpy(p, &x, sizeof x); }
+
+/* ---- masks ------------------------------------------------------------ */
+
+#if defined(SOZAI_ISA_AVX512) && LANES == 16
+typedef __mmask16 vm;
+#define CMP_(a, b, op) _mm512_cmp_ps_mask((__m512)(a), (__m512)(b), op)
+INLINE vf sel(vm m, vf a, vf b) { return (vf)_mm512_mask_blend_ps(m, (__m512)b, (__m512)a); }
+INLINE vi seli(vm m, vi a, vi b) { return (vi)_mm512_mask_blend_epi32(m, (__m512i)b, (__m512i)a); }
+INLINE vm lti(vi a, vi b) { return _mm512_cmplt_epi32_mask((__m512i)a, (__m512i)b); }
+INLINE vm eqi(vi a, vi b) { return _mm512_cmpeq_epi32_mask((__m512i)a, (__m512i)b); }
+#define MASK_ALL_ 0xffffu
+#elif defined(SOZAI_ISA_AVX512) && LANES == 4
+typedef __mmask8 vm;
+#define CMP_(a, b, op) _mm_cmp_ps_mask((__m128)(a), (__m128)(b), op)
+INLINE vf sel(vm m, vf a, vf b) { return (vf)_mm_mask_blend_ps(m, (__m128)b, (__m128)a); }
+INLINE vi seli(vm m, vi a, vi b) { return (vi)_mm_mask_blend_epi32(m, (__m128i)b, (__m128i)a); }
+INLINE vm lti(vi a, vi b) { return _mm_cmplt_epi32_mask((__m128i)a, (__m128i)b); }
+INLINE vm eqi(vi a, vi b) { return _mm_cmpeq_epi32_mask((__m128i)a, (__m128i)b); }
+#define MASK_ALL_ 0xfu
+#else
+typedef vi vm;
+#endif
+
+#ifdef MASK_ALL_
+INLINE vm lt(vf a, vf b) { return CMP_(a, b, _CMP_LT_OQ); }
+INLINE vm le(vf a, vf b) { return CMP_(a, b, _CMP_LE_OQ); }
+INLINE vm eq(vf a, vf b) { return CMP_(a, b, _CMP_EQ_OQ); }
+INLINE vm and_(vm a, vm b) { return (vm)(a & b); }
+INLINE vm or_(vm a, vm b) { return (vm)(a | b); }
+INLINE vm not_(vm a) { return (vm)(~a & MASK_ALL_); }
+INLINE int any(vm m) { return m != 0; }
+#else
+INLINE vm lt(vf a, vf b) { return a < b; }
+INLINE vm le(vf a, vf b) { return a <= b; }
+INLINE vm eq(vf a, vf b) { return a == b; }
+INLINE vm lti(vi a, vi b) { return a < b; }
+INLINE vm eqi(vi a, vi b) { return a == b; }
+INLINE vm and_(vm a, vm b) { return a & b; }
+INLINE vm or_(vm a, vm b) { return a | b; }
+INLINE vm not_(vm a) { return ~a; }
+INLINE vi seli(vm m, vi a, vi b) { return (a & m) | (b & ~m); }
+#if defined(SOZAI_ISA_AVX2) && LANES == 8
+INLINE vf sel(vm m, vf a, vf b) {
+  return (vf)_mm256_blendv_ps((__m256)b, (__m256)a, (__m256)(vf)m);
+}
+INLINE int any(vm m) { return _mm256_movemask_ps((__m256)(vf)m) != 0; }
+#elif defined(SOZAI_ISA_AVX2) && LANES == 4
+INLINE vf sel(vm m, vf a, vf b) { return (vf)_mm_blendv_ps((__m128)b, (__m128)a, (__m128)(vf)m); }
+INLINE int any(vm m) { return _mm_movemask_ps((__m128)(vf)m) != 0; }
+#else
+INLINE vf sel(vm m, vf a, vf b) { return (vf)(((vi)a & m) | ((vi)b & ~m)); }
+#if defined(SOZAI_ISA_SSE2)
+INLINE int any(vm m) { return _mm_movemask_ps((__m128)(vf)m) != 0; }
+#else
+INLINE int any(vm m) {
+  int32_t r = 0;
+  for (int i = 0; i < LANES; i++) r |= m[i];
+  return r != 0;
+}
+#endif
+#endif
+#endif
+
+INLINE vm gt(vf a, vf b) { return lt(b, a); }
+
+/* ---- minimum, maximum, root ------------------------------------------- */
+
+#if defined(SOZAI_ISA_AVX512) && LANES == 16
+INLINE vf vmin(vf a, vf b) { return (vf)_mm512_min_ps((__m512)a, (__m512)b); }
+INLINE vf vmax(vf a, vf b) { return (vf)_mm512_max_ps((__m512)a, (__m512)b); }
+INLINE vf vsqrt(vf a) { return (vf)_mm512_sqrt_ps((__m512)a); }
+#elif defined(SOZAI_ISA_AVX2) && LANES == 8
+INLINE vf vmin(vf a, vf b) { return (vf)_mm256_min_ps((__m256)a, (__m256)b); }
+INLINE vf vmax(vf a, vf b) { return (vf)_mm256_max_ps((__m256)a, (__m256)b); }
+INLINE vf vsqrt(vf a) { return (vf)_mm256_sqrt_ps((__m256)a); }
+#elif LANES == 4 && !defined(SOZAI_ISA_NEON)
+INLINE vf vmin(vf a, vf b) { return (vf)_mm_min_ps((__m128)a, (__m128)b); }
+INLINE vf vmax(vf a, vf b) { return (vf)_mm_max_ps((__m128)a, (__m128)b); }
+INLINE vf vsqrt(vf a) { return (vf)_mm_sqrt_ps((__m128)a); }
+#else
+INLINE vf vmin(vf a, vf b) { return sel(lt(a, b), a, b); }
+INLINE vf vmax(vf a, vf b) { return sel(gt(a, b), a, b); }
+INLINE vf vsqrt(vf a) {
+  vf r = a;
+  for (int i = 0; i < LANES; i++) r[i] = __builtin_sqrtf(a[i]);
+  return r;
+}
+#endif
+
+INLINE vf vabs(vf a) { return (vf)((vi)a & splati(0x7fffffff)); }
+INLINE vf clamp(vf x, vf lo, vf hi) { return vmin(vmax(x, lo), hi); }
+INLINE vf clamp01(vf x) { return vmin(vmax(x, splat(0.0f)), splat(1.0f)); }
+/* a where t = 0, b where t = 1. */
+INLINE vf mix(vf a, vf b, vf t) { return a + (b - a) * t; }
+
+/* The greatest whole number not above x, as a number and as an integer;
+ * |x| < 2^31. Not roundps: SSE2 has none, and zero would keep its sign. */
+INLINE vf vfloor(vf x, vi *whole) {
+  vi i = to_int(x);
+  vf f = to_float(i);
+  vm above = gt(f, x);
+  *whole = seli(above, i - splati(1), i);
+  return sel(above, f - splat(1.0f), f);
+}
+
+/* ---- tables ----------------------------------------------------------- */
+
+#if defined(SOZAI_ISA_AVX512) && LANES == 16
+INLINE vf gather(const float *t, vi i) { return (vf)_mm512_i32gather_ps((__m512i)i, t, 4); }
+INLINE vi gatheri(const int32_t *t, vi i) { return (vi)_mm512_i32gather_epi32((__m512i)i, t, 4); }
+#elif defined(SOZAI_ISA_AVX2) && LANES == 8
+INLINE vf gather(const float *t, vi i) { return (vf)_mm256_i32gather_ps(t, (__m256i)i, 4); }
+INLINE vi gatheri(const int32_t *t, vi i) { return (vi)_mm256_i32gather_epi32(t, (__m256i)i, 4); }
+#else
+INLINE vf gather(const float *t, vi i) {
+  vf r = splat(0.0f);
+  for (int k = 0; k < LANES; k++) r[k] = t[i[k]];
+  return r;
+}
+INLINE vi gatheri(const int32_t *t, vi i) {
+  vi r = splati(0);
+  for (int k = 0; k < LANES; k++) r[k] = t[i[k]];
+  return r;
+}
+#endif
+
+#endif

@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#define _GNU_SOURCE
+#include "status.h"
+
+#include <locale.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static _Thread_local char message[1024];
+static locale_t c_locale;
+
+int status_open(void) {
+  if (!c_locale) c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+  return c_locale != (locale_t)0;
+}
+
+void status_close(void) {
+  if (c_locale) freelocale(c_locale);
+  c_locale = (locale_t)0;
+}
+
+static void print_in_c(char *out, size_t size, const char *format, va_list list) {
+  locale_t before = c_locale ? uselocale(c_locale) : (locale_t)0;
+  vsnprintf(out, size, format, list);
+  if (before) uselocale(before);
+}
+
+int32_t fail(int32_t code, const char *format, ...) {
+  va_list list;
+  va_start(list, format);
+  print_in_c(message, sizeof message, format, list);
+  va_end(list);
+  return code;
+}
+
+const char *fail_message(void) { return message; }
+
+int read_number(const char *text, const char *end, double *out) {
+  char copy[64];
+  size_t n = (size_t)(end - text);
+  if (n == 0 || n >= sizeof copy) return 0;
+  memcpy(copy, text, n);
+  copy[n] = 0;
+  char *stop;
+  *out = c_locale ? strtod_l(copy, &stop, c_locale) : strtod(copy, &stop);
+  return *stop == 0;
+}
+
+sozai_host host_copy(const sozai_host *host) {
+  sozai_host h;
+  memset(&h, 0, sizeof h);
+  if (host) memcpy(&h, host, host->size < sizeof h ? host->size : sizeof h);
+  return h;
+}
+
+void *host_alloc(const sozai_host *host, size_t size, size_t align) {
+  void *p;
+  if (host && host->alloc && host->free) {
+    p = host->alloc(host->user, size, align);
+  } else {
+    p = aligned_alloc(align, (size + align - 1) / align * align);
+  }
+  if (p) {
+    memset(p, 0, size);
+  } else {
+    fail(SOZAI_ERROR_MEMORY, "out of memory: %zu bytes could not be had", size);
+  }
+  return p;
+}
+
+void host_free(const sozai_host *host, void *memory, size_t size, size_t align) {
+  if (!memory) return;
+  if (host && host->alloc && host->free) {
+    host->free(host->user, memory, size, align);
+  } else {
+    free(memory);
+  }
+}
+
+void host_log(const sozai_host *host, int32_t severity, const char *format, ...) {
+  if (!host || !host->log) return;
+  char text[1024];
+  va_list list;
+  va_start(list, format);
+  print_in_c(text, sizeof text, format, list);
+  va_end(list);
+  host->log(host->user, severity, text);
+}

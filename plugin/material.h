@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * What a material gives to the registry. A new material is a folder with one
+ * of these, and a line in registry.c.
+ */
+#ifndef SOZAI_MATERIAL_H
+#define SOZAI_MATERIAL_H
+
+#include "core/params.h"
+
+typedef struct material {
+  /* Its description; filled when first asked, at init. */
+  const sozai_texture_info *(*describe)(void);
+  size_t state_bytes;
+  /* Settings and converted colours to a state, which then never changes.
+   * state is zeroed, aligned to 64. */
+  int32_t (*build)(void *state, const sozai_host *host, const settings *s,
+                   const float (*colours)[3]);
+  /* The batch has been checked. */
+  void (*evaluate)(const void *state, const sozai_batch *batch, float *const *out);
+  const char *(*instruction_set)(const void *state);
+} material;
+
+extern const material *const registry[];
+extern const uint32_t registry_count;
+
+/* A texture's state if it is of that material, else NULL. */
+const void *texture_state(const sozai_texture *texture, const material *m);
+
+extern const sozai_textures_1 textures_table;
+int textures_ready(void); /* between init and deinit */
+
+#endif

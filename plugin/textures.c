@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * The functions of sozai.textures/1, for every material alike.
+ */
+#include <string.h>
+
+#include "core/colour.h"
+#include "core/status.h"
+#include "material.h"
+
+#define COMPONENTS_MAX 64
+
+struct sozai_texture {
+  const material *kind;
+  const sozai_texture_info *info;
+  sozai_host host;
+  settings given;
+  void *state;
+};
+
+static uint32_t count(void) { return textures_ready() ? registry_count : 0; }
+
+static const sozai_texture_info *info(uint32_t index) {
+  return index < count() ? registry[index]->describe() : NULL;
+}
+
+static const material *material_of(const char *id) {
+  for (uint32_t i = 0; id && i < count(); i++) {
+    if (strcmp(registry[i]->describe()->id, id) == 0) return registry[i];
+  }
+  return NULL;
+}
+
+static const sozai_texture_info *find(const char *id) {
+  const material *m = material_of(id);
+  return m ? m->describe() : NULL;
+}
+
+static int32_t build_state(sozai_texture *t) {
+  size_t bytes = t->info->parameter_count * sizeof(float[3]);
+  float (*colours)[3] = host_alloc(&t->host, bytes, 64);
+  if (!colours) return SOZAI_ERROR_MEMORY;
+  int32_t r = colour_convert(&t->host, t->info, &t->given, colours);
+  if (!r) {
+    t->state = host_alloc(&t->host, t->kind->state_bytes, 64);
+    r = t->state ? t->kind->build(t->state, &t->host, &t->given, (const float(*)[3])colours)
+                 : SOZAI_ERROR_MEMORY;
+  }
+  host_free(&t->host, colours, bytes, 64);
+  return r;
+}
+
+static void destroy(sozai_texture *t) {
+  if (!t) return;
+  sozai_host host = t->host;
+  host_free(&host, t->state, t->kind->state_bytes, 64);
+  settings_free(&t->given, &host);
+  host_free(&host, t, sizeof *t, 64);
+}
+
+static int32_t create(const sozai_host *host, const char *id, const char *preset,
+                      const sozai_value *values, uint32_t value_count, sozai_texture **out) {
+  if (!out) return fail(SOZAI_ERROR_ARGUMENT, "create: out is NULL");
+  *out = NULL;
+  if (!textures_ready()) return fail(SOZAI_ERROR_STATE, "create: called before init");
+  if (!id) return fail(SOZAI_ERROR_ARGUMENT, "create: the texture's id is NULL");
+  if (host && host->size < 8) {
+    return fail(SOZAI_ERROR_ARGUMENT, "create: host.size is %u: set it to sizeof(sozai_host)",
+                host->size);
+  }
+  const material *m = material_of(id);
+  if (!m) return fail(SOZAI_ERROR_UNKNOWN, "there is no texture \"%.80s\"", id);
+  sozai_host h = host_copy(host);
+  sozai_texture *t = host_alloc(&h, sizeof *t, 64);
+  if (!t) return SOZAI_ERROR_MEMORY;
+  t->kind = m;
+  t->info = m->describe();
+  t->host = h;
+  int32_t r = settings_make(&t->given, &h, t->info, preset, values, value_count);
+  if (!r) r = build_state(t);
+  if (r) {
+    destroy(t);
+    return r;
+  }
+  *out = t;
+  return SOZAI_OK;
+}
+
+static uint32_t inputs_of(const sozai_batch *b) {
+  uint32_t has = 0;
+  if (b->point[0] && b->point[1] && b->point[2]) has |= SOZAI_INPUT_POINT;
+  if (b->normal[0] && b->normal[1] && b->normal[2]) has |= SOZAI_INPUT_NORMAL;
+  if (b->light[0] && b->light[1] && b->light[2]) has |= SOZAI_INPUT_LIGHT;
+  if (b->view[0] && b->view[1] && b->view[2]) has |= SOZAI_INPUT_VIEW;
+  if (b->light_colour[0] && b->light_colour[1] && b->light_colour[2]) {
+    has |= SOZAI_INPUT_LIGHT_COLOUR;
+  }
+  if (b->footprint) has |= SOZAI_INPUT_FOOTPRINT;
+  return has;
+}
+
+static const char *input_name(uint32_t bit) {
+  switch (bit & (~bit + 1u)) {
+  case SOZAI_INPUT_POINT: return "point";
+  case SOZAI_INPUT_NORMAL: return "normal";
+  case SOZAI_INPUT_LIGHT: return "light";
+  case SOZAI_INPUT_LIGHT_COLOUR: return "light_colour";
+  case SOZAI_INPUT_VIEW: return "view";
+  default: return "footprint";
+  }
+}
+
+static int32_t evaluate(const sozai_texture *t, const sozai_batch *batch) {
+  if (!t || !batch) return fail(SOZAI_ERROR_ARGUMENT, "evaluate: texture or batch is NULL");
+  if (batch->size < 8) {
+    return fail(SOZAI_ERROR_ARGUMENT, "evaluate: batch.size is %u: set it to sizeof(sozai_batch)",
+                batch->size);
+  }
+  sozai_batch b;
+  memset(&b, 0, sizeof b);
+  memcpy(&b, batch, batch->size < sizeof b ? batch->size : sizeof b);
+  if (b.out_count && !b.out) return fail(SOZAI_ERROR_ARGUMENT, "evaluate: batch.out is NULL");
+
+  float *out[COMPONENTS_MAX] = {0};
+  uint32_t n = b.out_count < t->info->component_count ? b.out_count : t->info->component_count;
+  for (uint32_t i = 0; i < n; i++) out[i] = b.out[i];
+  uint32_t has = inputs_of(&b);
+  int some = 0;
+  for (uint32_t k = 0; k < t->info->channel_count; k++) {
+    const sozai_channel *c = t->info->channels[k];
+    for (uint32_t i = c->first; i < c->first + c->components; i++) {
+      if (!out[i]) continue;
+      some = 1;
+      uint32_t missing = c->needs & ~has;
+      if (missing) {
+        return fail(SOZAI_ERROR_ARGUMENT, "evaluate: channel %s needs the input %s", c->id,
+                    input_name(missing));
+      }
+    }
+  }
+  /* a vector with a part missing is none */
+  if (!(has & SOZAI_INPUT_NORMAL)) b.normal[0] = NULL;
+  if (!(has & SOZAI_INPUT_LIGHT_COLOUR)) memset(b.light_colour, 0, sizeof b.light_colour);
+  if (!(has & SOZAI_INPUT_VIEW)) b.view[0] = NULL;
+  if (some && b.count) t->kind->evaluate(t->state, &b, out);
+  return SOZAI_OK;
+}
+
+static int32_t value(const sozai_texture *t, const char *id, sozai_value *out) {
+  if (!t || !id || !out) return fail(SOZAI_ERROR_ARGUMENT, "value: an argument is NULL");
+  return settings_value(&t->given, t->info, id, out);
+}
+
+static const sozai_texture_info *info_of(const sozai_texture *t) { return t ? t->info : NULL; }
+
+static uint64_t bytes(const sozai_texture *t) {
+  return t ? sizeof *t + t->given.bytes + t->kind->state_bytes : 0;
+}
+
+static const char *instruction_set(const sozai_texture *t) {
+  return t ? t->kind->instruction_set(t->state) : "";
+}
+
+const void *texture_state(const sozai_texture *t, const material *m) {
+  return t && t->kind == m ? t->state : NULL;
+}
+
+const sozai_textures_1 textures_table = {
+    count, info, find, create, destroy, evaluate, value, info_of, bytes, instruction_set,
+    fail_message};

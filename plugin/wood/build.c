@@ -1,0 +1,375 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * From parameters to the kernel's constants and tables.
+ */
+#include "build.h"
+
+#include <string.h>
+
+#include "../core/scalar.h"
+#include "../core/status.h"
+#include "parameters.h"
+
+#define TWO_PI 6.28318530717958647692
+
+/* hash.h is of the kernels; creation needs one number at a time. */
+static uint32_t hash1(uint32_t h) {
+  h ^= h >> 16;
+  h *= 0x7feb352du;
+  h ^= h >> 15;
+  h *= 0x846ca68bu;
+  h ^= h >> 16;
+  return h;
+}
+
+/* Uniform in 0..1 for the k-th number of a stream. */
+static double uniform(uint32_t seed, uint32_t stream, uint32_t k) {
+  return (hash1(seed ^ hash1(stream * 0x9e3779b9u + k)) + 0.5) / 4294967296.0;
+}
+
+enum { STREAM_RINGS = 101, STREAM_LATE, STREAM_OUTLINE };
+
+static double quantiles[WOOD_RADII]; /* of the normal distribution */
+
+void wood_build_prepare(void) {
+  if (quantiles[0] == 0.0) scalar_normal_quantiles(quantiles, WOOD_RADII);
+}
+
+static double normal(uint32_t seed, uint32_t stream, uint32_t k) {
+  return quantiles[(uint32_t)(uniform(seed, stream, k) * WOOD_RADII)];
+}
+
+static double num(const settings *s, int p) { return s->list[p].number[0]; }
+static int choice(const settings *s, int p) { return (int)s->list[p].number[0]; }
+
+/* ---- cut -------------------------------------------------------------- */
+
+static void build_cut(wood_constants *w, const settings *s) {
+  int cut = choice(s, P_CUT);
+  double angle = num(s, P_CUT_ROTATION) * TWO_PI / 360.0, d = num(s, P_CUT_DISTANCE);
+  double c = scalar_cos(angle), n = scalar_sin(angle);
+  /* the object's axes in the log, before the turn: columns are x, y, z */
+  static const double along[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  static const double end[3][3] = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
+  const double(*axes)[3] = cut == CUT_END ? end : along;
+  static const double half_root = 0.70710678118654752440;
+  double place[3] = {0, 0, 0};
+  if (cut == CUT_FLAT) place[2] = d;
+  if (cut == CUT_QUARTER || cut == CUT_END) place[0] = d;
+  if (cut == CUT_RIFT) place[0] = place[2] = d * half_root;
+  /* about the stem: x towards z, as theta runs */
+  const double turn[3][3] = {{c, 0, -n}, {0, 1, 0}, {n, 0, c}};
+  for (int i = 0; i < 3; i++) {
+    double shift = s->list[P_CUT_OFFSET].number[i];
+    for (int j = 0; j < 3; j++) {
+      double sum = 0.0;
+      for (int k = 0; k < 3; k++) sum += turn[i][k] * axes[k][j];
+      w->turn[i][j] = (float)sum;
+      shift += turn[i][j] * place[j];
+    }
+    w->shift[i] = (float)shift;
+  }
+}
+
+/* ---- stem ------------------------------------------------------------- */
+
+static int32_t build_stem(wood_constants *w, const settings *s) {
+  w->pith_amplitude = (float)(2.0 * num(s, P_PITH_WANDER)); /* the noise stays within half */
+  w->pith_frequency = (float)(1.0 / 900.0);
+  w->taper = (float)(num(s, P_TAPER) / (1000.0 * 100.0));
+
+  /* harmonics fall off as 1/k, and their sum stays within the wobble */
+  double total = 0.0;
+  for (int k = 1; k <= WOOD_HARMONICS; k++) total += 1.0 / k;
+  for (int k = 1; k <= WOOD_HARMONICS; k++) {
+    double a = num(s, P_OUTLINE) / (k * total);
+    double t = TWO_PI * uniform(w->seed, STREAM_OUTLINE, (uint32_t)k);
+    w->outline_cos[k - 1] = (float)(a * scalar_cos(t));
+    w->outline_sin[k - 1] = (float)(a * scalar_sin(t));
+  }
+
+  double u = num(s, P_UNDULATION), size = num(s, P_UNDULATION_SIZE);
+  if (u > 0.12 * size) {
+    return fail(SOZAI_ERROR_RANGE,
+                "undulation: %.9g mm is above 0.12 of undulation_size (%.9g mm): rings would cross; "
+                "0 to %.9g mm",
+                u, size, 0.12 * size);
+  }
+  static const double weight[2] = {1.0, 0.3}, scale[2] = {1.0, 0.31};
+  for (int o = 0; o < 2; o++) {
+    w->undulation[o] = (float)(2.0 * u * weight[o]);
+    w->undulation_frequency_section[o] = (float)(1.0 / (size * scale[o]));
+    w->undulation_frequency_axis[o] = (float)(1.0 / (5.0 * size * scale[o]));
+  }
+  w->undulation_core = (float)(size * size);
+  return SOZAI_OK;
+}
+
+/* ---- rings ------------------------------------------------------------ */
+
+/* Widths of the table's rings, mm. */
+static int32_t ring_widths(const wood_constants *w, const settings *s, double *width) {
+  const sozai_buffer *b = s->list[P_RING_WIDTHS].buffer;
+  if (b) {
+    uint64_t n = b->dims[0] * b->dims[1];
+    if (n == 0 || b->dims[1] != 1) {
+      return fail(SOZAI_ERROR_RANGE, "ring_widths: a table of %llu x %llu is not one column",
+                  (unsigned long long)b->dims[0], (unsigned long long)b->dims[1]);
+    }
+    for (uint64_t i = 0; i < n; i++) {
+      double x = (double)b->data[i];
+      if (!(x >= 0.02 && x <= 200.0)) {
+        return fail(SOZAI_ERROR_RANGE, "ring_widths: row %llu is %.9g, outside 0.02 to 200 mm",
+                    (unsigned long long)i, x);
+      }
+    }
+    for (int j = 0; j < WOOD_RINGS; j++) width[j] = (double)b->data[(uint64_t)j % n];
+    return SOZAI_OK;
+  }
+  double mean = num(s, P_RING_WIDTH), sd = num(s, P_RING_VARIATION), sum = 0.0, before = 0.0;
+  for (int j = 0; j < WOOD_RINGS; j++) {
+    /* good years come together: neighbours correlate by 0.4 */
+    double n = normal(w->seed, STREAM_RINGS, (uint32_t)j);
+    before = j ? 0.4 * before + 0.9165 * n : n;
+    double f = scalar_exp(sd * before - 0.5 * sd * sd);
+    width[j] = f < 0.25 ? 0.25 : f > 3.0 ? 3.0 : f;
+    sum += width[j];
+  }
+  for (int j = 0; j < WOOD_RINGS; j++) width[j] *= mean * WOOD_RINGS / sum;
+  return SOZAI_OK;
+}
+
+static double late_profile_integral(const wood_constants *w, double f) {
+  double past = f - (double)w->late_start, rise = (double)w->late_rise;
+  double g = past < 0.0 ? 0.0 : past > rise ? 1.0 : past / rise;
+  return rise * (g * g * g - 0.5 * g * g * g * g) + (past > rise ? past - rise : 0.0);
+}
+
+static void build_season(wood_constants *w, const settings *s) {
+  double fraction = num(s, P_LATE_FRACTION), abrupt = num(s, P_LATE_ABRUPTNESS);
+  double middle = 1.0 - fraction;
+  double start = middle * (1.0 - 0.9 * (1.0 - abrupt));
+  double end = middle + fraction * (0.1 + 0.5 * (1.0 - abrupt));
+  w->late_start = (float)start;
+  w->late_rise = (float)(end - start);
+  w->inverse_late_rise = (float)(1.0 / (double)w->late_rise);
+  w->late_whole = (float)late_profile_integral(w, 1.0);
+}
+
+static int32_t build_rings(wood_constants *w, const settings *s) {
+  double width[WOOD_RINGS], total = 0.0, least = 1e30, late = 0.0;
+  int32_t r = ring_widths(w, s, width);
+  if (r) return r;
+  double variation = num(s, P_LATE_VARIATION), whole = late_profile_integral(w, 1.0);
+  for (int j = 0; j < WOOD_RINGS; j++) {
+    w->start[j] = (float)total;
+    total += width[j];
+    w->start[j + 1] = (float)total;
+    /* widths as the kernel sees them: the rounded boundaries' difference */
+    width[j] = (double)w->start[j + 1] - (double)w->start[j];
+    w->inverse_width[j] = (float)(1.0 / width[j]);
+    if (width[j] < least) least = width[j];
+    w->late_weight[j] = (float)(1.0 - variation * uniform(w->seed, STREAM_LATE, (uint32_t)j));
+    w->late_before[j] = (float)late;
+    late += (double)w->late_weight[j] * width[j] * whole;
+    w->late_before[j + 1] = (float)late;
+  }
+  w->ring_period = w->start[WOOD_RINGS];
+  w->inverse_ring_period = (float)(1.0 / (double)w->ring_period);
+  w->late_period = (float)late;
+  w->ring_width = (float)(total / WOOD_RINGS);
+  w->blur = 0.02f;
+
+  double bins = (double)w->ring_period / (0.9 * least) + 1.0;
+  if (bins > WOOD_BINS_MAX) {
+    return fail(SOZAI_ERROR_RANGE,
+                "ring_widths: the narrowest, %.9g mm, is below a %dth of the mean, %.9g mm", least,
+                WOOD_BINS_MAX / WOOD_RINGS, (double)w->ring_width);
+  }
+  int count = (int)bins;
+  w->bin_last = count - 1;
+  w->bin_scale = (float)(count / (double)w->ring_period);
+  int j = 0;
+  for (int b = 0; b < count; b++) {
+    /* a little early, so that rounding never puts a point before its bin */
+    double at = (b - 0.001) / (double)w->bin_scale;
+    while (j + 1 < WOOD_RINGS && (double)w->start[j + 1] <= at) j++;
+    w->bin[b] = j;
+  }
+  return SOZAI_OK;
+}
+
+/* ---- grain ------------------------------------------------------------ */
+
+static void build_grain(wood_constants *w, const settings *s) {
+  int grain = choice(s, P_GRAIN), all = grain == GRAIN_COMPOUND;
+  if (all || grain == GRAIN_SPIRAL) w->spiral = (float)num(s, P_SPIRAL_SLOPE);
+  if (all || grain == GRAIN_WAVY) {
+    double a = num(s, P_WAVE_SLOPE), l = num(s, P_WAVE_LENGTH);
+    w->has_wave = a > 0.0;
+    w->wave_slope = (float)a;
+    w->wave_displacement = (float)(a * l / TWO_PI);
+    w->wave_frequency = (float)(1.0 / l);
+    w->wave_number = (float)(TWO_PI / l);
+    double u = num(s, P_WAVE_IRREGULARITY);
+    w->has_wave_irregularity = u > 0.0;
+    /* the phase strays by 0.4 of a turn over lengths of four waves: its slope
+     * stays within 1.3472 * 5 / 4 lambda = 0.27 of 2 pi / lambda, so that the
+     * waves never run backwards and no slope exceeds 1.27 A */
+    w->wave_irregularity = (float)(u * 5.0);
+    w->wave_irregularity_frequency = (float)(1.0 / (4.0 * l));
+  }
+  if (all || grain == GRAIN_INTERLOCKED) {
+    w->has_interlocked = num(s, P_INTERLOCKED_SLOPE) > 0.0;
+    w->interlocked_slope = (float)num(s, P_INTERLOCKED_SLOPE);
+    w->interlocked_frequency = (float)(1.0 / num(s, P_INTERLOCKED_YEARS));
+    w->interlocked_number = (float)(TWO_PI / num(s, P_INTERLOCKED_LENGTH));
+  }
+  static const double weight[2] = {0.65, 0.35}, scale[2] = {1.0, 0.37};
+  double most = num(s, P_SLOPE_NOISE), length = num(s, P_SLOPE_NOISE_LENGTH);
+  w->has_slope_noise = most > 0.0;
+  for (int o = 0; o < 2; o++) {
+    double l = length * scale[o];
+    /* 1.3472 is AXIAL_SLOPE_BOUND: the sum's slope stays within `most` */
+    w->slope_noise[o] = (float)(most * weight[o] * l / 1.3472);
+    w->slope_noise_frequency[o] = (float)(1.0 / l);
+  }
+  w->slope_noise_years = 1.0f / 9.0f;
+}
+
+/* ---- vessels ---------------------------------------------------------- */
+
+/* Radii of a layer and what follows from them. Returns the mean square of
+ * radius over mean radius. */
+static double build_radii(wood_vessels *v, double diameter_um, double spread) {
+  double sum = 0.0, square = 0.0;
+  for (int i = 0; i < WOOD_RADII; i++) {
+    double k = 1.0 + spread * quantiles[i];
+    if (k < 0.2) k = 0.2;
+    sum += k;
+    square += k * k;
+    v->inverse_square[i] = (float)(1.0 / (k * k));
+  }
+  v->radius = (float)(0.5e-3 * diameter_um);
+  (void)sum;
+  return square / WOOD_RADII;
+}
+
+/* The longest footprint for which every vessel that could cover it lies
+ * within `clear` of its centre: the blurred disc's half length is
+ * sqrt(1.25 (R^2 + e^2 / (12 * 0.2552))). */
+static float longest_footprint(double clear, double radius) {
+  double e2 = (clear * clear / 1.25 - radius * radius) * 12.0 * 0.2552;
+  double least = radius * radius;
+  if (e2 < least) e2 = least;
+  return (float)__builtin_sqrt(e2);
+}
+
+static void build_vessels(wood_constants *w, const settings *s) {
+  int porosity = choice(s, P_POROSITY);
+  w->has_pores = porosity != POROSITY_NONE;
+  w->rows = porosity == POROSITY_RING ? (int32_t)num(s, P_ROWS) : 0;
+
+  double d = num(s, P_PORE_DIAMETER), spread = num(s, P_PORE_SPREAD);
+  double density = num(s, P_PORE_DENSITY);
+  double late = porosity == POROSITY_SEMI_RING ? num(s, P_PORE_DIAMETER_LATE) / d : 1.0;
+  double square = build_radii(&w->pores, d, spread);
+  double largest = (double)w->pores.radius * (1.0 + 2.5 * spread) * (late > 1.0 ? late : 1.0);
+  w->pores.cell = (float)(1.0 / __builtin_sqrt(density));
+  w->pores.reach = longest_footprint((double)w->pores.cell, largest);
+  w->pores.coverage =
+      (float)(0.5 * TWO_PI * (double)w->pores.radius * (double)w->pores.radius * square * density);
+  if (!w->has_pores) w->pores.coverage = 0.0f;
+  w->pore_early = 1.0f;
+  w->pore_growth = (float)(late - 1.0);
+  double g = late - 1.0;
+  w->pore_ring_mean = (float)(1.0 + g + g * g / 3.0);
+
+  double row_d = num(s, P_ROW_DIAMETER), row_density = num(s, P_ROW_DENSITY);
+  double row_square = build_radii(&w->row, row_d, num(s, P_ROW_SPREAD));
+  double row_radius = (double)w->row.radius, row_spacing = 1.05e-3 * row_d;
+  double row_largest = row_radius * (1.0 + 2.5 * num(s, P_ROW_SPREAD));
+  w->row.cell = (float)(1.0 / row_density);
+  w->row.reach = longest_footprint((1.5 - 0.5 * num(s, P_ROW_JITTER)) / row_density, row_largest);
+  w->row_density = (float)row_density;
+  w->row_spacing = (float)row_spacing;
+  w->row_start = (float)(0.55e-3 * row_d);
+  w->row_jitter_arc = (float)num(s, P_ROW_JITTER);
+  w->row_jitter_radial = (float)(0.4 * row_radius * num(s, P_ROW_JITTER));
+  w->band = (float)(w->rows * row_spacing);
+  double least = 1e30;
+  for (int j = 0; j < WOOD_RINGS; j++) {
+    double width = 1.0 / (double)w->inverse_width[j];
+    if (width < least) least = width;
+  }
+  if ((double)w->band > 0.9 * least) w->band = (float)(0.9 * least);
+  /* spread over the band so that a ring's sum is its vessels' area */
+  w->row.coverage = 0.0f;
+  if (w->rows) {
+    w->row.coverage = (float)(w->rows * row_density * 0.5 * TWO_PI * row_radius * row_radius *
+                              row_square / (double)w->band);
+  }
+
+  /* how much of the latewood tissue the pores are expected to take: the mean
+   * of size^2 over the profile, by the midpoint rule */
+  double taken = 0.0, tissue = 0.0;
+  for (int i = 0; i < 256; i++) {
+    double f = (i + 0.5) / 256.0;
+    double l = late_profile_integral(w, (i + 1.0) / 256.0) - late_profile_integral(w, i / 256.0);
+    double size = 1.0 + g * f;
+    taken += l * size * size;
+    tissue += l;
+  }
+  w->late_vessel = (float)((double)w->pores.coverage * (tissue > 0.0 ? taken / tissue : 1.0));
+}
+
+/* ---- fibres, colour, figure ------------------------------------------- */
+
+static void build_fibres(wood_constants *w, const settings *s) {
+  static const double size[WOOD_FIBRE_OCTAVES] = {1.0, 7.0, 60.0};
+  static const double weight[WOOD_FIBRE_OCTAVES] = {0.42, 0.33, 0.25};
+  for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) {
+    double l = num(s, P_FIBRE_WIDTH) * size[o];
+    w->fibre_amplitude[o] = (float)(num(s, P_FIBRE_BRIGHTNESS) * weight[o]);
+    w->fibre_frequency[o] = (float)(1.0 / l);
+    w->fibre_size[o] = (float)l;
+  }
+}
+
+static void build_colour(wood_constants *w, const settings *s, const float (*colours)[3]) {
+  memcpy(w->early, colours[P_EARLY_COLOUR], sizeof w->early);
+  memcpy(w->late, colours[P_LATE_COLOUR], sizeof w->late);
+  memcpy(w->vessel, colours[P_VESSEL_COLOUR], sizeof w->vessel);
+  w->diffuse = (float)num(s, P_DIFFUSE);
+  w->specular = (float)num(s, P_SPECULAR);
+  w->shininess = (float)num(s, P_SHININESS);
+  double tint = num(s, P_TINT), most = 1e-6;
+  for (int c = 0; c < 3; c++) {
+    if ((double)w->early[c] > most) most = (double)w->early[c];
+  }
+  for (int c = 0; c < 3; c++) {
+    w->tint_colour[c] = (float)(1.0 + tint * ((double)w->early[c] / most - 1.0));
+  }
+}
+
+static uint32_t seed_of(const settings *s) {
+  uint32_t h = hash1((uint32_t)num(s, P_SEED) + 0x51ed270bu);
+  for (const char *t = s->list[P_OBJECT].text; t && *t; t++) {
+    h = hash1(h ^ (uint32_t)(unsigned char)*t);
+  }
+  return h;
+}
+
+int32_t wood_build(wood_constants *w, const settings *s, const float (*colours)[3]) {
+  w->seed = seed_of(s);
+  build_cut(w, s);
+  int32_t r = build_stem(w, s);
+  build_season(w, s);
+  if (!r) r = build_rings(w, s);
+  if (r) return r;
+  build_grain(w, s);
+  build_vessels(w, s);
+  build_fibres(w, s);
+  build_colour(w, s, colours);
+  return SOZAI_OK;
+}

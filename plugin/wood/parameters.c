@@ -1,0 +1,448 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Wood's parameters and output channels, as data.
+ */
+#include "parameters.h"
+
+#include "wood.h"
+
+#define COUNT(a) (sizeof(a) / sizeof((a)[0]))
+
+/* clang-format off */
+static const sozai_parameter seed = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_INT,
+   .id = "seed", .label = "Seed", .group = "tree", .unit = "",
+   .doc = "Which tree: another seed is another tree of the same kind.",
+   .hard_min = 0, .hard_max = 4294967295, .soft_min = 0, .soft_max = 1000, .default_number = {1}};
+
+static const sozai_parameter object = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_TEXT,
+   .id = "object", .label = "Object", .group = "tree", .unit = "",
+   .doc = "A name that is mixed into the seed, so that each object is sawn from a tree of its "
+   "own. Empty: the seed alone.",
+   .default_text = ""};
+
+static const char *const cut_choices[] = {"log", "flat", "quarter", "rift", "end"};
+static const char *const cut_docs[] = {
+   "object space is log space: +y up the stem, the pith at x = z = 0",
+   "flat-sawn: +y along the board, +z the face, square to the radius",
+   "quarter-sawn: +y along the board, +x along the radius, +z the face",
+   "rift-sawn: as flat, the rings at 45 degrees to the face",
+   "end grain: +z, the face, looks up the stem"};
+static const sozai_parameter cut = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_CHOICE,
+   .id = "cut", .label = "Cut", .group = "cut", .unit = "",
+   .doc = "How the object's axes lie in the log.",
+   .choices = cut_choices, .choice_docs = cut_docs, .choice_count = COUNT(cut_choices), .default_number = {0}};
+
+static const sozai_parameter cut_distance = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "cut_distance", .label = "Distance from the pith", .group = "cut", .unit = "mm",
+   .doc = "Of the object's origin from the pith; not for cut = log.",
+   .hard_min = -5000, .hard_max = 5000, .soft_min = 0, .soft_max = 300, .default_number = {60}};
+
+static const sozai_parameter cut_rotation = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "cut_rotation", .label = "Azimuth", .group = "cut", .unit = "deg",
+   .doc = "The object is turned about the stem by this much.",
+   .hard_min = -36000, .hard_max = 36000, .soft_min = -180, .soft_max = 180, .default_number = {0}};
+
+static const sozai_parameter cut_offset = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT3,
+   .id = "cut_offset", .label = "Offset", .group = "cut", .unit = "mm",
+   .doc = "Added to the point in log space, after the turn; y is the height along the stem.",
+   .hard_min = -100000, .hard_max = 100000, .soft_min = -1000, .soft_max = 1000, .default_number = {0, 0, 0}};
+
+static const sozai_parameter ring_width = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "ring_width", .label = "Ring width", .group = "rings", .unit = "mm",
+   .doc = "A year's growth, the mean.",
+   .hard_min = 0.2, .hard_max = 30, .soft_min = 0.5, .soft_max = 6, .default_number = {2}};
+
+static const sozai_parameter ring_variation = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "ring_variation", .label = "Ring variation", .group = "rings", .unit = "",
+   .doc = "Standard deviation of ring width from year to year, relative to the mean.",
+   .hard_min = 0, .hard_max = 0.6, .soft_min = 0, .soft_max = 0.5, .default_number = {0.25}};
+
+static const sozai_parameter ring_widths = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_BUFFER,
+   .id = "ring_widths", .label = "Measured ring widths", .group = "rings", .unit = "mm",
+   .doc = "A table of one column: the width of each year's ring from the pith outwards, as in "
+   "dendrochronology. It repeats when it is used up, and stands in for ring_width and "
+   "ring_variation.",
+   .buffer_kind = SOZAI_BUFFER_TABLE};
+
+static const sozai_parameter outline = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "section_wobble", .label = "Section wobble", .group = "rings", .unit = "",
+   .doc = "How far the rings depart from circles, relative to their radius: the largest sum of "
+   "the outline's four harmonics.",
+   .hard_min = 0, .hard_max = 0.3, .soft_min = 0, .soft_max = 0.15, .default_number = {0.04}};
+
+static const sozai_parameter undulation = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "undulation", .label = "Undulation", .group = "rings", .unit = "mm",
+   .doc = "Local waviness of the growth front, away from y = 0; at most 0.12 of "
+   "undulation_size.",
+   .hard_min = 0, .hard_max = 10, .soft_min = 0, .soft_max = 3, .default_number = {0.8}};
+
+static const sozai_parameter undulation_size = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "undulation_size", .label = "Undulation size", .group = "rings", .unit = "mm",
+   .doc = "Size of that waviness across the stem; along it, it is 5 times as long.",
+   .hard_min = 5, .hard_max = 400, .soft_min = 10, .soft_max = 100, .default_number = {34}};
+
+static const sozai_parameter taper = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "taper", .label = "Taper", .group = "rings", .unit = "mm/m",
+   .doc = "How much nearer to the pith a ring of 100 mm radius is for each metre up the stem.",
+   .hard_min = -50, .hard_max = 50, .soft_min = 0, .soft_max = 20, .default_number = {6}};
+
+static const sozai_parameter pith_wander = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "pith_wander", .label = "Pith wander", .group = "rings", .unit = "mm",
+   .doc = "How far the pith strays from a straight line, over waves of 0.9 m.",
+   .hard_min = 0, .hard_max = 100, .soft_min = 0, .soft_max = 40, .default_number = {9}};
+
+static const sozai_parameter late_fraction = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "latewood_fraction", .label = "Latewood fraction", .group = "season", .unit = "",
+   .doc = "Share of a ring that is latewood.",
+   .hard_min = 0.01, .hard_max = 0.95, .soft_min = 0.05, .soft_max = 0.6, .default_number = {0.3}};
+
+static const sozai_parameter late_abruptness = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "latewood_abruptness", .label = "Latewood abruptness", .group = "season", .unit = "",
+   .doc = "From earlywood to latewood: 0 gradual, 1 abrupt.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.5}};
+
+static const sozai_parameter late_variation = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "latewood_variation", .label = "Latewood variation", .group = "season", .unit = "",
+   .doc = "How much paler than the darkest the latewood of a year may be.",
+   .hard_min = 0, .hard_max = 0.9, .soft_min = 0, .soft_max = 0.6, .default_number = {0.3}};
+
+static const char *const grain_choices[] = {"straight", "spiral", "wavy", "interlocked", "compound"};
+static const char *const grain_docs[] = {
+   "no slope but its variation",
+   "spiral_slope",
+   "the wave_ parameters",
+   "the interlocked_ parameters",
+   "the sum of all three"};
+static const sozai_parameter grain = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_CHOICE,
+   .id = "grain", .label = "Grain", .group = "grain", .unit = "",
+   .doc = "Which of the slopes below act; their variation always does.",
+   .choices = grain_choices, .choice_docs = grain_docs, .choice_count = COUNT(grain_choices), .default_number = {0}};
+
+static const sozai_parameter spiral_slope = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "spiral_slope", .label = "Spiral slope", .group = "grain", .unit = "",
+   .doc = "Slope of the fibres round the stem, r dtheta/dy: 0.12 is 6.8 degrees.",
+   .hard_min = -1, .hard_max = 1, .soft_min = -0.3, .soft_max = 0.3, .default_number = {0.12}};
+
+static const sozai_parameter wave_slope = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "wave_slope", .label = "Wave slope", .group = "grain", .unit = "",
+   .doc = "Greatest slope of wavy grain.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 0.4, .default_number = {0.2}};
+
+static const sozai_parameter wave_length = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "wave_length", .label = "Wavelength", .group = "grain", .unit = "mm",
+   .doc = "Of wavy grain, along the stem.",
+   .hard_min = 1, .hard_max = 1000, .soft_min = 5, .soft_max = 80, .default_number = {40}};
+
+static const sozai_parameter wave_irregularity = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "wave_irregularity", .label = "Wave irregularity", .group = "grain", .unit = "",
+   .doc = "How uneven the waves' spacing is along the stem and from year to year; 0 is a "
+   "perfect sine.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
+
+static const sozai_parameter interlocked_slope = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "interlocked_slope", .label = "Interlocked slope", .group = "grain", .unit = "",
+   .doc = "Greatest slope of interlocked grain, to one side and then to the other.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 0.3, .default_number = {0.12}};
+
+static const sozai_parameter interlocked_years = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "interlocked_years", .label = "Interlocked period", .group = "grain", .unit = "years",
+   .doc = "Years from one side to the other and back.",
+   .hard_min = 1, .hard_max = 500, .soft_min = 4, .soft_max = 40, .default_number = {12}};
+
+static const sozai_parameter interlocked_length = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "interlocked_length", .label = "Interlocked length", .group = "grain", .unit = "mm",
+   .doc = "Along the stem: the slopes also change sides slowly, over this length, which bounds "
+   "the shear between years.",
+   .hard_min = 100, .hard_max = 100000, .soft_min = 500, .soft_max = 5000, .default_number = {1600}};
+
+static const sozai_parameter slope_noise = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "slope_noise", .label = "Slope variation", .group = "grain", .unit = "",
+   .doc = "The greatest departure of the slope from its pattern; continuous along the stem and "
+   "from year to year.",
+   .hard_min = 0, .hard_max = 0.2, .soft_min = 0, .soft_max = 0.06, .default_number = {0.02}};
+
+static const sozai_parameter slope_noise_length = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "slope_noise_length", .label = "Variation length", .group = "grain", .unit = "mm",
+   .doc = "Length of that variation along the stem.",
+   .hard_min = 5, .hard_max = 2000, .soft_min = 20, .soft_max = 300, .default_number = {70}};
+
+static const char *const porosity_choices[] = {"none", "diffuse", "semi_ring", "ring"};
+static const char *const porosity_docs[] = {
+   "no vessels: a conifer",
+   "vessels alike across the ring",
+   "vessels shrinking from earlywood to latewood",
+   "rows of large vessels in the earlywood, small ones elsewhere"};
+static const sozai_parameter porosity = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_CHOICE,
+   .id = "porosity", .label = "Porosity", .group = "vessels", .unit = "",
+   .doc = "How the vessels lie within a ring.",
+   .choices = porosity_choices, .choice_docs = porosity_docs, .choice_count = COUNT(porosity_choices), .default_number = {1}};
+
+static const sozai_parameter pore_density = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "vessel_density", .label = "Vessel density", .group = "vessels", .unit = "1/mm2",
+   .doc = "Vessels to an area of cross-section; in ring-porous wood those outside the rows.",
+   .hard_min = 0.1, .hard_max = 400, .soft_min = 1, .soft_max = 200, .default_number = {25}};
+
+static const sozai_parameter pore_diameter = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "vessel_diameter", .label = "Vessel diameter", .group = "vessels", .unit = "um",
+   .doc = "Mean diameter at the ring's start.",
+   .hard_min = 5, .hard_max = 600, .soft_min = 20, .soft_max = 400, .default_number = {90}};
+
+static const sozai_parameter pore_diameter_late = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "vessel_diameter_late", .label = "Vessel diameter, late", .group = "vessels", .unit = "um",
+   .doc = "Mean diameter at the ring's end; for semi_ring only.",
+   .hard_min = 5, .hard_max = 600, .soft_min = 20, .soft_max = 400, .default_number = {60}};
+
+static const sozai_parameter pore_spread = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "vessel_diameter_spread", .label = "Vessel spread", .group = "vessels", .unit = "",
+   .doc = "Standard deviation of the diameter, relative to its mean; normally distributed, and "
+   "nothing below a fifth of the mean.",
+   .hard_min = 0, .hard_max = 0.4, .soft_min = 0, .soft_max = 0.35, .default_number = {0.18}};
+
+static const sozai_parameter rows = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_INT,
+   .id = "earlywood_rows", .label = "Earlywood rows", .group = "vessels", .unit = "",
+   .doc = "Rows of large vessels at the start of a ring; for ring only.",
+   .hard_min = 0, .hard_max = 6, .soft_min = 1, .soft_max = 4, .default_number = {1}};
+
+static const sozai_parameter row_density = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "earlywood_density", .label = "Earlywood density", .group = "vessels", .unit = "1/mm",
+   .doc = "Vessels of a row to a length of arc.",
+   .hard_min = 0.2, .hard_max = 30, .soft_min = 1, .soft_max = 8, .default_number = {2.8}};
+
+static const sozai_parameter row_diameter = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "earlywood_diameter", .label = "Earlywood diameter", .group = "vessels", .unit = "um",
+   .doc = "Mean diameter of the earlywood's vessels.",
+   .hard_min = 10, .hard_max = 800, .soft_min = 100, .soft_max = 400, .default_number = {230}};
+
+static const sozai_parameter row_spread = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "earlywood_diameter_spread", .label = "Earlywood spread", .group = "vessels", .unit = "",
+   .doc = "Standard deviation of that diameter, relative to its mean; normally distributed, and "
+   "nothing below a fifth of the mean.",
+   .hard_min = 0, .hard_max = 0.4, .soft_min = 0, .soft_max = 0.35, .default_number = {0.15}};
+
+static const sozai_parameter row_jitter = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "earlywood_jitter", .label = "Earlywood jitter", .group = "vessels", .unit = "",
+   .doc = "How far a vessel may stray from even spacing along its row: 1 is the whole spacing.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.5}};
+
+static const sozai_parameter fibre_brightness = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "fibre_brightness", .label = "Fibre brightness", .group = "fibres", .unit = "",
+   .doc = "Greatest shift of brightness from fibre to fibre, up or down, as a fraction.",
+   .hard_min = 0, .hard_max = 0.4, .soft_min = 0, .soft_max = 0.4, .default_number = {0.12}};
+
+static const sozai_parameter fibre_width = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "fibre_width", .label = "Fibre width", .group = "fibres", .unit = "mm",
+   .doc = "Of the finest of three sizes: bundles are 7 times, drifts of colour 60 times as "
+   "wide.",
+   .hard_min = 0.02, .hard_max = 2, .soft_min = 0.03, .soft_max = 0.3, .default_number = {0.07}};
+
+static const sozai_parameter early_colour = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "earlywood_colour", .label = "Earlywood colour", .group = "colour", .unit = "",
+   .doc = "Of the tissue at the ring's start.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.80, 0.64, 0.44},
+   .default_text = "sRGB"};
+
+static const sozai_parameter late_colour = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "latewood_colour", .label = "Latewood colour", .group = "colour", .unit = "",
+   .doc = "Of the tissue at the ring's end, where it is darkest.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.64, 0.45, 0.27},
+   .default_text = "sRGB"};
+
+static const sozai_parameter vessel_colour = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "vessel_colour", .label = "Vessel colour", .group = "colour", .unit = "",
+   .doc = "Of an open vessel.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.42, 0.29, 0.18},
+   .default_text = "sRGB"};
+
+static const sozai_parameter diffuse = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "diffuse", .label = "Diffuse", .group = "figure", .unit = "",
+   .doc = "kd of equation (4): times the albedo and the cosine of incidence.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.9}};
+
+static const sozai_parameter specular = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "specular", .label = "Specular", .group = "figure", .unit = "",
+   .doc = "ks of equation (4): height of the lobe that the fibres reflect.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 0.5, .default_number = {0.1}};
+
+static const sozai_parameter shininess = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "shininess", .label = "Shininess", .group = "figure", .unit = "",
+   .doc = "n of equation (4): the lobe's exponent.",
+   .hard_min = 1, .hard_max = 1000, .soft_min = 5, .soft_max = 200, .default_number = {30}};
+
+static const sozai_parameter tint = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "specular_tint", .label = "Specular tint", .group = "figure", .unit = "",
+   .doc = "Colour of that lobe: 0 the light's, 1 the earlywood's hue.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.6}};
+
+const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
+   [P_SEED] = &seed,
+   [P_OBJECT] = &object,
+   [P_CUT] = &cut,
+   [P_CUT_DISTANCE] = &cut_distance,
+   [P_CUT_ROTATION] = &cut_rotation,
+   [P_CUT_OFFSET] = &cut_offset,
+   [P_RING_WIDTH] = &ring_width,
+   [P_RING_VARIATION] = &ring_variation,
+   [P_RING_WIDTHS] = &ring_widths,
+   [P_OUTLINE] = &outline,
+   [P_UNDULATION] = &undulation,
+   [P_UNDULATION_SIZE] = &undulation_size,
+   [P_TAPER] = &taper,
+   [P_PITH_WANDER] = &pith_wander,
+   [P_LATE_FRACTION] = &late_fraction,
+   [P_LATE_ABRUPTNESS] = &late_abruptness,
+   [P_LATE_VARIATION] = &late_variation,
+   [P_GRAIN] = &grain,
+   [P_SPIRAL_SLOPE] = &spiral_slope,
+   [P_WAVE_SLOPE] = &wave_slope,
+   [P_WAVE_LENGTH] = &wave_length,
+   [P_WAVE_IRREGULARITY] = &wave_irregularity,
+   [P_INTERLOCKED_SLOPE] = &interlocked_slope,
+   [P_INTERLOCKED_YEARS] = &interlocked_years,
+   [P_INTERLOCKED_LENGTH] = &interlocked_length,
+   [P_SLOPE_NOISE] = &slope_noise,
+   [P_SLOPE_NOISE_LENGTH] = &slope_noise_length,
+   [P_POROSITY] = &porosity,
+   [P_PORE_DENSITY] = &pore_density,
+   [P_PORE_DIAMETER] = &pore_diameter,
+   [P_PORE_DIAMETER_LATE] = &pore_diameter_late,
+   [P_PORE_SPREAD] = &pore_spread,
+   [P_ROWS] = &rows,
+   [P_ROW_DENSITY] = &row_density,
+   [P_ROW_DIAMETER] = &row_diameter,
+   [P_ROW_SPREAD] = &row_spread,
+   [P_ROW_JITTER] = &row_jitter,
+   [P_FIBRE_BRIGHTNESS] = &fibre_brightness,
+   [P_FIBRE_WIDTH] = &fibre_width,
+   [P_EARLY_COLOUR] = &early_colour,
+   [P_LATE_COLOUR] = &late_colour,
+   [P_VESSEL_COLOUR] = &vessel_colour,
+   [P_DIFFUSE] = &diffuse,
+   [P_SPECULAR] = &specular,
+   [P_SHININESS] = &shininess,
+   [P_TINT] = &tint};
+
+static const sozai_channel channel_albedo = {
+   .size = sizeof(sozai_channel), .first = WOOD_ALBEDO, .components = 3,
+   .needs = SOZAI_INPUT_POINT,
+   .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
+   .id = "albedo", .unit = "", .suffixes = "rgb",
+   .doc = "Diffuse reflectance, scene-linear, in the working space."};
+
+static const sozai_channel channel_radiance = {
+   .size = sizeof(sozai_channel), .first = WOOD_RADIANCE, .components = 3,
+   .needs = SOZAI_INPUT_POINT | SOZAI_INPUT_NORMAL | SOZAI_INPUT_LIGHT,
+   .uses = SOZAI_INPUT_LIGHT_COLOUR | SOZAI_INPUT_FOOTPRINT,
+   .id = "radiance", .unit = "", .suffixes = "rgb",
+   .doc = "Towards the eye under the light: Kawai's equation (4), kd albedo cos(delta) + ks "
+   "cos^n(delta - alpha), cosines clamped at 0, times light_colour."};
+
+static const sozai_channel channel_fiber = {
+   .size = sizeof(sozai_channel), .first = WOOD_FIBER, .components = 3,
+   .needs = SOZAI_INPUT_POINT,
+   .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
+   .id = "fiber", .unit = "", .suffixes = "xyz",
+   .doc = "Unit direction of the fibres, object space, up the stem."};
+
+static const sozai_channel channel_dive = {
+   .size = sizeof(sozai_channel), .first = WOOD_DIVE, .components = 1,
+   .needs = SOZAI_INPUT_POINT | SOZAI_INPUT_NORMAL,
+   .uses = SOZAI_INPUT_FOOTPRINT,
+   .id = "dive", .unit = "rad", .suffixes = "",
+   .doc = "Angle alpha between fibre and surface, positive where the fibre dives in going up "
+   "the stem."};
+
+static const sozai_channel channel_specular = {
+   .size = sizeof(sozai_channel), .first = WOOD_SPECULAR, .components = 1,
+   .needs = SOZAI_INPUT_POINT | SOZAI_INPUT_NORMAL,
+   .uses = SOZAI_INPUT_FOOTPRINT,
+   .id = "specular", .unit = "", .suffixes = "",
+   .doc = "Height of the fibres' lobe: ks, lower where the footprint averages over slopes."};
+
+static const sozai_channel channel_roughness = {
+   .size = sizeof(sozai_channel), .first = WOOD_ROUGHNESS, .components = 1,
+   .needs = SOZAI_INPUT_POINT | SOZAI_INPUT_NORMAL,
+   .uses = SOZAI_INPUT_FOOTPRINT,
+   .id = "roughness", .unit = "", .suffixes = "",
+   .doc = "Width of that lobe, sqrt(2 / (n + 2)): a Beckmann roughness, wider where the "
+   "footprint averages over slopes."};
+
+static const sozai_channel channel_time = {
+   .size = sizeof(sozai_channel), .first = WOOD_TIME, .components = 1,
+   .needs = SOZAI_INPUT_POINT,
+   .uses = SOZAI_INPUT_FOOTPRINT,
+   .id = "time", .unit = "years", .suffixes = "",
+   .doc = "When the wood was formed, from the pith's first year."};
+
+static const sozai_channel channel_latewood = {
+   .size = sizeof(sozai_channel), .first = WOOD_LATEWOOD, .components = 1,
+   .needs = SOZAI_INPUT_POINT,
+   .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
+   .id = "latewood", .unit = "", .suffixes = "",
+   .doc = "How far towards latewood the tissue is, 0 to 1."};
+
+static const sozai_channel channel_vessel = {
+   .size = sizeof(sozai_channel), .first = WOOD_VESSEL, .components = 1,
+   .needs = SOZAI_INPUT_POINT,
+   .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
+   .id = "vessel", .unit = "", .suffixes = "",
+   .doc = "Share of the footprint that open vessels cover, 0 to 1."};
+
+static const sozai_channel channel_reference = {
+   .size = sizeof(sozai_channel), .first = WOOD_REFERENCE, .components = 2,
+   .needs = SOZAI_INPUT_POINT,
+   .uses = SOZAI_INPUT_FOOTPRINT,
+   .id = "reference", .unit = "mm", .suffixes = "xz",
+   .doc = "Where the point's fibre stands in the reference section, the section of the stem at "
+   "y = 0. Constant along a fibre: a picture of the end grain looked up here is carried "
+   "by the grain."};
+
+const sozai_channel *const wood_channels[] = {
+   &channel_albedo, &channel_radiance, &channel_fiber, &channel_dive, &channel_specular, &channel_roughness, &channel_time, &channel_latewood, &channel_vessel, &channel_reference};
+/* clang-format on */
+const uint32_t wood_channel_count = COUNT(wood_channels);

@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * The stem: from a point in log space to (rho, theta) about its pith, where
+ * rho is the radius that the point's year has in the mean, straight section.
+ *
+ *   rho = r s(y) / (1 + w(theta)) - u(x, y, z)
+ *
+ * w is the section's outline (a few harmonics, so theta = +-pi is no seam),
+ * s the taper, u the undulation of the growth front. s = 1 and u = 0 at y = 0:
+ * there R(t, theta) = Rmean(t) (1 + w(theta)) exactly. Everything is smooth
+ * and its derivatives are exact, which the fibre direction rests on.
+ */
+#ifndef SOZAI_WOOD_STEM_H
+#define SOZAI_WOOD_STEM_H
+
+#include "../core/filter.h"
+#include "../core/noise.h"
+#include "wood.h"
+
+/* Keeps the seeds of the noises apart. */
+enum { SEED_PITH_X = 1, SEED_PITH_Z, SEED_UNDULATION, SEED_SLOPE = 5, SEED_WAVE = 8, SEED_PORES,
+       SEED_ROWS, SEED_FIBRE = 12 };
+
+INLINE vu wood_seed(const wood_constants *w, uint32_t which) {
+  return splatu(hash1(w->seed + 0x9e3779b9u * which));
+}
+
+typedef struct {
+  vf x, z;   /* mm, of the pith */
+  vf dx, dz; /* slopes along y */
+} stem_pith;
+
+INLINE stem_pith pith_at(const wood_constants *w, vf y) {
+  noise_axis a = noise_split(y * splat(w->pith_frequency), HASH_Y);
+  vf amplitude = splat(w->pith_amplitude), slope = splat(w->pith_amplitude * w->pith_frequency);
+  stem_pith p;
+  p.x = amplitude * noise_axial1(&a, wood_seed(w, SEED_PITH_X), &p.dx);
+  p.z = amplitude * noise_axial1(&a, wood_seed(w, SEED_PITH_Z), &p.dz);
+  p.dx = p.dx * slope;
+  p.dz = p.dz * slope;
+  return p;
+}
+
+/* w(theta) for the unit direction (c, s), and dw/dtheta. */
+INLINE vf outline_at(const wood_constants *w, vf c, vf s, vf *slope) {
+  vf ck = c, sk = s, sum = splat(0.0f), d = sum;
+  for (int k = 0; k < WOOD_HARMONICS; k++) {
+    vf a = splat(w->outline_cos[k]), b = splat(w->outline_sin[k]);
+    sum = sum + (a * ck + b * sk);
+    d = d + splat((float)(k + 1)) * (b * ck - a * sk);
+    vf next = ck * c - sk * s;
+    sk = sk * c + ck * s;
+    ck = next;
+  }
+  *slope = d;
+  return sum;
+}
+
+/* u and its derivatives about the pith. Octaves finer than the footprint are
+ * left out; `lost` is the variance, in mm^2, that went with them. */
+INLINE vf undulation_at(const wood_constants *w, vf x, vf y, vf z, vf r, vf c, vf s, vf footprint,
+                        vf d[3], vf *lost) {
+  vf n = splat(0.0f), nx = n, ny = n, nz = n;
+  *lost = n;
+  for (int o = 0; o < 2; o++) {
+    if (w->undulation[o] == 0.0f) continue;
+    vf f = splat(w->undulation_frequency_section[o]);
+    vf fy = splat(w->undulation_frequency_axis[o]);
+    /* the second octave is turned by atan(3/4), so that lattices do not line up */
+    vf px = x, pz = z;
+    if (o == 1) {
+      px = splat(0.8f) * x - splat(0.6f) * z;
+      pz = splat(0.6f) * x + splat(0.8f) * z;
+    }
+    noise_axis ax = noise_split(px * f, HASH_X), ay = noise_split(y * fy, HASH_Y),
+               az = noise_split(pz * f, HASH_Z);
+    vf keep = filter_keep(footprint * f, 1.0f);
+    vf a = splat(w->undulation[o]) * keep;
+    vf gx, gy, gz;
+    vf v = noise_axial3(&ax, &ay, &az, wood_seed(w, SEED_UNDULATION + (uint32_t)o), &gx, &gy, &gz);
+    n = n + a * v;
+    gx = gx * (a * f);
+    gz = gz * (a * f);
+    ny = ny + gy * (a * fy);
+    if (o == 1) {
+      nx = nx + (splat(0.8f) * gx + splat(0.6f) * gz);
+      nz = nz + (splat(0.8f) * gz - splat(0.6f) * gx);
+    } else {
+      nx = nx + gx;
+      nz = nz + gz;
+    }
+    /* the noise's variance is about 1/40, measured */
+    *lost = *lost + splat(0.025f * w->undulation[o] * w->undulation[o]) *
+                        (splat(1.0f) - keep * keep);
+  }
+  vf core = splat(w->undulation_core), q = splat(1.0f) / (r * r + core);
+  vf envelope = r * r * q, envelope_slope = splat(2.0f) * r * core * q * q;
+  d[0] = envelope * nx + envelope_slope * c * n;
+  d[1] = envelope * ny;
+  d[2] = envelope * nz + envelope_slope * s * n;
+  return envelope * n;
+}
+
+typedef struct {
+  stem_pith pith;
+  vf r, c, s;      /* distance from the pith and direction */
+  vf rho;          /* mm */
+  vf rho_x, rho_z; /* derivatives about the pith at a fixed height */
+  vf rho_y;        /* at a fixed place about the pith */
+  vf lost;         /* mm^2: variance of rho that the footprint swallowed */
+} stem_place;
+
+INLINE stem_place stem_at(const wood_constants *w, vf x, vf y, vf z, vf footprint) {
+  stem_place p;
+  p.pith = pith_at(w, y);
+  x = x - p.pith.x;
+  z = z - p.pith.z;
+  vf r = vsqrt(x * x + z * z);
+  vm centre = lt(r, splat(1e-6f));
+  p.r = sel(centre, splat(1e-6f), r);
+  vf inverse = splat(1.0f) / p.r;
+  p.c = sel(centre, splat(1.0f), x * inverse);
+  p.s = sel(centre, splat(0.0f), z * inverse);
+
+  vf slope, outline = outline_at(w, p.c, p.s, &slope);
+  vf widen = splat(1.0f) / (splat(1.0f) + outline);
+  vf lean = splat(w->taper) * y;
+  vf bounded = clamp(lean, splat(-0.9f), splat(0.9f));
+  vf q = (splat(1.0f) + bounded) * widen;
+  vf turn = q * slope * widen;
+
+  vf u[3];
+  vf undulation = undulation_at(w, x, y, z, p.r, p.c, p.s, footprint, u, &p.lost);
+  p.rho = vmax(p.r * q - undulation, splat(0.0f));
+  p.rho_x = q * p.c + turn * p.s - u[0];
+  p.rho_z = q * p.s - turn * p.c - u[2];
+  p.rho_y = sel(eq(lean, bounded), p.r * splat(w->taper) * widen, splat(0.0f)) - u[1];
+  return p;
+}
+
+#endif

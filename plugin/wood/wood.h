@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Wood, after Kawai's model of fibre orientation, vessels, shifted brightness
+ * and figure. What a created wood is: numbers and tables that never change.
+ *
+ * The way from a point to its wood
+ *   object space -> log space          cut (a turn and a shift)
+ *   log space -> about the pith        pith(y)
+ *   -> (rho, theta)                    rho = r s(y) / (1 + w(theta)) - u(x, y, z)
+ *   rho -> (year, phase of the ring)   a table of ring boundaries
+ *   theta' = theta - phi(t, y)         the grain transform
+ *   -> reference section               rho (1 + w(theta')) at theta', y = 0
+ * Everything grown lives in the reference section and is looked up there.
+ */
+#ifndef SOZAI_WOOD_H
+#define SOZAI_WOOD_H
+
+#include <stdint.h>
+
+#define WOOD_RINGS 256       /* rings before the table repeats */
+#define WOOD_BINS_MAX 16384  /* bins of the look-up from rho to ring */
+#define WOOD_HARMONICS 4     /* of the section's outline */
+#define WOOD_RADII 512       /* steps of the table of vessel radii */
+#define WOOD_FIBRE_OCTAVES 3
+
+/* A layer of vessels of normally distributed radius. inverse_square[i] is
+ * (mean radius / radius)^2 for the i-th of WOOD_RADII equally likely radii. */
+typedef struct {
+  float radius;      /* mm, the mean */
+  float cell;        /* mm: side of a lattice cell, or spacing along the arc */
+  float reach;       /* mm: farthest a vessel may lie from where it is looked up */
+  float coverage;    /* expected area fraction where the layer is at full size */
+  float inverse_square[WOOD_RADII];
+} wood_vessels;
+
+typedef struct {
+  /* object -> log: rows, then the shift. The rows are a rotation's. */
+  float turn[3][3];
+  float shift[3];
+
+  /* the stem */
+  float pith_amplitude, pith_frequency; /* mm, 1/mm */
+  float taper;                          /* 1/mm: s(y) = 1 + taper y, |taper y| <= 0.9 */
+  float outline_cos[WOOD_HARMONICS], outline_sin[WOOD_HARMONICS];
+  float undulation[2];                  /* mm, per octave */
+  float undulation_frequency_section[2], undulation_frequency_axis[2]; /* 1/mm */
+  float undulation_core; /* mm^2: the undulation dies out within this of the pith */
+
+  /* rings */
+  float ring_period, inverse_ring_period; /* mm: the table's whole radius */
+  float bin_scale;                        /* bins per mm */
+  int32_t bin_last;
+  float ring_width; /* mm, the mean */
+  float late_start, late_rise, inverse_late_rise; /* phase */
+  float late_whole;  /* integral of the profile over a ring */
+  float late_period; /* integral over the table */
+  float blur;        /* mm: no ring edge is sharper */
+
+  /* grain; slopes are r dtheta/dy */
+  float spiral;
+  float wave_slope, wave_displacement; /* A, A lambda / 2 pi */
+  float wave_number, wave_frequency;   /* 2 pi / lambda, 1 / lambda */
+  float wave_irregularity;             /* radians of phase */
+  float wave_irregularity_frequency;   /* 1/mm */
+  float interlocked_slope, interlocked_frequency; /* 1/years */
+  float interlocked_number;                       /* 2 pi / length, 1/mm */
+  float slope_noise[2], slope_noise_frequency[2]; /* mm of displacement; 1/mm */
+  float slope_noise_years;                        /* 1/years */
+  int32_t has_wave, has_wave_irregularity, has_interlocked, has_slope_noise;
+
+  /* vessels */
+  wood_vessels pores; /* of the field: cells of the reference section */
+  float pore_early, pore_growth; /* size at phase f, over the mean: early + growth f */
+  float pore_ring_mean;          /* mean over the ring of size^2 */
+  wood_vessels row;              /* of the earlywood: rows at the ring's start */
+  int32_t has_pores, rows;
+  float row_density;   /* 1/mm of arc */
+  float row_spacing;   /* mm, radially */
+  float row_start;     /* mm, of the first row's centres after the ring's start */
+  float row_jitter_arc, row_jitter_radial; /* of the spacing; mm */
+  float band;          /* mm: the rows' band for the expected coverage */
+  float late_vessel;   /* expected vessel coverage of latewood tissue */
+
+  /* shifted brightness */
+  float fibre_amplitude[WOOD_FIBRE_OCTAVES];
+  float fibre_frequency[WOOD_FIBRE_OCTAVES]; /* 1/mm */
+  float fibre_size[WOOD_FIBRE_OCTAVES];      /* mm */
+
+  /* colour, working space */
+  float early[3], late[3], vessel[3];
+
+  /* figure */
+  float diffuse, specular, shininess, tint;
+  float tint_colour[3];
+
+  uint32_t seed;
+
+  /* tables: ring j = 0 .. WOOD_RINGS - 1; the last entry closes the period */
+  float start[WOOD_RINGS + 1];       /* mm: rho of the ring's start */
+  float inverse_width[WOOD_RINGS];
+  float late_weight[WOOD_RINGS];     /* how dark the ring's latewood grows */
+  float late_before[WOOD_RINGS + 1]; /* integral of the profile up to the ring */
+  int32_t bin[WOOD_BINS_MAX];        /* the ring that the bin's start lies in */
+} wood_constants;
+
+/* Inputs and outputs of the kernel: arrays of `count`. Inputs may be NULL as
+ * sozai.h says; out[c] is NULL where not wanted. */
+typedef struct {
+  const float *point[3], *normal[3], *light[3], *light_colour[3], *footprint;
+  const uint8_t *active;
+  float *const *out;
+} wood_io;
+
+/* Components of the output channels, in their order. */
+enum {
+  WOOD_ALBEDO = 0,
+  WOOD_RADIANCE = 3,
+  WOOD_FIBER = 6,
+  WOOD_DIVE = 9,
+  WOOD_SPECULAR = 10,
+  WOOD_ROUGHNESS = 11,
+  WOOD_TIME = 12,
+  WOOD_LATEWOOD = 13,
+  WOOD_VESSEL = 14,
+  WOOD_REFERENCE = 15,
+  WOOD_COMPONENTS = 17
+};
+
+typedef void wood_evaluate(const wood_constants *w, const wood_io *io, uint32_t from, uint32_t to);
+typedef void wood_radius(const wood_constants *w, uint32_t count, const float *t,
+                         const float *theta, const float *y, float *out_r);
+typedef void wood_pith(const wood_constants *w, uint32_t count, const float *y, float *out_x,
+                       float *out_z);
+
+/* One compilation of the kernel. */
+typedef struct {
+  const char *name; /* of the instruction set */
+  uint32_t lanes;
+  wood_evaluate *evaluate;
+  wood_radius *radius;
+  wood_pith *pith;
+} wood_kernel;
+
+#endif

@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# shellcheck has nothing to say about any script. Exits 77 without shellcheck.
+set -euo pipefail
+cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.."
+
+command -v shellcheck >/dev/null || {
+  echo "no shellcheck here"
+  exit 77
+}
+mapfile -t files < <(find quickstart .ci/run tests hosts plugin colour \
+  -type f \( -name '*.sh' -o -name quickstart -o -path .ci/run \))
+shellcheck "${files[@]}"
+echo "${#files[@]} scripts checked"
