@@ -9,6 +9,8 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <locale>
+#include <sstream>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -36,6 +38,25 @@ static void must_be_readable(const std::string &path) {
   throw Failure(SOZAI_ERROR_FILE, "colour config " + path + ": " + std::strerror(error));
 }
 
+// Some builds of OpenColorIO read numbers by the C++ global locale, which belongs to
+// the host: 0.125 may be refused, or taken for 125. Rather none than wrong colours.
+static void must_read_numbers(const std::string &path) {
+  if (std::use_facet<std::numpunct<char>>(std::locale()).decimal_point() == '.') return;
+  double read[3] = {};
+  try {
+    std::istringstream probe("ocio_profile_version: 1\n"
+                             "luma: [0.125, 0.125, 0.125]\n"
+                             "roles: {default: raw}\n"
+                             "colorspaces: [!<ColorSpace> {name: raw}]\n");
+    ocio::Config::CreateFromStream(probe)->getDefaultLumaCoefs(read);
+  } catch (const ocio::Exception &) {
+  }
+  if (read[0] == 0.125) return;
+  throw Failure(SOZAI_ERROR_COLOUR, "colour config " + path +
+                                        ": OpenColorIO misreads numbers under the C++ global " +
+                                        "locale \"" + std::locale().name() + "\"");
+}
+
 // Run body; what it throws becomes a Failure that names the config.
 template <class Body>
 static void naming(const std::string &path, int32_t result, const Body &body) {
@@ -55,6 +76,7 @@ Config open_config(const char *path) {
   Config config;
   config.name = choose(path);
   must_be_readable(config.name);
+  must_read_numbers(config.name);
   naming(config.name, SOZAI_ERROR_FILE,
          [&] { config.ocio = ocio::Config::CreateFromFile(config.name.c_str()); });
   naming(config.name, SOZAI_ERROR_COLOUR, [&] {

@@ -28,7 +28,7 @@ ocio::ConstCPUProcessorRcPtr Processors::cached(const std::string &key, const st
   try {
     // Lossless: the default replaces inverse tables and powers by approximations.
     const ocio::ConstProcessorRcPtr processor = make();
-    const auto cpu = processor->getOptimizedCPUProcessor(ocio::OPTIMIZATION_LOSSLESS);
+    auto cpu = processor->getOptimizedCPUProcessor(ocio::OPTIMIZATION_LOSSLESS);
     made.emplace(key, cpu);
     return cpu;
   } catch (const std::bad_alloc &) {

@@ -16,8 +16,10 @@ typedef struct material {
    * state is zeroed, aligned to 64. */
   int32_t (*build)(void *state, const sozai_host *host, const settings *s,
                    const float (*colours)[3]);
-  /* The batch has been checked. */
-  void (*evaluate)(const void *state, const sozai_batch *batch, float *const *out);
+  /* The batch has been checked. out has a pointer for every component; bit k
+   * of wanted says that out[k] is not NULL. */
+  void (*evaluate)(const void *state, const sozai_batch *batch, float *const *out,
+                   uint64_t wanted);
   const char *(*instruction_set)(const void *state);
 } material;
 

@@ -9,6 +9,7 @@
 #include "material.h"
 
 #define COMPONENTS_MAX 64
+#define CHANNEL_KINDS_MAX 8
 
 struct sozai_texture {
   const material *kind;
@@ -16,6 +17,12 @@ struct sozai_texture {
   sozai_host host;
   settings given;
   void *state;
+  /* which components need which inputs, one entry for each set of inputs */
+  struct {
+    uint64_t channels;
+    uint32_t inputs;
+  } needs[CHANNEL_KINDS_MAX];
+  uint32_t kinds;
 };
 
 static uint32_t count(void) { return textures_ready() ? registry_count : 0; }
@@ -58,6 +65,17 @@ static void destroy(sozai_texture *t) {
   host_free(&host, t, sizeof *t, 64);
 }
 
+static void collect_needs(sozai_texture *t) {
+  for (uint32_t i = 0; i < t->info->channel_count; i++) {
+    const sozai_channel *c = t->info->channels[i];
+    uint32_t k = 0;
+    while (k < t->kinds && t->needs[k].inputs != c->needs && k < CHANNEL_KINDS_MAX - 1) k++;
+    if (k == t->kinds) t->kinds++;
+    t->needs[k].inputs |= c->needs;
+    t->needs[k].channels |= ((1ull << c->components) - 1) << c->first;
+  }
+}
+
 static int32_t create(const sozai_host *host, const char *id, const char *preset,
                       const sozai_value *values, uint32_t value_count, sozai_texture **out) {
   if (!out) return fail(SOZAI_ERROR_ARGUMENT, "create: out is NULL");
@@ -76,6 +94,7 @@ static int32_t create(const sozai_host *host, const char *id, const char *preset
   t->kind = m;
   t->info = m->describe();
   t->host = h;
+  collect_needs(t);
   int32_t r = settings_make(&t->given, &h, t->info, preset, values, value_count);
   if (!r) r = build_state(t);
   if (r) {
@@ -110,39 +129,63 @@ static const char *input_name(uint32_t bit) {
   }
 }
 
-static int32_t evaluate(const sozai_texture *t, const sozai_batch *batch) {
-  if (!t || !batch) return fail(SOZAI_ERROR_ARGUMENT, "evaluate: texture or batch is NULL");
-  if (batch->size < 8) {
-    return fail(SOZAI_ERROR_ARGUMENT, "evaluate: batch.size is %u: set it to sizeof(sozai_batch)",
-                batch->size);
-  }
-  sozai_batch b;
-  memset(&b, 0, sizeof b);
-  memcpy(&b, batch, batch->size < sizeof b ? batch->size : sizeof b);
-  if (b.out_count && !b.out) return fail(SOZAI_ERROR_ARGUMENT, "evaluate: batch.out is NULL");
-
-  float *out[COMPONENTS_MAX] = {0};
-  uint32_t n = b.out_count < t->info->component_count ? b.out_count : t->info->component_count;
-  for (uint32_t i = 0; i < n; i++) out[i] = b.out[i];
-  uint32_t has = inputs_of(&b);
-  int some = 0;
+static int32_t missing_input(const sozai_texture *t, uint64_t wanted, uint32_t has) {
   for (uint32_t k = 0; k < t->info->channel_count; k++) {
     const sozai_channel *c = t->info->channels[k];
-    for (uint32_t i = c->first; i < c->first + c->components; i++) {
-      if (!out[i]) continue;
-      some = 1;
-      uint32_t missing = c->needs & ~has;
-      if (missing) {
-        return fail(SOZAI_ERROR_ARGUMENT, "evaluate: channel %s needs the input %s", c->id,
-                    input_name(missing));
-      }
+    uint64_t bits = ((1ull << c->components) - 1) << c->first;
+    if ((wanted & bits) && (c->needs & ~has)) {
+      return fail(SOZAI_ERROR_ARGUMENT, "evaluate: channel %s needs the input %s", c->id,
+                  input_name(c->needs & ~has));
     }
   }
-  /* a vector with a part missing is none */
-  if (!(has & SOZAI_INPUT_NORMAL)) b.normal[0] = NULL;
-  if (!(has & SOZAI_INPUT_LIGHT_COLOUR)) memset(b.light_colour, 0, sizeof b.light_colour);
-  if (!(has & SOZAI_INPUT_VIEW)) b.view[0] = NULL;
-  if (some && b.count) t->kind->evaluate(t->state, &b, out);
+  return fail(SOZAI_ERROR_ARGUMENT, "evaluate: an input is missing");
+}
+
+/* On the path of every single point: a look at each wanted output, and no
+ * more. Structs of another size, or with parts missing, take the long way. */
+static int32_t evaluate(const sozai_texture *t, const sozai_batch *batch) {
+  if (!t || !batch) return fail(SOZAI_ERROR_ARGUMENT, "evaluate: texture or batch is NULL");
+  sozai_batch copy;
+  if (batch->size != sizeof copy) {
+    if (batch->size < 8) {
+      return fail(SOZAI_ERROR_ARGUMENT,
+                  "evaluate: batch.size is %u: set it to sizeof(sozai_batch)", batch->size);
+    }
+    memset(&copy, 0, sizeof copy);
+    memcpy(&copy, batch, batch->size < sizeof copy ? batch->size : sizeof copy);
+    batch = &copy;
+  }
+  uint32_t components = t->info->component_count, count = batch->out_count;
+  float *const *out = batch->out;
+  if (count && !out) return fail(SOZAI_ERROR_ARGUMENT, "evaluate: batch.out is NULL");
+  float *padded[COMPONENTS_MAX];
+  if (count < components) {
+    memset(padded, 0, sizeof padded);
+    if (count) memcpy(padded, out, count * sizeof *out);
+    out = padded;
+  }
+  uint64_t wanted = 0;
+  for (uint32_t i = 0; i < components; i++) wanted |= (uint64_t)(out[i] != NULL) << i;
+
+  uint32_t has = inputs_of(batch), needs = 0;
+  for (uint32_t k = 0; k < t->kinds; k++) {
+    if (wanted & t->needs[k].channels) needs |= t->needs[k].inputs;
+  }
+  if (needs & ~has) return missing_input(t, wanted, has);
+  const uint32_t vectors =
+      SOZAI_INPUT_NORMAL | SOZAI_INPUT_LIGHT | SOZAI_INPUT_LIGHT_COLOUR | SOZAI_INPUT_VIEW;
+  if ((has & vectors) != vectors) {
+    /* a vector with a part missing is none */
+    if (batch != &copy) {
+      copy = *batch;
+      batch = &copy;
+    }
+    if (!(has & SOZAI_INPUT_NORMAL)) memset(copy.normal, 0, sizeof copy.normal);
+    if (!(has & SOZAI_INPUT_LIGHT)) memset(copy.light, 0, sizeof copy.light);
+    if (!(has & SOZAI_INPUT_LIGHT_COLOUR)) memset(copy.light_colour, 0, sizeof copy.light_colour);
+    if (!(has & SOZAI_INPUT_VIEW)) memset(copy.view, 0, sizeof copy.view);
+  }
+  if (wanted && batch->count) t->kind->evaluate(t->state, batch, out, wanted);
   return SOZAI_OK;
 }
 

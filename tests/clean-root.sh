@@ -58,7 +58,7 @@ readonly here
 # formats they are written: "deb URI SUITE COMPONENT" a line.
 sources() {
   apt-get indextargets --format "\$(ORIGIN) deb \$(REPO_URI) \$(RELEASE) \$(COMPONENT)" \
-    'Created-By: Packages' | sed -n 's/^Debian //p' | grep bookworm | sort -u
+    'Created-By: Packages' | sed -n '/ bookworm/s/^Debian //p' | sort -u
 }
 
 remove_run() {
@@ -68,8 +68,9 @@ remove_run() {
   rm -rf --one-file-system "$run"
 }
 
+found=$(sources)
 if [[ ! -f $root/etc/debian_version ]]; then
-  mirror=$(sources | awk '$3 == "bookworm" { print $2; exit }')
+  mirror=$(awk '$3 == "bookworm" { print $2; exit }' <<<"$found")
   echo "== making a Debian 12 in $root from ${mirror:=http://deb.debian.org/debian}"
   debootstrap --variant=minbase --include=ca-certificates bookworm "$root" "$mirror" >"$root.log" ||
     die "debootstrap failed; see $root.log"
@@ -78,7 +79,6 @@ fi
 echo "== copying it to $run"
 if [[ -e $run ]]; then remove_run; fi
 cp -a --reflink=auto "$root" "$run"
-found=$(sources)
 if [[ -n $found ]]; then printf '%s\n' "$found" >"$run/etc/apt/sources.list"; fi
 # Proxies and whatever else this machine needs to reach its mirror.
 apt-config dump | grep -E '^Acquire::(http|https|Check-|Retries)' \

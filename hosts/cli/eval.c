@@ -9,25 +9,17 @@
 #include <stdlib.h>
 #include <string.h>
 #include "cancel.h"
+#include "columns.h"
 #include "csv.h"
 #include "output_file.h"
 #include "parallel.h"
 #include "session.h"
 
-#define SLICE 1024   /* lines */
+#define SLICE 1024 /* lines */
 #define MOST_SLICES 64
 #define MOST_CHANNELS 64
 #define MOST_OUTPUTS 256
 #define NUMBER_LENGTH 17 /* of "-1.23456789e-38" and what follows it, with room */
-
-/* A column's place among the inputs: three to each bit of SOZAI_INPUT_*, but
- * one for the last. */
-#define COLUMN_COUNT 16
-static const char *const column_names[COLUMN_COUNT] = {
-    "px", "py", "pz", "nx", "ny", "nz", "lx",       "ly",
-    "lz", "lr", "lg", "lb", "vx", "vy", "vz", "footprint"};
-
-static uint32_t input_bit(uint32_t column) { return 1u << column / 3; }
 
 typedef struct slice {
   failure why; /* exit_code 0: none */
@@ -39,73 +31,22 @@ typedef struct job {
   const sozai_textures_1 *textures;
   const sozai_texture_info *info;
   const sozai_texture *texture;
-  uint32_t columns[COLUMN_COUNT]; /* of the file: which input each is */
-  uint32_t column_count;
-  uint32_t inputs; /* SOZAI_INPUT_* there are */
+  columns columns;
   uint32_t channels[MOST_CHANNELS];
   uint32_t channel_count;
   uint32_t outputs[MOST_OUTPUTS]; /* component of the texture's, in the order printed */
   uint32_t output_count;
   csv_lines lines;
-  float *arena; /* for each slice: COLUMN_COUNT + output_count arrays of SLICE */
+  float *arena; /* for each slice: COLUMNS + output_count arrays of SLICE */
   slice slices[MOST_SLICES];
 } job;
-
-/* ---- the header ------------------------------------------------------- */
-
-static bool take_column(job *j, char *name, failure *why) {
-  while (*name == ' ' || *name == '\t') name++;
-  size_t length = strlen(name);
-  while (length > 0 && (name[length - 1] == ' ' || name[length - 1] == '\t')) name[--length] = 0;
-  uint32_t column = 0;
-  while (column < COLUMN_COUNT && strcmp(column_names[column], name) != 0) column++;
-  if (column == COLUMN_COUNT)
-    return fail(why, EXIT_BAD_INPUT,
-                "%s:1: unknown column '%.40s'; there is px,py,pz,nx,ny,nz,lx,ly,lz,lr,lg,lb,"
-                "vx,vy,vz,footprint",
-                j->lines.name, name);
-  for (uint32_t i = 0; i < j->column_count; i++)
-    if (j->columns[i] == column)
-      return fail(why, EXIT_BAD_INPUT, "%s:1: column '%s' stands twice", j->lines.name, name);
-  j->columns[j->column_count++] = column;
-  return true;
-}
-
-/* A vector needs all its three columns, and the point must be there. */
-static bool check_columns(job *j, failure *why) {
-  bool have[COLUMN_COUNT] = {false};
-  for (uint32_t i = 0; i < j->column_count; i++) have[j->columns[i]] = true;
-  for (uint32_t i = 0; i < COLUMN_COUNT; i++) {
-    if (have[i]) j->inputs |= input_bit(i);
-  }
-  for (uint32_t i = 0; i < COLUMN_COUNT; i++)
-    if (!have[i] && (i < 3 || (i != 15 && (j->inputs & input_bit(i)))))
-      return fail(why, EXIT_BAD_INPUT, "%s:1: column '%s' is missing", j->lines.name,
-                  column_names[i]);
-  return true;
-}
-
-static bool read_header(job *j, failure *why) {
-  if (!csv_next(&j->lines, 1, why)) return false;
-  if (j->lines.count == 0)
-    return fail(why, EXIT_BAD_INPUT, "%s: empty input; it begins with a header: px,py,pz,...",
-                j->lines.name);
-  char *copy = strdup(csv_line(&j->lines, 0));
-  if (!copy) return fail(why, EXIT_FAILURE, "out of memory");
-  char *rest = copy;
-  if (strncmp(rest, "\xef\xbb\xbf", 3) == 0) rest += 3; /* spreadsheets write a byte-order mark */
-  bool ok = true;
-  for (char *name; ok && (name = strsep(&rest, ","));) ok = take_column(j, name, why);
-  free(copy);
-  return ok && check_columns(j, why);
-}
 
 /* ---- the channels ----------------------------------------------------- */
 
 static bool missing_input(const job *j, const sozai_channel *c, failure *why) {
   char columns[128] = "";
-  for (uint32_t i = 0; i < COLUMN_COUNT; i++)
-    if (c->needs & ~j->inputs & input_bit(i)) {
+  for (uint32_t i = 0; i < COLUMNS; i++)
+    if (c->needs & ~j->columns.inputs & column_bit(i)) {
       size_t used = strlen(columns);
       snprintf(columns + used, sizeof columns - used, "%s%s", used ? "," : "", column_names[i]);
     }
@@ -119,10 +60,10 @@ static bool choose_channels(job *j, const char *names, failure *why) {
       return false;
   } else
     for (uint32_t i = 0; i < j->info->channel_count && j->channel_count < MOST_CHANNELS; i++)
-      if (!(j->info->channels[i]->needs & ~j->inputs)) j->channels[j->channel_count++] = i;
+      if (!(j->info->channels[i]->needs & ~j->columns.inputs)) j->channels[j->channel_count++] = i;
   for (uint32_t i = 0; i < j->channel_count; i++) {
     const sozai_channel *c = j->info->channels[j->channels[i]];
-    if (c->needs & ~j->inputs) return missing_input(j, c, why);
+    if (c->needs & ~j->columns.inputs) return missing_input(j, c, why);
     if (j->output_count + c->components > MOST_OUTPUTS)
       return fail(why, EXIT_FAILURE, "more than %d output columns", MOST_OUTPUTS);
     for (uint32_t k = 0; k < c->components; k++) j->outputs[j->output_count++] = c->first + k;
@@ -147,25 +88,25 @@ static void write_header(const job *j, FILE *to) {
 
 /* ---- the rows --------------------------------------------------------- */
 
-static bool parse_slice(const job *j, uint32_t first, uint32_t count, float *inputs,
-                        failure *why) {
+static bool parse_slice(const job *j, uint32_t first, uint32_t count, float *inputs, failure *why) {
   for (uint32_t i = 0; i < count; i++) {
     const char *line = csv_line(&j->lines, first + i);
     unsigned long long number = j->lines.first_line + first + i;
-    float row[COLUMN_COUNT];
+    float row[COLUMNS];
     int bad;
     uint32_t fields;
-    if (csv_numbers(line, row, j->column_count, &bad, &fields)) {
-      for (uint32_t c = 0; c < j->column_count; c++) inputs[j->columns[c] * SLICE + i] = row[c];
+    if (csv_numbers(line, row, j->columns.count, &bad, &fields)) {
+      for (uint32_t c = 0; c < j->columns.count; c++)
+        inputs[j->columns.input[c] * SLICE + i] = row[c];
       continue;
     }
     if (bad < 0)
       return fail(why, EXIT_BAD_INPUT, "%s:%llu: %u value%s, but the header has %u columns",
                   j->lines.name, number, *line ? fields : 0, fields == 1 && *line ? "" : "s",
-                  j->column_count);
+                  j->columns.count);
     for (int c = 0; c < bad; c++) line = strchr(line, ',') + 1;
     return fail(why, EXIT_BAD_INPUT, "%s:%llu: %s '%.*s' is not a number", j->lines.name, number,
-                column_names[j->columns[bad]], (int)(strcspn(line, ",") % 60), line);
+                column_names[j->columns.input[bad]], (int)(strcspn(line, ",") % 60), line);
   }
   return true;
 }
@@ -183,12 +124,13 @@ static bool evaluate_slice(const job *j, uint32_t count, const float *inputs, fl
   sozai_batch batch = {.size = sizeof batch, .count = count, .out = out, .out_count = out_count};
   for (uint32_t k = 0; k < 3; k++) {
     batch.point[k] = inputs + k * SLICE;
-    if (j->inputs & SOZAI_INPUT_NORMAL) batch.normal[k] = inputs + (3 + k) * SLICE;
-    if (j->inputs & SOZAI_INPUT_LIGHT) batch.light[k] = inputs + (6 + k) * SLICE;
-    if (j->inputs & SOZAI_INPUT_LIGHT_COLOUR) batch.light_colour[k] = inputs + (9 + k) * SLICE;
-    if (j->inputs & SOZAI_INPUT_VIEW) batch.view[k] = inputs + (12 + k) * SLICE;
+    if (j->columns.inputs & SOZAI_INPUT_NORMAL) batch.normal[k] = inputs + (3 + k) * SLICE;
+    if (j->columns.inputs & SOZAI_INPUT_LIGHT) batch.light[k] = inputs + (6 + k) * SLICE;
+    if (j->columns.inputs & SOZAI_INPUT_LIGHT_COLOUR)
+      batch.light_colour[k] = inputs + (9 + k) * SLICE;
+    if (j->columns.inputs & SOZAI_INPUT_VIEW) batch.view[k] = inputs + (12 + k) * SLICE;
   }
-  if (j->inputs & SOZAI_INPUT_FOOTPRINT) batch.footprint = inputs + 15 * SLICE;
+  if (j->columns.inputs & SOZAI_INPUT_FOOTPRINT) batch.footprint = inputs + 15 * SLICE;
   if (j->textures->evaluate(j->texture, &batch) == SOZAI_OK) return true;
   return fail(why, EXIT_FAILURE, "evaluate: %s", j->textures->last_error());
 }
@@ -196,8 +138,8 @@ static bool evaluate_slice(const job *j, uint32_t count, const float *inputs, fl
 static void print_slice(const job *j, uint32_t count, const float *outputs, slice *s) {
   for (uint32_t i = 0; i < count; i++)
     for (uint32_t k = 0; k < j->output_count; k++) {
-      int length = snprintf(s->text + s->used, NUMBER_LENGTH + 1, "%.9g",
-                            (double)outputs[k * SLICE + i]);
+      int length =
+          snprintf(s->text + s->used, NUMBER_LENGTH + 1, "%.9g", (double)outputs[k * SLICE + i]);
       s->used += (size_t)length;
       s->text[s->used++] = k + 1 < j->output_count ? ',' : '\n';
     }
@@ -208,8 +150,8 @@ static void run_slice(void *context, uint32_t index) {
   slice *s = &j->slices[index];
   uint32_t first = index * SLICE;
   uint32_t count = j->lines.count - first < SLICE ? j->lines.count - first : SLICE;
-  float *inputs = j->arena + (size_t)index * (COLUMN_COUNT + j->output_count) * SLICE;
-  float *outputs = inputs + COLUMN_COUNT * SLICE;
+  float *inputs = j->arena + (size_t)index * (COLUMNS + j->output_count) * SLICE;
+  float *outputs = inputs + COLUMNS * SLICE;
   s->used = 0;
   if (parse_slice(j, first, count, inputs, &s->why) &&
       evaluate_slice(j, count, inputs, outputs, &s->why))
@@ -217,7 +159,7 @@ static void run_slice(void *context, uint32_t index) {
 }
 
 static bool allocate(job *j, failure *why) {
-  j->arena = malloc(sizeof(float) * MOST_SLICES * SLICE * (COLUMN_COUNT + j->output_count));
+  j->arena = malloc(sizeof(float) * MOST_SLICES * SLICE * (COLUMNS + j->output_count));
   bool ok = j->arena != NULL;
   for (uint32_t i = 0; i < MOST_SLICES; i++) {
     j->slices[i].text = malloc((size_t)SLICE * j->output_count * NUMBER_LENGTH + 1);
@@ -256,7 +198,8 @@ static bool write_rows(job *j, uint32_t threads, FILE *to, failure *why) {
 static bool evaluate_stream(job *j, const char *channels, uint32_t threads, FILE *from,
                             const char *from_name, FILE *to, failure *why) {
   bool ok = csv_open(&j->lines, from, from_name, MOST_SLICES * SLICE, why) &&
-            read_header(j, why) && choose_channels(j, channels, why) && allocate(j, why);
+            columns_read(&j->columns, &j->lines, why) && choose_channels(j, channels, why) &&
+            allocate(j, why);
   if (ok) {
     write_header(j, to);
     ok = write_rows(j, threads, to, why);

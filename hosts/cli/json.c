@@ -74,7 +74,8 @@ void json_text(json *j, const char *key, const char *text) {
 }
 
 void number_text(char *text, size_t size, double number) {
-  for (int digits = 1; digits <= 17; digits++) {
+  for (int digits = 6; digits <= 17;
+       digits++) { /* %g drops zeros, but with few digits writes 1e+01 */
     snprintf(text, size, "%.*g", digits, number);
     if (strtod(text, NULL) == number) return;
   }

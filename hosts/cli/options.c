@@ -46,9 +46,13 @@ static bool read_size(const option *o, const char *text, uint32_t *out, failure 
 
 static bool store(const option *o, const char *text, failure *why) {
   switch (o->kind) {
-  case OPTION_TEXT: *(const char **)o->target = text; return true;
-  case OPTION_COUNT: return read_count(o, text, o->target, why);
-  case OPTION_SIZE: return read_size(o, text, o->target, why);
+  case OPTION_TEXT:
+    *(const char **)o->target = text;
+    return true;
+  case OPTION_COUNT:
+    return read_count(o, text, o->target, why);
+  case OPTION_SIZE:
+    return read_size(o, text, o->target, why);
   case OPTION_NUMBER: {
     double number;
     if (!number_read(text, &number) || !(number >= o->low && number <= o->high))

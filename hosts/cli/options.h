@@ -15,10 +15,10 @@
 #define OPTION_SIZE 5   /* uint32_t[2]: WxH, each within low and high */
 
 typedef struct option {
-  const char *name; /* without its dashes */
-  char letter;      /* short form, or 0 */
-  int kind;         /* OPTION_* */
-  void *target;     /* holds the default beforehand */
+  const char *name;     /* without its dashes */
+  char letter;          /* short form, or 0 */
+  int kind;             /* OPTION_* */
+  void *target;         /* holds the default beforehand */
   const char *argument; /* what the help calls its value */
   const char *help;
   double low, high;

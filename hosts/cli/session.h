@@ -25,19 +25,21 @@ typedef struct session_options {
   bool verbose;
 } session_options;
 
-/* Their rows of an option table. PARAMS needs one to be given room: see
- * session_options_init. */
-#define SESSION_RUN_OPTIONS(s)                                                                     \
-  {"config", 0, OPTION_TEXT, &(s).config, "FILE",                                                  \
-   "OpenColorIO config (default: $OCIO, else the shipped one)", 0, 0},                             \
-      {"threads", 0, OPTION_COUNT, &(s).threads, "N", "threads (default: all)", 1, 256}, {         \
-    "verbose", 0, OPTION_FLAG, &(s).verbose, NULL, "log what the plugin says", 0, 0                \
-  }
-#define SESSION_TEXTURE_OPTIONS(s)                                                                 \
-  {"preset", 0, OPTION_TEXT, &(s).preset, "NAME", "start from a preset's values", 0, 0}, {         \
-    "param", 'p', OPTION_PAIRS, &(s).params, "NAME=VALUE", "set a parameter; any number of these", \
-        0, 0                                                                                       \
-  }
+/* Their rows of an option table. */
+/* clang-format off */
+#define SESSION_TEXTURE_OPTIONS(s) \
+  {.name = "preset", .kind = OPTION_TEXT, .target = &(s).preset, .argument = "NAME", \
+   .help = "start from a preset's values"}, \
+  {.name = "param", .letter = 'p', .kind = OPTION_PAIRS, .target = &(s).params, \
+   .argument = "NAME=VALUE", .help = "set a parameter; any number of these"}
+#define SESSION_RUN_OPTIONS(s) \
+  {.name = "config", .kind = OPTION_TEXT, .target = &(s).config, .argument = "FILE", \
+   .help = "OpenColorIO config (default: $OCIO, else the shipped one)"}, \
+  {.name = "threads", .kind = OPTION_COUNT, .target = &(s).threads, .argument = "N", \
+   .help = "threads (default: all)", .low = 1, .high = 256}, \
+  {.name = "verbose", .kind = OPTION_FLAG, .target = &(s).verbose, \
+   .help = "log what the plugin says"}
+/* clang-format on */
 
 /* argc: how many -p there can be at most. */
 bool session_options_init(session_options *o, int argc, failure *why);

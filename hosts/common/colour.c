@@ -28,8 +28,8 @@ static bool open_service(colour *c, const char *path, const char *config, failur
   char message[512] = "";
   if (c->factory->open(config, &c->service, message, sizeof message) != SOZAI_OK) {
     c->service = NULL;
-    return fail(why, EXIT_BAD_INPUT, "colour config %s: %s",
-                config ? config : "of $OCIO or shipped", message);
+    /* which names the config */
+    return fail(why, EXIT_BAD_INPUT, "%s", *message ? message : "the colour config did not open");
   }
   return true;
 }

@@ -31,8 +31,7 @@ static int32_t show_progress(void *user, float fraction, const char *what) {
 
 static const void *get_service(void *user, const char *service_id) {
   const host *h = user;
-  if (h->colour && service_id && strcmp(service_id, SOZAI_COLOUR_1) == 0)
-    return h->colour->service;
+  if (h->colour && service_id && strcmp(service_id, SOZAI_COLOUR_1) == 0) return h->colour->service;
   return NULL;
 }
 

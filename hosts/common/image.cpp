@@ -14,10 +14,14 @@ namespace {
 
 OIIO::TypeDesc type_of(int type) {
   switch (type) {
-  case IMAGE_UINT8: return OIIO::TypeDesc::UINT8;
-  case IMAGE_UINT16: return OIIO::TypeDesc::UINT16;
-  case IMAGE_HALF: return OIIO::TypeDesc::HALF;
-  default: return OIIO::TypeDesc::FLOAT;
+  case IMAGE_UINT8:
+    return OIIO::TypeDesc::UINT8;
+  case IMAGE_UINT16:
+    return OIIO::TypeDesc::UINT16;
+  case IMAGE_HALF:
+    return OIIO::TypeDesc::HALF;
+  default:
+    return OIIO::TypeDesc::FLOAT;
   }
 }
 
@@ -44,8 +48,8 @@ bool write(const char *path, uint32_t width, uint32_t height, const image_channe
     for (size_t i = 0; i < pixels; i++)
       interleaved[i * count + c] = channels[c].data[i * channels[c].stride];
 
-  bool ok = output->open(path, spec) &&
-            output->write_image(OIIO::TypeDesc::FLOAT, interleaved.data());
+  bool ok =
+      output->open(path, spec) && output->write_image(OIIO::TypeDesc::FLOAT, interleaved.data());
   ok = output->close() && ok;
   return ok || fail(why, EXIT_FAILURE, "cannot write %s: %s", path, output->geterror().c_str());
 }

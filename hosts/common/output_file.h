@@ -6,9 +6,9 @@
 #include "failure.h"
 
 typedef struct output_file {
-  char *path;     /* where the file will be */
-  char *writing;  /* the name to write to: in the same folder, with the same ending */
-  bool in_place;  /* a device or a pipe: written directly, never renamed over or removed */
+  char *path;    /* where the file will be */
+  char *writing; /* the name to write to: in the same folder, with the same ending */
+  bool in_place; /* a device or a pipe: written directly, never renamed over or removed */
 } output_file;
 
 /* Also checks that the folder can be written, before hours of work. */

@@ -8,8 +8,8 @@
 #include <string.h>
 #include <unistd.h>
 
-bool plugin_load(const char *path, const char *symbol, void **library,
-                 const sozai_entry_v1 **entry, failure *why) {
+bool plugin_load(const char *path, const char *symbol, void **library, const sozai_entry_v1 **entry,
+                 failure *why) {
   void *handle = dlopen(path, RTLD_NOW | RTLD_LOCAL);
   if (!handle) return fail(why, EXIT_FAILURE, "cannot load %s: %s", path, dlerror());
   const sozai_entry_v1 *e = dlsym(handle, symbol);

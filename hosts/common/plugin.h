@@ -20,7 +20,7 @@ void plugin_close(plugin *p);
 
 /* Load a library, read the version of the entry struct it exports under
  * `symbol`, and initialise it. Shared with the colour service. */
-bool plugin_load(const char *path, const char *symbol, void **library,
-                 const sozai_entry_v1 **entry, failure *why);
+bool plugin_load(const char *path, const char *symbol, void **library, const sozai_entry_v1 **entry,
+                 failure *why);
 
 #endif

@@ -48,8 +48,7 @@ bool recipe_set(recipe *r, const char *id, const char *text, int line, failure *
 
 bool recipe_set_pair(recipe *r, const char *pair, failure *why) {
   const char *equals = strchr(pair, '=');
-  if (!equals || equals == pair)
-    return fail(why, EXIT_BAD_INPUT, "'%s' is not name=value", pair);
+  if (!equals || equals == pair) return fail(why, EXIT_BAD_INPUT, "'%s' is not name=value", pair);
   char *id = strndup(pair, (size_t)(equals - pair));
   if (!id) return out_of_memory(why);
   bool ok = recipe_set(r, id, equals + 1, 0, why);
@@ -163,8 +162,10 @@ static int exit_code_of(int32_t result) {
   case SOZAI_ERROR_KIND:
   case SOZAI_ERROR_RANGE:
   case SOZAI_ERROR_FILE:
-  case SOZAI_ERROR_COLOUR: return EXIT_BAD_INPUT;
-  default: return EXIT_FAILURE;
+  case SOZAI_ERROR_COLOUR:
+    return EXIT_BAD_INPUT;
+  default:
+    return EXIT_FAILURE;
   }
 }
 
@@ -191,8 +192,7 @@ static bool explain(const recipe *r, const sozai_textures_1 *textures, const soz
   char text[sizeof why->text];
   memcpy(text, why->text, sizeof text);
   const recipe_param *culprit = find_culprit(r, textures, host, result);
-  if (culprit)
-    return fail(why, EXIT_BAD_INPUT, "%s:%d: %s", r->file, culprit->line, text);
+  if (culprit) return fail(why, EXIT_BAD_INPUT, "%s:%d: %s", r->file, culprit->line, text);
   return fail(why, EXIT_BAD_INPUT, "%s: %s", r->file, text);
 }
 
@@ -203,8 +203,8 @@ bool recipe_create(const recipe *r, const sozai_textures_1 *textures, const soza
   sozai_value *values = calloc(r->param_count + 1, sizeof *values);
   if (!values) return out_of_memory(why);
   for (size_t i = 0; i < r->param_count; i++) values[i] = value_of(&r->params[i]);
-  int32_t result = textures->create(host, r->material, r->preset, values,
-                                    (uint32_t)r->param_count, out);
+  int32_t result =
+      textures->create(host, r->material, r->preset, values, (uint32_t)r->param_count, out);
   free(values);
   return result == SOZAI_OK || explain(r, textures, host, result, why);
 }

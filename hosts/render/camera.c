@@ -7,6 +7,7 @@
 #define LONGER_SIDE 1024
 /* How much of the picture the shape may take. */
 #define FILL 0.80f
+#define FILL_SPHERE 0.54f /* with room for its shadow */
 
 vec camera_direction(double azimuth, double elevation, bool y_up) {
   double a = azimuth * DEGREE, e = elevation * DEGREE;
@@ -34,9 +35,18 @@ void camera_resolution(const render_job *job, const scene *s, uint32_t *width, u
   *height = h < 1 ? 1 : (uint32_t)lroundf(h);
 }
 
-static vec corner(const scene *s, int i) {
-  return (vec){i & 1 ? s->high.x : s->low.x, i & 2 ? s->high.y : s->low.y,
-               i & 4 ? s->high.z : s->low.z};
+/* Points around the shape that must be in the picture: what a cube's corners,
+ * edges and faces are to its middle, on the bounding box; on a sphere, itself. */
+#define OUTLINE 26
+
+static void outline(const render_job *job, const scene *s, vec *points) {
+  vec middle = scene_centre(s), half = vec_scale(0.5f, vec_sub(s->high, s->low));
+  for (int i = 0, count = 0; i < 27; i++) {
+    vec p = {(float)(i % 3 - 1), (float)(i / 3 % 3 - 1), (float)(i / 9 - 1)};
+    if (i == 13) continue; /* the middle */
+    if (job->shape == SHAPE_SPHERE) p = vec_unit(p);
+    points[count++] = vec_add(middle, vec_mul(half, p));
+  }
 }
 
 static void look_along(camera *c, vec forward, vec up) {
@@ -59,22 +69,22 @@ static void place_front(camera *c, const render_job *job, const scene *s, float 
   c->eye = (vec){middle.x, middle.y, s->high.z + scene_radius(s)};
 }
 
-/* Draw the eye back until every corner of the bounds is within the frame, then
+/* Draw the eye back until every point is within the frame, then
  * move it sideways to centre them; a few rounds settle both. */
-static vec frame(const camera *c, const scene *s, vec target, float limit_x, float limit_y) {
+static vec frame(const camera *c, const vec *points, vec target, float limit_x, float limit_y) {
   vec eye = target;
   for (int round = 0; round < 12; round++) {
     float back = 0;
-    for (int i = 0; i < 8; i++) {
-      vec p = vec_sub(corner(s, i), target);
+    for (int i = 0; i < OUTLINE; i++) {
+      vec p = vec_sub(points[i], target);
       float depth = vec_dot(p, c->forward);
       back = fmaxf(back, fabsf(vec_dot(p, c->right)) / limit_x - depth);
       back = fmaxf(back, fabsf(vec_dot(p, c->up)) / limit_y - depth);
     }
     eye = vec_along(target, -back, c->forward);
     float left = INFINITY, right = -INFINITY, bottom = INFINITY, top = -INFINITY;
-    for (int i = 0; i < 8; i++) {
-      vec p = vec_sub(corner(s, i), eye);
+    for (int i = 0; i < OUTLINE; i++) {
+      vec p = vec_sub(points[i], eye);
       float depth = vec_dot(p, c->forward);
       left = fminf(left, vec_dot(p, c->right) / depth);
       right = fmaxf(right, vec_dot(p, c->right) / depth);
@@ -96,7 +106,10 @@ static void place_view(camera *c, const render_job *job, const scene *s, float a
   float longer = tanf((float)(job->camera_angle * DEGREE / 2));
   float half_width = aspect > 1 ? longer : longer * aspect;
   vec middle = scene_centre(s);
-  c->eye = frame(c, s, middle, FILL * half_width, FILL * half_width / aspect);
+  vec points[OUTLINE];
+  outline(job, s, points);
+  float fill = job->shape == SHAPE_SPHERE ? FILL_SPHERE : FILL;
+  c->eye = frame(c, points, middle, fill * half_width, fill * half_width / aspect);
   if (job->has_target) {
     vec to = vec_of(job->target[0], job->target[1], job->target[2]);
     c->eye = vec_along(to, -vec_dot(vec_sub(middle, c->eye), c->forward), c->forward);

@@ -7,10 +7,10 @@
 
 typedef struct camera {
   bool parallel;
-  vec eye;                  /* parallel: the middle of the picture plane */
-  vec right, up, forward;   /* unit */
+  vec eye;                       /* parallel: the middle of the picture plane */
+  vec right, up, forward;        /* unit */
   float half_width, half_height; /* of the picture plane, one unit ahead; parallel: mm */
-  float pixel; /* side of a pixel there: an angle; parallel: mm */
+  float pixel;                   /* side of a pixel there: an angle; parallel: mm */
 } camera;
 
 /* A unit vector from azimuth and elevation in degrees: from +x about `up`. */

@@ -25,8 +25,8 @@ bool film_allocate(film *f, uint32_t width, uint32_t height, const sozai_texture
   f->component_of = calloc(f->components + 1, sizeof *f->component_of);
   if (!f->beauty || !f->coverage || !f->layers || !f->channel_of || !f->component_of) {
     film_free(f);
-    return fail(why, EXIT_FAILURE, "out of memory for %ux%u pixels of %u components", width,
-                height, f->components);
+    return fail(why, EXIT_FAILURE, "out of memory for %ux%u pixels of %u components", width, height,
+                f->components);
   }
   uint32_t at = 0;
   for (uint32_t i = 0; i < channel_count; i++)

@@ -26,21 +26,21 @@ typedef struct render_job {
   const sozai_textures_1 *textures;
   const sozai_texture *texture;
 
-  int shape;           /* SHAPE_* */
-  double size[3];      /* board: width, length, thickness; sphere: diameter; plane: width, length */
-  double bevel;        /* board: radius of its rounded edges */
-  const char *mesh;    /* mesh: path */
-  double mesh_scale;   /* mesh: mm per unit of the file */
-  bool y_up;           /* +y points up from the floor instead of +z */
+  int shape;         /* SHAPE_* */
+  double size[3];    /* board: width, length, thickness; sphere: diameter; plane: width, length */
+  double bevel;      /* board: radius of its rounded edges */
+  const char *mesh;  /* mesh: path */
+  double mesh_scale; /* mesh: mm per unit of the file */
+  bool y_up;         /* +y points up from the floor instead of +z */
 
   uint32_t width, height; /* pixels; 0: by the shape and camera */
   uint32_t spp;           /* samples per pixel */
   uint32_t threads;
 
-  int camera;                               /* CAMERA_* */
-  double camera_azimuth, camera_elevation;  /* degrees; azimuth from +x towards the next axis */
-  double camera_angle;                      /* degrees, over the picture's longer side */
-  double zoom;                              /* 1: the whole shape */
+  int camera;                              /* CAMERA_* */
+  double camera_azimuth, camera_elevation; /* degrees; azimuth from +x towards the next axis */
+  double camera_angle;                     /* degrees, over the picture's longer side */
+  double zoom;                             /* 1: the whole shape */
   bool has_target;
   double target[3]; /* the point in the picture's middle, if has_target */
 

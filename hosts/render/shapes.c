@@ -2,6 +2,7 @@
 #include "shapes.h"
 
 #include <math.h>
+#include <stddef.h>
 #include "vec.h"
 
 /* Steps from a face's flat part to the middle of its edge. */

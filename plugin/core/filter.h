@@ -42,6 +42,7 @@ INLINE footprint2 footprint_through(const vf a[3], const vf b[3], const vf n[3],
 /* How much of a detail of the given size outlives a footprint of extent e:
  * 1 while e is below half the size, 0 from twice the size. */
 INLINE vf filter_keep(vf e, float size) {
+  if (!any(gt(e, splat(0.5f * size)))) return splat(1.0f); /* what the step would give */
   return splat(1.0f) - smooth_step(splat(0.5f * size), splat(2.0f * size), e);
 }
 
@@ -49,6 +50,7 @@ INLINE vf filter_keep(vf e, float size) {
  * value at the centre times this: sin(x)/x, x = pi e / wavelength, taken as
  * zero from its first zero on. */
 INLINE vf filter_wave(vf e, float inverse_wavelength) {
+  if (!any(gt(e, splat(0.0f)))) return splat(1.0f);
   vf x = vmin(e * splat(inverse_wavelength), splat(1.0f));
   vf z = x * x;
   /* sin(pi x)/(pi x) on 0..1 to 2e-4, and exactly zero at 1 */

@@ -11,15 +11,19 @@
 
 #include "simd.h"
 
-/* Sine and cosine. |x| < 20,000: absolute error below 2e-7 for |x| < 8, and
- * growing with the spacing of floats beyond. */
-INLINE void sine_cosine(vf x, vf *sine, vf *cosine) {
-  vi k;
-  vf n = vfloor(x * splat(0.63661977f) + splat(0.5f), &k);
-  /* pi/2 in three parts, the first two short enough for n * part to be exact */
-  vf r = x - n * splat(1.5703125f);
-  r = r - n * splat(4.837512969970703e-4f);
-  r = r - n * splat(7.549789948768648e-8f);
+/* 1 / sqrt(x) for normal positive x, relative error below 3e-7. A first guess
+ * from the bits and three steps of Newton's method: the divider and the root
+ * of a wide unit take three times as long, and estimates differ by machine. */
+INLINE vf inverse_root(vf x) {
+  vf y = float_of(splati(0x5f375a86) - (vi)((vu)bits_of(x) >> 1));
+  vf h = splat(0.5f) * x;
+  y = y * (splat(1.5f) - h * y * y);
+  y = y * (splat(1.5f) - h * y * y);
+  return y * (splat(1.5f) - h * y * y);
+}
+
+/* Sine and cosine of r within +-pi/4 turned by k quarters. */
+INLINE void quarter_turns(vf r, vi k, vf *sine, vf *cosine) {
   vf z = r * r;
   vf s = r * (splat(0.99999999692f) +
               z * (splat(-0.16666650674f) +
@@ -33,6 +37,26 @@ INLINE void sine_cosine(vf x, vf *sine, vf *cosine) {
   vi flip_s = (k & splati(2)) << 30, flip_c = ((k + splati(1)) & splati(2)) << 30;
   *sine = float_of(bits_of(a) ^ flip_s);
   *cosine = float_of(bits_of(b) ^ flip_c);
+}
+
+/* Sine and cosine. |x| < 20,000: absolute error below 2e-7 for |x| < 8, and
+ * growing with the spacing of floats beyond. */
+INLINE void sine_cosine(vf x, vf *sine, vf *cosine) {
+  vi k;
+  vf n = vfloor(x * splat(0.63661977f) + splat(0.5f), &k);
+  /* pi/2 in three parts, the first two short enough for n * part to be exact */
+  vf r = x - n * splat(1.5703125f);
+  r = r - n * splat(4.837512969970703e-4f);
+  r = r - n * splat(7.549789948768648e-8f);
+  quarter_turns(r, k, sine, cosine);
+}
+
+/* Sine and cosine of 2 pi x: whole turns go without loss. |x| < 2^28. */
+INLINE void sine_cosine_turns(vf x, vf *sine, vf *cosine) {
+  vi k;
+  vf quarters = x * splat(4.0f);
+  vf n = vfloor(quarters + splat(0.5f), &k);
+  quarter_turns((quarters - n) * splat(1.57079633f), k, sine, cosine);
 }
 
 /* The angle of (x, y) in -pi..pi, absolute error below 3e-7; 0 at the origin. */
@@ -59,8 +83,11 @@ INLINE vf arctan2(vf y, vf x) {
 INLINE vf arcsin(vf x) {
   vf a = vmin(vabs(x), splat(1.0f));
   vm large = gt(a, splat(0.5f));
-  vf z = sel(large, (splat(1.0f) - a) * splat(0.5f), a * a);
-  vf t = sel(large, vsqrt(z), a);
+  vf z = a * a, t = a;
+  if (any(large)) {
+    z = sel(large, (splat(1.0f) - a) * splat(0.5f), z);
+    t = sel(large, vsqrt(z), t);
+  }
   vf p = t * (splat(0.99999999598f) +
               z * (splat(0.16666782006f) +
                    z * (splat(0.074946966874f) +
@@ -101,11 +128,8 @@ INLINE vf exp2_(vf x) {
   return sel(tiny, splat(0.0f), r);
 }
 
-/* x to the power n for 0 <= x <= 1, n > 0; 0 where x is below 1e-30. */
-INLINE vf power01(vf x, vf n) {
-  vf r = exp2_(n * log2_(vmax(x, splat(1e-30f))));
-  return sel(lt(x, splat(1e-30f)), splat(0.0f), r);
-}
+/* x to the power n for 0 <= x <= 1, n >= 1; below 1e-30 where x is. */
+INLINE vf power01(vf x, vf n) { return exp2_(n * log2_(vmax(x, splat(1e-30f)))); }
 
 /* t^3 (10 - 15 t + 6 t^2): 0 to 1 with two vanishing derivatives at each end. */
 INLINE vf fade(vf t) {

@@ -27,69 +27,98 @@
 typedef struct {
   vu low, high; /* the hash terms of the cell's two ends */
   vf f;         /* 0..1 within the cell */
-  vf w, dw;     /* fade(f) and its slope */
+  vf w, dw;     /* the blend from low to high, and its slope */
 } noise_axis;
 
+INLINE vf noise_cell(vf x, uint32_t multiplier, noise_axis *a) {
+  vi i;
+  a->f = x - vfloor(x, &i);
+  a->low = (vu)i * splatu(multiplier);
+  a->high = a->low + splatu(multiplier);
+  return a->f;
+}
+
+/* Quintic blend: two continuous derivatives. */
 INLINE noise_axis noise_split(vf x, uint32_t multiplier) {
   noise_axis a;
-  vi i;
-  a.f = x - vfloor(x, &i);
-  a.low = (vu)i * splatu(multiplier);
-  a.high = a.low + splatu(multiplier);
-  a.w = fade(a.f);
-  a.dw = fade_slope(a.f);
+  vf f = noise_cell(x, multiplier, &a);
+  a.w = fade(f);
+  a.dw = fade_slope(f);
   return a;
 }
 
-/* Value noise in one dimension, within +-1. */
-INLINE vf noise_value1(const noise_axis *x, vu seed, vf *dx) {
-  vf a = hash_signed(x->low + seed), b = hash_signed(x->high + seed);
-  *dx = (b - a) * x->dw;
-  return mix(a, b, x->w);
+/* Cubic blend: one continuous derivative, for axes along which only the value
+ * has to be smooth. */
+INLINE noise_axis noise_split_cubic(vf x, uint32_t multiplier) {
+  noise_axis a;
+  vf f = noise_cell(x, multiplier, &a);
+  a.w = f * f * (splat(3.0f) - f - f);
+  a.dw = splat(6.0f) * (f - f * f);
+  return a;
 }
 
-/* Value noise in two dimensions, within +-1. */
+/* An axis along which the noise is axial: weights of the gradients at the
+ * cell's two ends, for the value and for the slope. They bring the hash's
+ * whole numbers to +-1. */
+typedef struct {
+  vu low, high;
+  vf n0, n1;
+  vf d0, d1;
+} noise_stem;
+
+INLINE noise_stem noise_split_axial(vf y, uint32_t multiplier) {
+  noise_axis a = noise_split(y, multiplier);
+  vf k = splat(1.0f / HASH_ONE), v = a.w * k, u = k - v, back = a.f - splat(1.0f);
+  vf dw = a.dw * k;
+  noise_stem s = {a.low, a.high, a.f * u, back * v, u - a.f * dw, v + back * dw};
+  return s;
+}
+
+/* Value noise in one dimension, within +-HASH_ONE. */
+INLINE vf noise_value1(const noise_axis *x, vu seed, vf *dx) {
+  vf a = hash_signed(x->low + seed), d = hash_signed(x->high + seed) - a;
+  *dx = d * x->dw;
+  return a + d * x->w;
+}
+
+/* Value noise in two dimensions, within +-HASH_ONE. */
 INLINE vf noise_value2(const noise_axis *x, const noise_axis *z, vu seed, vf *dx, vf *dz) {
   vu s0 = z->low + seed, s1 = z->high + seed;
-  vf a = hash_signed(x->low + s0), b = hash_signed(x->high + s0);
-  vf c = hash_signed(x->low + s1), d = hash_signed(x->high + s1);
-  vf p = mix(a, b, x->w), q = mix(c, d, x->w);
-  *dx = mix(b - a, d - c, z->w) * x->dw;
-  *dz = (q - p) * z->dw;
-  return mix(p, q, z->w);
-}
-
-/* From the gradients of the two planes to value and slope along y. */
-INLINE vf noise_axial_blend(const noise_axis *y, vf g0, vf g1, vf *dy) {
-  vf n0 = g0 * y->f, n1 = g1 * (y->f - splat(1.0f));
-  *dy = mix(g0, g1, y->w) + (n1 - n0) * y->dw;
-  return mix(n0, n1, y->w);
+  vf a = hash_signed(x->low + s0), b = hash_signed(x->high + s0) - a;
+  vf c = hash_signed(x->low + s1), d = hash_signed(x->high + s1) - c;
+  vf p = a + b * x->w, q = c + d * x->w - p;
+  *dx = mix(b, d, z->w) * x->dw;
+  *dz = q * z->dw;
+  return p + q * z->w;
 }
 
 /* Axial noise in y alone: gradients are numbers within +-1. */
-INLINE vf noise_axial1(const noise_axis *y, vu seed, vf *dy) {
-  return noise_axial_blend(y, hash_signed(y->low + seed), hash_signed(y->high + seed), dy);
+INLINE vf noise_axial1(const noise_stem *y, vu seed, vf *dy) {
+  vf g0 = hash_signed(y->low + seed), g1 = hash_signed(y->high + seed);
+  *dy = g0 * y->d0 + g1 * y->d1;
+  return g0 * y->n0 + g1 * y->n1;
 }
 
 /* Axial noise in y with gradients varying along t. */
-INLINE vf noise_axial2(const noise_axis *y, const noise_axis *t, vu seed, vf *dy, vf *dt) {
-  vf d0, d1, unused;
-  vf g0 = noise_value1(t, y->low + seed, &d0);
-  vf g1 = noise_value1(t, y->high + seed, &d1);
-  *dt = noise_axial_blend(y, d0, d1, &unused);
-  return noise_axial_blend(y, g0, g1, dy);
+INLINE vf noise_axial2(const noise_stem *y, const noise_axis *t, vu seed, vf *dy, vf *dt) {
+  vf t0, t1;
+  vf g0 = noise_value1(t, y->low + seed, &t0);
+  vf g1 = noise_value1(t, y->high + seed, &t1);
+  *dt = t0 * y->n0 + t1 * y->n1;
+  *dy = g0 * y->d0 + g1 * y->d1;
+  return g0 * y->n0 + g1 * y->n1;
 }
 
 /* Axial noise in y with gradients varying over x and z. */
-INLINE vf noise_axial3(const noise_axis *x, const noise_axis *y, const noise_axis *z, vu seed,
+INLINE vf noise_axial3(const noise_axis *x, const noise_stem *y, const noise_axis *z, vu seed,
                        vf *dx, vf *dy, vf *dz) {
   vf x0, z0, x1, z1;
   vf g0 = noise_value2(x, z, y->low + seed, &x0, &z0);
   vf g1 = noise_value2(x, z, y->high + seed, &x1, &z1);
-  vf n0 = y->f * (splat(1.0f) - y->w), n1 = (y->f - splat(1.0f)) * y->w;
-  *dx = x0 * n0 + x1 * n1;
-  *dz = z0 * n0 + z1 * n1;
-  return noise_axial_blend(y, g0, g1, dy);
+  *dx = x0 * y->n0 + x1 * y->n1;
+  *dz = z0 * y->n0 + z1 * y->n1;
+  *dy = g0 * y->d0 + g1 * y->d1;
+  return g0 * y->n0 + g1 * y->n1;
 }
 
 /* One corner of gradient noise: a gradient of three components within +-1

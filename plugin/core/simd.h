@@ -20,15 +20,75 @@
 #endif
 
 #define LANES SOZAI_LANES
+#ifdef __clang__
+#define UNROLL(n) PRAGMA_(clang loop unroll_count(n))
+#else
+#define UNROLL(n) PRAGMA_(GCC unroll n)
+#endif
+#define PRAGMA_(x) _Pragma(#x)
 #define INLINE static inline __attribute__((always_inline, unused))
+
+/* ---- one lane: plain numbers ------------------------------------------ */
+
+#if LANES == 1
+
+typedef float vf;
+typedef int32_t vi;
+typedef uint32_t vu;
+typedef int vm;
+
+INLINE vf splat(float x) { return x; }
+INLINE vi splati(int32_t x) { return x; }
+INLINE vu splatu(uint32_t x) { return x; }
+INLINE float lane(vf v, uint32_t k) {
+  (void)k;
+  return v;
+}
+INLINE void set_lane(vf *v, uint32_t k, float x) {
+  (void)k;
+  *v = x;
+}
+INLINE vi bits_of(vf x) {
+  vi r;
+  memcpy(&r, &x, sizeof r);
+  return r;
+}
+INLINE vf float_of(vi x) {
+  vf r;
+  memcpy(&r, &x, sizeof r);
+  return r;
+}
+INLINE vf to_float(vi x) { return (float)x; }
+INLINE vi to_int(vf x) { return (int32_t)x; }
+INLINE vf load(const float *p) { return *p; }
+INLINE void store(float *p, vf x) { *p = x; }
+INLINE vm lt(vf a, vf b) { return a < b; }
+INLINE vm le(vf a, vf b) { return a <= b; }
+INLINE vm eq(vf a, vf b) { return a == b; }
+INLINE vm lti(vi a, vi b) { return a < b; }
+INLINE vm eqi(vi a, vi b) { return a == b; }
+INLINE vm and_(vm a, vm b) { return a & b; }
+INLINE vm or_(vm a, vm b) { return a | b; }
+INLINE vm not_(vm a) { return !a; }
+INLINE int any(vm m) { return m; }
+INLINE vf sel(vm m, vf a, vf b) { return m ? a : b; }
+INLINE vi seli(vm m, vi a, vi b) { return m ? a : b; }
+INLINE vf vmin(vf a, vf b) { return a < b ? a : b; }
+INLINE vf vmax(vf a, vf b) { return a > b ? a : b; }
+INLINE vf vsqrt(vf a) { return __builtin_sqrtf(a); }
+INLINE vf gather(const float *t, vi i) { return t[i]; }
+INLINE vi gatheri(const int32_t *t, vi i) { return t[i]; }
+INLINE vf lookup32(const float *t, vi i) { return t[i]; }
+
+#else
+
+/* ---- several ---------------------------------------------------------- */
 
 typedef float vf __attribute__((vector_size(4 * LANES)));
 typedef int32_t vi __attribute__((vector_size(4 * LANES)));
 typedef uint32_t vu __attribute__((vector_size(4 * LANES)));
 
-#if LANES == 1
-#define SPLAT_(T, x) ((T){(x)})
-#elif LANES == 4
+#if LANES == 4
 #define SPLAT_(T, x) ((T){(x), (x), (x), (x)})
 #elif LANES == 8
 #define SPLAT_(T, x) ((T){(x), (x), (x), (x), (x), (x), (x), (x)})
@@ -41,6 +101,8 @@ INLINE vf splat(float x) { return SPLAT_(vf, x); }
 INLINE vi splati(int32_t x) { return SPLAT_(vi, x); }
 INLINE vu splatu(uint32_t x) { return SPLAT_(vu, x); }
 
+INLINE float lane(vf v, uint32_t k) { return v[k]; }
+INLINE void set_lane(vf *v, uint32_t k, float x) { (*v)[k] = x; }
 INLINE vi bits_of(vf x) { return (vi)x; }
 INLINE vf float_of(vi x) { return (vf)x; }
 INLINE vf to_float(vi x) { return __builtin_convertvector(x, vf); }
@@ -116,8 +178,6 @@ INLINE int any(vm m) {
 #endif
 #endif
 
-INLINE vm gt(vf a, vf b) { return lt(b, a); }
-
 /* ---- minimum, maximum, root ------------------------------------------- */
 
 #if defined(SOZAI_ISA_AVX512) && LANES == 16
@@ -142,27 +202,16 @@ INLINE vf vsqrt(vf a) {
 }
 #endif
 
-INLINE vf vabs(vf a) { return (vf)((vi)a & splati(0x7fffffff)); }
-INLINE vf clamp(vf x, vf lo, vf hi) { return vmin(vmax(x, lo), hi); }
-INLINE vf clamp01(vf x) { return vmin(vmax(x, splat(0.0f)), splat(1.0f)); }
-/* a where t = 0, b where t = 1. */
-INLINE vf mix(vf a, vf b, vf t) { return a + (b - a) * t; }
-
-/* The greatest whole number not above x, as a number and as an integer;
- * |x| < 2^31. Not roundps: SSE2 has none, and zero would keep its sign. */
-INLINE vf vfloor(vf x, vi *whole) {
-  vi i = to_int(x);
-  vf f = to_float(i);
-  vm above = gt(f, x);
-  *whole = seli(above, i - splati(1), i);
-  return sel(above, f - splat(1.0f), f);
-}
-
 /* ---- tables ----------------------------------------------------------- */
 
 #if defined(SOZAI_ISA_AVX512) && LANES == 16
 INLINE vf gather(const float *t, vi i) { return (vf)_mm512_i32gather_ps((__m512i)i, t, 4); }
 INLINE vi gatheri(const int32_t *t, vi i) { return (vi)_mm512_i32gather_epi32((__m512i)i, t, 4); }
+/* From a table of 32: two registers hold it. */
+INLINE vf lookup32(const float *t, vi i) {
+  return (vf)_mm512_permutex2var_ps(_mm512_loadu_ps(t), (__m512i)i, _mm512_loadu_ps(t + 16));
+}
+#define LOOKUP32_
 #elif defined(SOZAI_ISA_AVX2) && LANES == 8
 INLINE vf gather(const float *t, vi i) { return (vf)_mm256_i32gather_ps(t, (__m256i)i, 4); }
 INLINE vi gatheri(const int32_t *t, vi i) { return (vi)_mm256_i32gather_epi32(t, (__m256i)i, 4); }
@@ -178,5 +227,35 @@ INLINE vi gatheri(const int32_t *t, vi i) {
   return r;
 }
 #endif
+
+#ifndef LOOKUP32_
+INLINE vf lookup32(const float *t, vi i) { return gather(t, i); }
+#endif
+
+#endif /* several lanes */
+
+/* ---- for any number of lanes ------------------------------------------ */
+
+/* Whether a small piece of work is for nobody. With many lanes somebody nearly
+ * always wants it, and a branch that guesses wrong costs more than the work. */
+INLINE int idle(vm m) { return LANES < 4 && !any(m); }
+
+INLINE vm gt(vf a, vf b) { return lt(b, a); }
+
+INLINE vf vabs(vf a) { return float_of(bits_of(a) & splati(0x7fffffff)); }
+INLINE vf clamp(vf x, vf lo, vf hi) { return vmin(vmax(x, lo), hi); }
+INLINE vf clamp01(vf x) { return vmin(vmax(x, splat(0.0f)), splat(1.0f)); }
+/* a where t = 0, b where t = 1. */
+INLINE vf mix(vf a, vf b, vf t) { return a + (b - a) * t; }
+
+/* The greatest whole number not above x, as a number and as an integer;
+ * |x| < 2^31. Not roundps: SSE2 has none, and zero would keep its sign. */
+INLINE vf vfloor(vf x, vi *whole) {
+  vi i = to_int(x);
+  vf f = to_float(i);
+  vm above = gt(f, x);
+  *whole = seli(above, i - splati(1), i);
+  return sel(above, f - splat(1.0f), f);
+}
 
 #endif

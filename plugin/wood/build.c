@@ -29,14 +29,25 @@ static double uniform(uint32_t seed, uint32_t stream, uint32_t k) {
 
 enum { STREAM_RINGS = 101, STREAM_LATE, STREAM_OUTLINE };
 
-static double quantiles[WOOD_RADII]; /* of the normal distribution */
+/* Middles of equally likely parts of the normal distribution, scaled so that
+ * their standard deviation is 1: for ring widths, and for vessel radii. */
+#define QUANTILES 512
+static double quantiles[QUANTILES], radius_quantiles[WOOD_RADII];
+
+static void scaled_quantiles(double *out, int count) {
+  scalar_normal_quantiles(out, count);
+  double square = 0.0;
+  for (int i = 0; i < count; i++) square += out[i] * out[i];
+  for (int i = 0; i < count; i++) out[i] /= __builtin_sqrt(square / count);
+}
 
 void wood_build_prepare(void) {
-  if (quantiles[0] == 0.0) scalar_normal_quantiles(quantiles, WOOD_RADII);
+  scaled_quantiles(quantiles, QUANTILES);
+  scaled_quantiles(radius_quantiles, WOOD_RADII);
 }
 
 static double normal(uint32_t seed, uint32_t stream, uint32_t k) {
-  return quantiles[(uint32_t)(uniform(seed, stream, k) * WOOD_RADII)];
+  return quantiles[(uint32_t)(uniform(seed, stream, k) * QUANTILES)];
 }
 
 static double num(const settings *s, int p) { return s->list[p].number[0]; }
@@ -98,10 +109,11 @@ static int32_t build_stem(wood_constants *w, const settings *s) {
   static const double weight[2] = {1.0, 0.3}, scale[2] = {1.0, 0.31};
   for (int o = 0; o < 2; o++) {
     w->undulation[o] = (float)(2.0 * u * weight[o]);
+    w->undulation_size[o] = (float)(size * scale[o]);
     w->undulation_frequency_section[o] = (float)(1.0 / (size * scale[o]));
-    w->undulation_frequency_axis[o] = (float)(1.0 / (5.0 * size * scale[o]));
   }
-  w->undulation_core = (float)(size * size);
+  w->undulation_frequency_axis = (float)(1.0 / (4.0 * size));
+  w->undulation_core = (float)(0.5 / size);
   return SOZAI_OK;
 }
 
@@ -169,16 +181,20 @@ static int32_t build_rings(wood_constants *w, const settings *s) {
     width[j] = (double)w->start[j + 1] - (double)w->start[j];
     w->inverse_width[j] = (float)(1.0 / width[j]);
     if (width[j] < least) least = width[j];
-    w->late_weight[j] = (float)(1.0 - variation * uniform(w->seed, STREAM_LATE, (uint32_t)j));
+    w->late_weight[j + 1] = (float)(1.0 - variation * uniform(w->seed, STREAM_LATE, (uint32_t)j));
     w->late_before[j] = (float)late;
-    late += (double)w->late_weight[j] * width[j] * whole;
+    late += (double)w->late_weight[j + 1] * width[j] * whole;
     w->late_before[j + 1] = (float)late;
   }
   w->ring_period = w->start[WOOD_RINGS];
   w->inverse_ring_period = (float)(1.0 / (double)w->ring_period);
+  w->late_weight[0] = w->late_weight[WOOD_RINGS];
   w->late_period = (float)late;
   w->ring_width = (float)(total / WOOD_RINGS);
   w->blur = 0.02f;
+  double plateau = 1.0 - (double)w->late_start - (double)w->late_rise;
+  double flat = (double)w->late_start < plateau ? (double)w->late_start : plateau;
+  w->safe = (float)(flat * least);
 
   double bins = (double)w->ring_period / (0.9 * least) + 1.0;
   if (bins > WOOD_BINS_MAX) {
@@ -223,7 +239,7 @@ static void build_grain(wood_constants *w, const settings *s) {
     w->has_interlocked = num(s, P_INTERLOCKED_SLOPE) > 0.0;
     w->interlocked_slope = (float)num(s, P_INTERLOCKED_SLOPE);
     w->interlocked_frequency = (float)(1.0 / num(s, P_INTERLOCKED_YEARS));
-    w->interlocked_number = (float)(TWO_PI / num(s, P_INTERLOCKED_LENGTH));
+    w->interlocked_length = (float)num(s, P_INTERLOCKED_LENGTH);
   }
   static const double weight[2] = {0.65, 0.35}, scale[2] = {1.0, 0.37};
   double most = num(s, P_SLOPE_NOISE), length = num(s, P_SLOPE_NOISE_LENGTH);
@@ -232,6 +248,7 @@ static void build_grain(wood_constants *w, const settings *s) {
     double l = length * scale[o];
     /* 1.3472 is AXIAL_SLOPE_BOUND: the sum's slope stays within `most` */
     w->slope_noise[o] = (float)(most * weight[o] * l / 1.3472);
+    w->slope_noise_size[o] = (float)l;
     w->slope_noise_frequency[o] = (float)(1.0 / l);
   }
   w->slope_noise_years = 1.0f / 9.0f;
@@ -242,16 +259,16 @@ static void build_grain(wood_constants *w, const settings *s) {
 /* Radii of a layer and what follows from them. Returns the mean square of
  * radius over mean radius. */
 static double build_radii(wood_vessels *v, double diameter_um, double spread) {
-  double sum = 0.0, square = 0.0;
+  double square = 0.0;
   for (int i = 0; i < WOOD_RADII; i++) {
-    double k = 1.0 + spread * quantiles[i];
+    double k = 1.0 + spread * radius_quantiles[i];
     if (k < 0.2) k = 0.2;
-    sum += k;
     square += k * k;
     v->inverse_square[i] = (float)(1.0 / (k * k));
   }
   v->radius = (float)(0.5e-3 * diameter_um);
-  (void)sum;
+  /* a little farther, so that rounding leaves nothing beyond it */
+  v->farthest = 2.5001f / v->inverse_square[WOOD_RADII - 1];
   return square / WOOD_RADII;
 }
 
@@ -276,7 +293,9 @@ static void build_vessels(wood_constants *w, const settings *s) {
   double square = build_radii(&w->pores, d, spread);
   double largest = (double)w->pores.radius * (1.0 + 2.5 * spread) * (late > 1.0 ? late : 1.0);
   w->pores.cell = (float)(1.0 / __builtin_sqrt(density));
-  w->pores.reach = longest_footprint((double)w->pores.cell, largest);
+  w->pores.inverse_cell = 1.0f / w->pores.cell;
+  w->pores.step = w->pores.cell / 2048.0f;
+  w->pores.reach = longest_footprint(0.5 * (double)w->pores.cell, largest);
   w->pores.coverage =
       (float)(0.5 * TWO_PI * (double)w->pores.radius * (double)w->pores.radius * square * density);
   if (!w->has_pores) w->pores.coverage = 0.0f;
@@ -290,7 +309,13 @@ static void build_vessels(wood_constants *w, const settings *s) {
   double row_radius = (double)w->row.radius, row_spacing = 1.05e-3 * row_d;
   double row_largest = row_radius * (1.0 + 2.5 * num(s, P_ROW_SPREAD));
   w->row.cell = (float)(1.0 / row_density);
-  w->row.reach = longest_footprint((1.5 - 0.5 * num(s, P_ROW_JITTER)) / row_density, row_largest);
+  w->row.reach = longest_footprint((1.0 - 0.5 * num(s, P_ROW_JITTER)) / row_density, row_largest);
+  w->row.inverse_cell = (float)row_density;
+  w->vessel_reach = w->has_pores ? w->pores.reach : w->row.reach;
+  if (w->rows && w->row.reach < w->vessel_reach) w->vessel_reach = w->row.reach;
+  w->vessel_last = w->vessel_reach;
+  if (w->rows && w->row.reach > w->vessel_last) w->vessel_last = w->row.reach;
+  if (w->has_pores && w->pores.reach > w->vessel_last) w->vessel_last = w->pores.reach;
   w->row_density = (float)row_density;
   w->row_spacing = (float)row_spacing;
   w->row_start = (float)(0.55e-3 * row_d);
@@ -343,6 +368,8 @@ static void build_colour(wood_constants *w, const settings *s, const float (*col
   w->diffuse = (float)num(s, P_DIFFUSE);
   w->specular = (float)num(s, P_SPECULAR);
   w->shininess = (float)num(s, P_SHININESS);
+  /* the kernel's own operations, in its own precision */
+  w->roughness = __builtin_sqrtf(2.0f / (w->shininess + 2.0f));
   double tint = num(s, P_TINT), most = 1e-6;
   for (int c = 0; c < 3; c++) {
     if ((double)w->early[c] > most) most = (double)w->early[c];
@@ -362,6 +389,7 @@ static uint32_t seed_of(const settings *s) {
 
 int32_t wood_build(wood_constants *w, const settings *s, const float (*colours)[3]) {
   w->seed = seed_of(s);
+  for (uint32_t i = 0; i < WOOD_SEEDS; i++) w->seeds[i] = hash1(w->seed + 0x9e3779b9u * (i + 1));
   build_cut(w, s);
   int32_t r = build_stem(w, s);
   build_season(w, s);

@@ -20,7 +20,7 @@ INLINE vf fibre_shift(const wood_constants *w, vf x, vf z, vf e) {
   vf sum = splat(0.0f);
   for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) {
     if (w->fibre_amplitude[o] == 0.0f) continue;
-    vf keep = filter_keep(e, w->fibre_size[o]) * splat(w->fibre_amplitude[o]);
+    vf keep = filter_keep(e, w->fibre_size[o]) * splat(w->fibre_amplitude[o] / HASH_ONE);
     if (!any(gt(keep, splat(0.0f)))) continue;
     vf f = splat(w->fibre_frequency[o]);
     vi ix, iz;

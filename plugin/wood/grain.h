@@ -38,22 +38,19 @@ INLINE grain_place grain_at(const wood_constants *w, vf y, vf t, vf extent) {
   p.g = p.g_filtered = splat(w->spiral);
   p.d_t = p.variance = zero;
   if (w->has_wave) {
-    vf cycles = y * splat(w->wave_frequency);
-    vi unused;
-    /* whole waves are dropped before the sine, which keeps its accuracy */
-    vf psi = (cycles - vfloor(cycles, &unused)) * splat(6.2831853f);
+    vf psi = y * splat(w->wave_frequency); /* in turns */
     vf psi_y = splat(w->wave_number), psi_t = zero;
     if (w->has_wave_irregularity) {
-      noise_axis ay = noise_split(y * splat(w->wave_irregularity_frequency), HASH_Y);
-      noise_axis at = noise_split(t * splat(w->slope_noise_years), HASH_X);
+      noise_stem ay = noise_split_axial(y * splat(w->wave_irregularity_frequency), HASH_Y);
+      noise_axis at = noise_split_cubic(t * splat(w->slope_noise_years), HASH_X);
       vf ny, nt, n = noise_axial2(&ay, &at, wood_seed(w, SEED_WAVE), &ny, &nt);
       vf k = splat(w->wave_irregularity);
-      psi = psi + k * n;
+      psi = psi + k * splat(0.15915494f) * n;
       psi_y = psi_y + k * splat(w->wave_irregularity_frequency) * ny;
       psi_t = k * splat(w->slope_noise_years) * nt;
     }
     vf sine, cosine, a = splat(w->wave_displacement);
-    sine_cosine(psi, &sine, &cosine);
+    sine_cosine_turns(psi, &sine, &cosine);
     p.d = p.d + a * (splat(1.0f) - cosine);
     vf slope = a * sine * psi_y;
     vf keep = filter_wave(extent, w->wave_frequency);
@@ -64,23 +61,23 @@ INLINE grain_place grain_at(const wood_constants *w, vf y, vf t, vf extent) {
   }
   if (w->has_interlocked) {
     vf st, ct, sy, cy;
-    vf years = t * splat(w->interlocked_frequency);
-    vi unused;
-    sine_cosine((years - vfloor(years, &unused)) * splat(6.2831853f), &st, &ct);
-    sine_cosine(y * splat(w->interlocked_number), &sy, &cy);
-    vf a = splat(w->interlocked_slope), reach = a * sy * splat(1.0f / w->interlocked_number);
+    sine_cosine_turns(t * splat(w->interlocked_frequency), &st, &ct);
+    sine_cosine_turns(y * splat(1.0f / w->interlocked_length), &sy, &cy);
+    vf a = splat(w->interlocked_slope);
+    vf reach = a * sy * splat(w->interlocked_length * 0.15915494f);
     p.d = p.d + reach * st;
-    p.g = p.g + a * cy * st;
-    p.g_filtered = p.g_filtered + a * cy * st;
+    vf slope = a * cy * st;
+    p.g = p.g + slope;
+    p.g_filtered = p.g_filtered + slope;
     p.d_t = p.d_t + reach * ct * splat(6.2831853f * w->interlocked_frequency);
   }
   if (w->has_slope_noise) {
-    noise_axis at = noise_split(t * splat(w->slope_noise_years), HASH_X);
+    noise_axis at = noise_split_cubic(t * splat(w->slope_noise_years), HASH_X);
     for (int o = 0; o < 2; o++) {
       vf f = splat(w->slope_noise_frequency[o]), a = splat(w->slope_noise[o]);
-      noise_axis ay = noise_split(y * f, HASH_Y);
+      noise_stem ay = noise_split_axial(y * f, HASH_Y);
       vf ny, nt, n = noise_axial2(&ay, &at, wood_seed(w, SEED_SLOPE + (uint32_t)o), &ny, &nt);
-      vf keep = filter_keep(extent * f, 1.0f), slope = a * f * ny;
+      vf keep = filter_keep(extent, w->slope_noise_size[o]), slope = a * f * ny;
       p.d = p.d + a * n;
       p.g = p.g + slope;
       p.g_filtered = p.g_filtered + slope * keep;
@@ -93,7 +90,7 @@ INLINE grain_place grain_at(const wood_constants *w, vf y, vf t, vf extent) {
   return p;
 }
 
-/* Rmean(t) for the phase's divisor: bounded away from zero at the pith. */
-INLINE vf grain_radius(vf rho) { return vsqrt(rho * rho + splat(1.0f)); }
+/* 1 / Rmean(t) for the phase: bounded at the pith. */
+INLINE vf grain_divisor(vf rho) { return inverse_root(rho * rho + splat(1.0f)); }
 
 #endif

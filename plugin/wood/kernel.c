@@ -20,19 +20,20 @@ INLINE vf load_lanes(const float *p, uint32_t i, uint32_t n) {
   if (n == LANES) return load(p + i);
   if (n == 1) return splat(p[i]);
   vf r = splat(p[i + n - 1]);
-  for (uint32_t k = 0; k + 1 < n; k++) r[k] = p[i + k];
+  for (uint32_t k = 0; k + 1 < n; k++) set_lane(&r, k, p[i + k]);
   return r;
 }
 
 INLINE void store_lanes(const wood_io *io, int channel, uint32_t i, uint32_t n, vf x) {
+  if (!(io->wanted >> channel & 1)) return;
   float *p = io->out[channel];
-  if (!p) return;
-  if (n == LANES && !io->active) {
+  const uint8_t *active = io->in->active;
+  if (n == LANES && !active) {
     store(p + i, x);
     return;
   }
   for (uint32_t k = 0; k < n; k++) {
-    if (!io->active || io->active[i + k]) p[i + k] = x[k];
+    if (!active || active[i + k]) p[i + k] = lane(x, k);
   }
 }
 
@@ -44,13 +45,25 @@ INLINE vf finite_coordinate(vf x) {
 
 /* A direction of any length to a unit one; +z where it has none. */
 INLINE void unit_direction(vf v[3]) {
-  vf big = vmax(vmax(vabs(v[0]), vabs(v[1])), vabs(v[2]));
-  /* NaN loses every comparison: a sum is NaN or infinite if any part is */
-  vf all = vabs(v[0]) + vabs(v[1]) + vabs(v[2]);
-  vm bad = not_(and_(gt(big, splat(1e-30f)), lt(all, splat(1e38f))));
-  vf k = splat(1.0f) / sel(bad, splat(1.0f), big);
-  for (int c = 0; c < 3; c++) v[c] = sel(bad, splat(c == 2 ? 1.0f : 0.0f), v[c] * k);
-  vf l = splat(1.0f) / vsqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  vf square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+  vm usual = and_(gt(square, splat(1e-20f)), lt(square, splat(1e20f)));
+  if (any(not_(usual))) {
+    /* too long or short to square, or not a direction at all */
+    vf big = vmax(vmax(vabs(v[0]), vabs(v[1])), vabs(v[2]));
+    /* NaN loses every comparison: a sum is NaN or infinite if any part is */
+    vf all = vabs(v[0]) + vabs(v[1]) + vabs(v[2]);
+    vm bad = not_(and_(gt(big, splat(1e-30f)), lt(all, splat(1e38f))));
+    vf k = splat(1.0f) / sel(bad, splat(1.0f), big);
+    for (int c = 0; c < 3; c++) {
+      vf x = sel(bad, splat(c == 2 ? 1.0f : 0.0f), v[c] * k);
+      v[c] = sel(usual, v[c], x);
+    }
+    square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+  }
+  /* what is unit already to a few units in the last place stays as it is */
+  vm off = gt(vabs(square - splat(1.0f)), splat(4e-7f));
+  if (!any(off)) return;
+  vf l = sel(off, inverse_root(square), splat(1.0f));
   for (int c = 0; c < 3; c++) v[c] = v[c] * l;
 }
 
@@ -61,52 +74,50 @@ INLINE void to_log(const wood_constants *w, const vf p[3], vf out[3]) {
   }
 }
 
-/* What has been asked for. */
+/* What has been asked for, and the stages that it takes. */
 typedef struct {
-  int colour;   /* albedo or radiance */
-  int radiance, late, vessel, fibre, dive, lobe, time, reference;
+  int radiance, colour, fibre, dive;
+  int late, vessel, lobe, direction, section;
 } wood_wants;
 
 static int wanted(const wood_io *io, int first, int count) {
-  for (int c = 0; c < count; c++) {
-    if (io->out[first + c]) return 1;
-  }
-  return 0;
+  return (io->wanted >> first & ((1ull << count) - 1)) != 0;
 }
 
 static wood_wants wants_of(const wood_io *io) {
   wood_wants q;
   q.radiance = wanted(io, WOOD_RADIANCE, 3);
   q.colour = wanted(io, WOOD_ALBEDO, 3) || q.radiance;
-  q.late = wanted(io, WOOD_LATEWOOD, 1) || q.colour;
-  q.vessel = wanted(io, WOOD_VESSEL, 1) || q.colour;
   q.fibre = wanted(io, WOOD_FIBER, 3);
   q.dive = wanted(io, WOOD_DIVE, 1);
+  q.vessel = wanted(io, WOOD_VESSEL, 1) || q.colour;
+  q.late = wanted(io, WOOD_LATEWOOD, 1) || q.vessel;
   q.lobe = wanted(io, WOOD_SPECULAR, 2) || q.radiance;
-  q.time = wanted(io, WOOD_TIME, 1);
-  q.reference = wanted(io, WOOD_REFERENCE, 2);
+  q.direction = q.fibre || q.dive || q.radiance;
+  q.section = q.direction || q.vessel || q.lobe || wanted(io, WOOD_REFERENCE, 2);
   return q;
 }
 
-/* Average of the rings over a footprint that may be wide enough for their
- * curvature: the surface is followed across the grain through five nodes, and
- * between two nodes rho runs in a straight line. */
-INLINE ring_means rings_across(const wood_constants *w, const stem_place *p, const ring_place *ring,
-                               const vf g[3], const vf n[3], int ball, vf s) {
+/* Average of a ring's profile over a footprint that may be wide enough for the
+ * rings' curvature: the surface is followed across the grain through five
+ * nodes, and between two nodes rho runs in a straight line. */
+INLINE vf rings_across(const wood_constants *w, int what, const stem_place *p,
+                       const ring_place *ring, const vf g[3], const vf n[3], int ball, vf s) {
   footprint2 f = footprint_through(g, g, n, ball, s);
   vf e = vsqrt(f.aa + splat(12.0f) * p->lost);
-  ring_means m = ring_average(w, ring, p->rho, e);
-  if (ball) return m;
+  vf mean = ring_average(w, what, ring, p->rho, e);
+  /* the sag of s over a radius r is s^2 / 8 r at most */
+  if (ball || !any(gt(s * s, splat(0.64f * w->ring_width) * p->r))) return mean;
 
   /* across: the horizontal direction in the surface */
   vf flat2 = n[0] * n[0] + n[2] * n[2];
   vm end = lt(flat2, splat(0.09f)); /* end grain: along the radius */
-  vf k = splat(1.0f) / vsqrt(vmax(flat2, splat(1e-6f)));
+  vf k = inverse_root(vmax(flat2, splat(1e-6f)));
   vf ux = sel(end, p->c, n[2] * k), uz = sel(end, p->s, splat(0.0f) - n[0] * k);
   vf ur = ux * p->c + uz * p->s, ut2 = vmax(splat(1.0f) - ur * ur, splat(0.0f));
   vf sag = s * s * ut2 / (splat(8.0f) * p->r);
   vm curved = gt(sag, splat(0.08f * w->ring_width));
-  if (!any(curved)) return m;
+  if (!any(curved)) return mean;
 
   vf slope = p->rho_x * ux + p->rho_z * uz; /* of rho along u */
   vf radial = p->rho_x * p->c + p->rho_z * p->s;
@@ -115,8 +126,8 @@ INLINE ring_means rings_across(const wood_constants *w, const stem_place *p, con
   vf gn = g[0] * n[0] + g[1] * n[1] + g[2] * n[2];
   vf all = vmax(g[0] * g[0] + g[1] * g[1] + g[2] * g[2] - gn * gn, splat(0.0f));
   vf side = vmax(all - slope * slope, splat(0.0f)) * s * s + splat(12.0f) * p->lost;
-  vf widen = vsqrt(side + sag * sag * splat(0.01f));
-  vf sum_late = splat(0.0f), sum_pore = sum_late, sum_row = sum_late, before = sum_late;
+  vf widen = side + sag * sag * splat(0.01f);
+  vf sum = splat(0.0f), before = sum;
   for (int i = 0; i <= 4; i++) {
     vf a = s * splat(0.25f * (float)i - 0.5f);
     vf r = vsqrt(vmax(p->r * p->r + splat(2.0f) * p->r * ur * a + a * a, splat(1e-12f)));
@@ -124,163 +135,227 @@ INLINE ring_means rings_across(const wood_constants *w, const stem_place *p, con
     if (i) {
       vf middle = splat(0.5f) * (rho + before), span = rho - before;
       ring_place at = ring_at(w, middle);
-      ring_means part = ring_average(w, &at, middle, vsqrt(span * span + widen * widen));
-      sum_late = sum_late + part.late;
-      sum_pore = sum_pore + part.pore;
-      sum_row = sum_row + part.row;
+      sum = sum + ring_average(w, what, &at, middle, vsqrt(span * span + widen));
     }
     before = rho;
   }
-  m.late = sel(curved, sum_late * splat(0.25f), m.late);
-  m.pore = sel(curved, sum_pore * splat(0.25f), m.pore);
-  m.row = sel(curved, sum_row * splat(0.25f), m.row);
-  return m;
+  return sel(curved, sum * splat(0.25f), mean);
 }
 
-/* One block of LANES points, or fewer. */
-INLINE void evaluate_block(const wood_constants *w, const wood_io *io, const wood_wants *want,
-                           uint32_t i, uint32_t n) {
-  vf zero = splat(0.0f), one = splat(1.0f);
+/* A block of LANES points on its way through the stages. The stages run over a
+ * few blocks each before the next begins: the blocks do not wait for one
+ * another, and what one leaves idle of the processor the next one uses. */
+typedef struct {
+  uint32_t i, n;             /* the first point, and how many */
+  vf p[3];                   /* log space */
+  vf normal[3], nrm[3];      /* object space; log space */
+  vf s;                      /* footprint */
+  vf up2, inverse_up;        /* squared length of +y within the surface, its inverse root */
+  stem_place stem;
+  ring_place ring;
+  vf years, divisor, phase;
+  grain_place grain;
+  vf c, sn, x, z;            /* reference section: direction and place */
+  vf sine;                   /* of the dive angle */
+  vf b[3];                   /* row of the map from surface to rho */
+  vf late, albedo[3];
+} block;
 
-  /* ---- inputs, to log space */
-  vf p[3], q[3];
-  for (int c = 0; c < 3; c++) p[c] = finite_coordinate(load_lanes(io->point[c], i, n));
-  to_log(w, p, q);
-  for (int c = 0; c < 3; c++) q[c] = q[c] + splat(w->shift[c]);
-  vf s = zero;
-  if (io->footprint) s = clamp(load_lanes(io->footprint, i, n), zero, splat(1e4f));
-  int ball = !io->normal[0];
-  vf normal[3] = {zero, zero, one}, nrm[3];
-  if (!ball) {
-    for (int c = 0; c < 3; c++) normal[c] = load_lanes(io->normal[c], i, n);
-    unit_direction(normal);
+INLINE void stage_load(const wood_constants *w, const wood_io *io, block *k) {
+  vf p[3];
+  for (int c = 0; c < 3; c++) p[c] = finite_coordinate(load_lanes(io->in->point[c], k->i, k->n));
+  to_log(w, p, k->p);
+  for (int c = 0; c < 3; c++) k->p[c] = k->p[c] + splat(w->shift[c]);
+  k->s = splat(0.0f);
+  if (io->in->footprint) {
+    k->s = clamp(load_lanes(io->in->footprint, k->i, k->n), splat(0.0f), splat(1e4f));
   }
-  to_log(w, normal, nrm);
-
-  /* ---- ring and grain */
-  stem_place stem = stem_at(w, q[0], q[1], q[2], s);
-  ring_place ring = ring_at(w, stem.rho);
-  vf years = to_float(ring.ring) + ring.phase;
-  if (want->time) store_lanes(io, WOOD_TIME, i, n, years);
-  vf up2 = ball ? one : vmax(one - nrm[1] * nrm[1], zero);
-  grain_place grain = grain_at(w, q[1], years, s * vsqrt(up2));
-  vf divisor = one / grain_radius(stem.rho);
-
-  /* ---- the reference section */
-  vf phase = grain.d * divisor, turn_s, turn_c;
-  sine_cosine(phase, &turn_s, &turn_c);
-  vf c = stem.c * turn_c + stem.s * turn_s, sn = stem.s * turn_c - stem.c * turn_s;
-  vf unused, radius = stem.rho * (one + outline_at(w, c, sn, &unused));
-  vf x = radius * c, z = radius * sn;
-  if (want->reference) {
-    store_lanes(io, WOOD_REFERENCE, i, n, x);
-    store_lanes(io, WOOD_REFERENCE + 1, i, n, z);
+  k->up2 = splat(1.0f);
+  for (int c = 0; c < 3; c++) k->normal[c] = splat(c == 2 ? 1.0f : 0.0f);
+  if (io->in->normal[0]) {
+    for (int c = 0; c < 3; c++) k->normal[c] = load_lanes(io->in->normal[c], k->i, k->n);
+    unit_direction(k->normal);
   }
+  to_log(w, k->normal, k->nrm);
+  if (io->in->normal[0]) k->up2 = vmax(splat(1.0f) - k->nrm[1] * k->nrm[1], splat(0.0f));
+  k->inverse_up = inverse_root(vmax(k->up2, splat(1e-12f)));
+}
 
-  /* ---- fibre direction: theta' and rho constant along it */
-  vf f[3], sine = zero;
-  if (want->fibre || want->dive || want->lobe) {
-    vf omega = grain.g_filtered * divisor;
-    vf rho_r = stem.rho_x * stem.c + stem.rho_z * stem.s;
-    vf rho_t = stem.r * (stem.rho_z * stem.c - stem.rho_x * stem.s);
-    vf climb = (zero - stem.rho_y - rho_t * omega) / vmax(rho_r, splat(0.05f));
-    vf around = stem.r * omega;
-    f[0] = climb * stem.c - around * stem.s + stem.pith.dx;
-    f[1] = one;
-    f[2] = climb * stem.s + around * stem.c + stem.pith.dz;
-    vf l = one / vsqrt(f[0] * f[0] + one + f[2] * f[2]);
-    for (int k = 0; k < 3; k++) f[k] = f[k] * l;
-    sine = zero - (f[0] * nrm[0] + f[1] * nrm[1] + f[2] * nrm[2]);
-    if (want->fibre) {
-      for (int k = 0; k < 3; k++) {
-        store_lanes(io, WOOD_FIBER + k, i, n,
-                    splat(w->turn[0][k]) * f[0] + splat(w->turn[1][k]) * f[1] +
-                        splat(w->turn[2][k]) * f[2]);
-      }
-    }
-    if (want->dive) store_lanes(io, WOOD_DIVE, i, n, arcsin(sine));
-  }
+INLINE void stage_stem(const wood_constants *w, const wood_io *io, block *k) {
+  k->stem = stem_at(w, k->p[0], k->p[1], k->p[2], k->s);
+  k->ring = ring_at(w, k->stem.rho);
+  k->years = to_float(k->ring.ring) + k->ring.phase;
+  store_lanes(io, WOOD_TIME, k->i, k->n, k->years);
+  k->divisor = grain_divisor(k->stem.rho);
+}
 
-  vf albedo[3] = {zero, zero, zero};
-  if (want->late || want->vessel) {
-    /* ---- how the surface maps to (arc, rho): rows of the derivative */
-    vf b[3] = {stem.rho_x, stem.rho_y - stem.rho_x * stem.pith.dx - stem.rho_z * stem.pith.dz,
-               stem.rho_z};
-    ring_means rings = rings_across(w, &stem, &ring, b, nrm, ball, s);
-    vf late = rings.late, cover = zero, over_late = zero;
-    if (want->late) store_lanes(io, WOOD_LATEWOOD, i, n, late);
-    if (want->vessel) {
-      vf k = stem.rho / stem.r;
-      vf phi_rho = (grain.d_t * ring.inverse_width - phase * stem.rho * divisor) * divisor;
-      vf shear = stem.rho * phi_rho, g = stem.rho * grain.g * divisor;
-      vf tx = zero - k * stem.s, tz = k * stem.c;
-      vf a[3] = {tx - shear * b[0], zero - tx * stem.pith.dx - tz * stem.pith.dz - g - shear * b[1],
-                 tz - shear * b[2]};
-      vessel_place place = {x, z, c, sn, stem.rho, ring, footprint_through(a, b, nrm, ball, s)};
-      vessel_cover_t v = vessels_at(w, &place);
-      vf expected_pores = splat(w->pores.coverage) * rings.pore;
-      vf expected_rows = splat(w->row.coverage) * rings.row;
-      vf pores = mix(v.pores, expected_pores, v.pores_faded);
-      vf rows = mix(v.rows, expected_rows, v.rows_faded);
-      cover = vmin(pores + rows, one);
-      /* earlywood rows stand where there is no latewood; pores everywhere */
-      over_late = vmin(mix(v.pores, splat(w->late_vessel), v.pores_faded), one);
-      late = late * (one - over_late);
-      store_lanes(io, WOOD_VESSEL, i, n, cover);
-      if (want->colour) {
-        vf shift = one + fibre_shift(w, x, z, vsqrt(place.f.aa + place.f.bb));
-        vf early = vmax(one - cover - late, zero) * shift, dark = late * shift;
-        for (int ch = 0; ch < 3; ch++) {
-          albedo[ch] = splat(w->early[ch]) * early + splat(w->late[ch]) * dark +
-                       splat(w->vessel[ch]) * cover;
-          store_lanes(io, WOOD_ALBEDO + ch, i, n, albedo[ch]);
-        }
-      }
+INLINE void stage_grain(const wood_constants *w, const wood_io *io, block *k) {
+  k->grain = grain_at(w, k->p[1], k->years, k->s * (k->up2 * k->inverse_up));
+  k->phase = k->grain.d * k->divisor;
+  vf s, c, unused;
+  sine_cosine(k->phase, &s, &c);
+  k->c = k->stem.c * c + k->stem.s * s;
+  k->sn = k->stem.s * c - k->stem.c * s;
+  vf radius = k->stem.rho * (splat(1.0f) + outline_at(w, k->c, k->sn, &unused));
+  k->x = radius * k->c;
+  k->z = radius * k->sn;
+  store_lanes(io, WOOD_REFERENCE, k->i, k->n, k->x);
+  store_lanes(io, WOOD_REFERENCE + 1, k->i, k->n, k->z);
+}
+
+/* The fibre's direction: theta' and rho are constant along it. */
+INLINE void stage_fibre(const wood_constants *w, const wood_io *io, const wood_wants *want,
+                        block *k) {
+  const stem_place *stem = &k->stem;
+  vf one = splat(1.0f), zero = splat(0.0f), f[3];
+  vf omega = k->grain.g_filtered * k->divisor;
+  vf rho_r = stem->rho_x * stem->c + stem->rho_z * stem->s;
+  vf rho_t = stem->r * (stem->rho_z * stem->c - stem->rho_x * stem->s);
+  vf climb = (zero - stem->rho_y - rho_t * omega) / vmax(rho_r, splat(0.05f));
+  vf around = stem->r * omega;
+  f[0] = climb * stem->c - around * stem->s + stem->pith.dx;
+  f[2] = climb * stem->s + around * stem->c + stem->pith.dz;
+  f[1] = inverse_root(f[0] * f[0] + one + f[2] * f[2]);
+  f[0] = f[0] * f[1];
+  f[2] = f[2] * f[1];
+  k->sine = zero - (f[0] * k->nrm[0] + f[1] * k->nrm[1] + f[2] * k->nrm[2]);
+  if (want->fibre) {
+    for (int c = 0; c < 3; c++) {
+      store_lanes(io, WOOD_FIBER + c, k->i, k->n,
+                  splat(w->turn[0][c]) * f[0] + splat(w->turn[1][c]) * f[1] +
+                      splat(w->turn[2][c]) * f[2]);
     }
   }
+  if (want->dive) store_lanes(io, WOOD_DIVE, k->i, k->n, arcsin(k->sine));
+}
 
-  if (want->lobe) {
-    /* ---- figure, Kawai's equation (4): the lobe's normal dives with the fibre;
-     * slopes that the footprint averages widen it instead */
-    vf across = ball ? zero : nrm[2] * stem.c - nrm[0] * stem.s;
-    vf variance = grain.variance * across * across;
-    vf wide = one / (one + splat(w->shininess) * variance);
-    vf exponent = splat(w->shininess) * wide, strength = splat(w->specular) * vsqrt(wide);
-    store_lanes(io, WOOD_SPECULAR, i, n, strength);
-    store_lanes(io, WOOD_ROUGHNESS, i, n, vmin(vsqrt(splat(2.0f) / (exponent + splat(2.0f))), one));
-    if (want->radiance) {
-      vf light[3];
-      for (int k = 0; k < 3; k++) light[k] = load_lanes(io->light[k], i, n);
-      unit_direction(light);
-      vf incident = light[0] * normal[0] + light[1] * normal[1] + light[2] * normal[2];
-      vf l[3];
-      to_log(w, light, l);
-      /* up the stem within the surface */
-      vf inverse = one / vsqrt(vmax(up2, splat(1e-12f)));
-      vf rise = (l[1] - nrm[1] * incident) * inverse;
-      rise = sel(gt(up2, splat(1e-6f)), rise, zero);
-      vf cosine = vsqrt(vmax(one - sine * sine, zero));
-      vf tilted = clamp01(incident * cosine + rise * sine);
-      vf gloss = strength * power01(tilted, exponent);
-      vf diffuse = splat(w->diffuse) * vmax(incident, zero);
-      for (int ch = 0; ch < 3; ch++) {
-        vf r = diffuse * albedo[ch] + gloss * splat(w->tint_colour[ch]);
-        if (io->light_colour[ch]) {
-          vf e = load_lanes(io->light_colour[ch], i, n);
-          e = sel(lt(vabs(e), splat(1e30f)), e, zero);
-          r = r * e;
-        }
-        store_lanes(io, WOOD_RADIANCE + ch, i, n, r);
-      }
+INLINE void stage_rings(const wood_constants *w, const wood_io *io, block *k) {
+  const stem_place *stem = &k->stem;
+  k->b[0] = stem->rho_x;
+  k->b[1] = stem->rho_y - stem->rho_x * stem->pith.dx - stem->rho_z * stem->pith.dz;
+  k->b[2] = stem->rho_z;
+  k->late = rings_across(w, MEAN_LATE, stem, &k->ring, k->b, k->nrm, !io->in->normal[0], k->s);
+  store_lanes(io, WOOD_LATEWOOD, k->i, k->n, k->late);
+}
+
+INLINE void stage_tissue(const wood_constants *w, const wood_io *io, const wood_wants *want,
+                         block *k) {
+  const stem_place *stem = &k->stem;
+  vf one = splat(1.0f), zero = splat(0.0f);
+  int ball = !io->in->normal[0];
+  /* the row of the map from surface to arc */
+  vf ratio = stem->rho * stem->inverse_r;
+  vf phi_rho = (k->grain.d_t * k->ring.inverse_width - k->phase * stem->rho * k->divisor) *
+               k->divisor;
+  vf shear = stem->rho * phi_rho, g = stem->rho * k->grain.g * k->divisor;
+  vf tx = zero - ratio * stem->s, tz = ratio * stem->c;
+  vf a[3] = {tx - shear * k->b[0],
+             zero - tx * stem->pith.dx - tz * stem->pith.dz - g - shear * k->b[1],
+             tz - shear * k->b[2]};
+  footprint2 f = footprint_through(a, k->b, k->nrm, ball, k->s);
+
+  vessel_cover_t v = {zero, zero, zero, zero};
+  if (w->has_pores || w->rows) {
+    vessel_place place = {k->x, k->z, k->c, k->sn, stem->rho, k->ring, f};
+    v = vessels_at(w, &place);
+  }
+  vf pores = v.pores, rows = v.rows, over_late = v.pores;
+  if (w->has_pores && any(gt(v.pores_faded, zero))) {
+    vf expected = one;
+    if (w->pore_growth != 0.0f) {
+      expected = rings_across(w, MEAN_PORE, stem, &k->ring, k->b, k->nrm, ball, k->s);
     }
+    pores = mix(pores, splat(w->pores.coverage) * expected, v.pores_faded);
+    over_late = mix(over_late, splat(w->late_vessel), v.pores_faded);
+  }
+  if (w->rows && any(gt(v.rows_faded, zero))) {
+    vf expected = rings_across(w, MEAN_ROW, stem, &k->ring, k->b, k->nrm, ball, k->s);
+    rows = mix(rows, splat(w->row.coverage) * expected, v.rows_faded);
+  }
+  vf cover = vmin(pores + rows, one);
+  store_lanes(io, WOOD_VESSEL, k->i, k->n, cover);
+  if (!want->colour) return;
+  /* earlywood rows stand where there is no latewood; pores everywhere */
+  vf late = k->late * (one - vmin(over_late, one));
+  vf shift = one + fibre_shift(w, k->x, k->z, vsqrt(f.aa + f.bb));
+  vf early = vmax(one - cover - late, zero) * shift, dark = late * shift;
+  for (int c = 0; c < 3; c++) {
+    k->albedo[c] = splat(w->early[c]) * early + splat(w->late[c]) * dark +
+                   splat(w->vessel[c]) * cover;
+    store_lanes(io, WOOD_ALBEDO + c, k->i, k->n, k->albedo[c]);
   }
 }
+
+/* Figure, Kawai's equation (4): the lobe's normal dives with the fibre; slopes
+ * that the footprint averages widen it instead. */
+INLINE void stage_figure(const wood_constants *w, const wood_io *io, const wood_wants *want,
+                         block *k) {
+  vf one = splat(1.0f), zero = splat(0.0f);
+  vf exponent = splat(w->shininess), strength = splat(w->specular);
+  vf roughness = splat(w->roughness);
+  vm widened = gt(k->grain.variance * exponent, splat(1e-4f));
+  if (any(widened)) {
+    vf across = k->nrm[2] * k->stem.c - k->nrm[0] * k->stem.s;
+    vf wide = one / (one + exponent * (k->grain.variance * across * across));
+    wide = sel(widened, wide, one);
+    exponent = exponent * wide;
+    strength = strength * vsqrt(wide);
+    roughness = vmin(vsqrt(splat(2.0f) / (exponent + splat(2.0f))), one);
+  }
+  store_lanes(io, WOOD_SPECULAR, k->i, k->n, strength);
+  store_lanes(io, WOOD_ROUGHNESS, k->i, k->n, roughness);
+  if (!want->radiance) return;
+
+  vf light[3], l[3];
+  for (int c = 0; c < 3; c++) light[c] = load_lanes(io->in->light[c], k->i, k->n);
+  unit_direction(light);
+  to_log(w, light, l);
+  vf incident = l[0] * k->nrm[0] + l[1] * k->nrm[1] + l[2] * k->nrm[2];
+  /* up the stem within the surface */
+  vf rise = (l[1] - k->nrm[1] * incident) * k->inverse_up;
+  rise = sel(gt(k->up2, splat(1e-6f)), rise, zero);
+  vf cosine = vsqrt(vmax(one - k->sine * k->sine, zero));
+  vf tilted = clamp01(incident * cosine + rise * k->sine);
+  vf gloss = strength * power01(tilted, exponent);
+  vf diffuse = splat(w->diffuse) * vmax(incident, zero);
+  for (int c = 0; c < 3; c++) {
+    vf r = diffuse * k->albedo[c] + gloss * splat(w->tint_colour[c]);
+    if (io->in->light_colour[c]) {
+      vf e = load_lanes(io->in->light_colour[c], k->i, k->n);
+      r = r * sel(lt(vabs(e), splat(1e30f)), e, zero);
+    }
+    store_lanes(io, WOOD_RADIANCE + c, k->i, k->n, r);
+  }
+}
+
+#define BLOCKS (LANES == 1 ? 1 : 4)
 
 static void evaluate(const wood_constants *w, const wood_io *io, uint32_t from, uint32_t to) {
   wood_wants want = wants_of(io);
-  for (uint32_t i = from; i < to; i += LANES) {
-    uint32_t n = to - i < LANES ? to - i : LANES;
-    evaluate_block(w, io, &want, i, n);
+  block blocks[BLOCKS];
+  for (uint32_t i = from; i < to;) {
+    uint32_t count = 0;
+    for (; count < BLOCKS && i < to; count++, i += LANES) {
+      blocks[count].i = i;
+      blocks[count].n = to - i < LANES ? to - i : LANES;
+    }
+    for (uint32_t k = 0; k < count; k++) stage_load(w, io, &blocks[k]);
+    for (uint32_t k = 0; k < count; k++) stage_stem(w, io, &blocks[k]);
+    if (want.section) {
+      for (uint32_t k = 0; k < count; k++) stage_grain(w, io, &blocks[k]);
+    }
+    if (want.direction) {
+      for (uint32_t k = 0; k < count; k++) stage_fibre(w, io, &want, &blocks[k]);
+    }
+    if (want.late) {
+      for (uint32_t k = 0; k < count; k++) stage_rings(w, io, &blocks[k]);
+    }
+    if (want.vessel) {
+      for (uint32_t k = 0; k < count; k++) stage_tissue(w, io, &want, &blocks[k]);
+    }
+    if (want.lobe) {
+      for (uint32_t k = 0; k < count; k++) stage_figure(w, io, &want, &blocks[k]);
+    }
   }
 }
 
@@ -310,7 +385,7 @@ static void ring_radius(const wood_constants *w, uint32_t count, const float *t,
       vf slope = vmax(p.rho_x * p.c + p.rho_z * p.s, splat(0.2f));
       r = vmax(r + (rho - p.rho) / slope, splat(0.0f));
     }
-    for (uint32_t k = 0; k < n; k++) out[i + k] = r[k];
+    for (uint32_t k = 0; k < n; k++) out[i + k] = lane(r, k);
   }
 }
 
@@ -320,8 +395,8 @@ static void pith(const wood_constants *w, uint32_t count, const float *y, float 
     uint32_t n = count - i < LANES ? count - i : LANES;
     stem_pith p = pith_at(w, finite_coordinate(load_lanes(y, i, n)));
     for (uint32_t k = 0; k < n; k++) {
-      out_x[i + k] = p.x[k];
-      out_z[i + k] = p.z[k];
+      out_x[i + k] = lane(p.x, k);
+      out_z[i + k] = lane(p.z, k);
     }
   }
 }

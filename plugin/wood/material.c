@@ -16,30 +16,32 @@
 
 extern const wood_kernel KERNEL(scalar_1);
 #if defined(__x86_64__)
-extern const wood_kernel KERNEL(sse2_4), KERNEL(avx2_8), KERNEL(avx2_4), KERNEL(avx512_16),
-    KERNEL(avx512_4);
+extern const wood_kernel KERNEL(sse2_4), KERNEL(avx2_8), KERNEL(avx2_1), KERNEL(avx512_16),
+    KERNEL(avx512_4), KERNEL(avx512_1);
 #elif defined(__aarch64__)
 extern const wood_kernel KERNEL(neon_4);
 #endif
 
-/* The wide kernel, and one of the same instruction set for what a few lanes
- * hold: a narrow block costs less than a wide one that is mostly empty. */
-static const struct {
-  const wood_kernel *wide, *narrow;
-} kernels[CPU_COUNT] = {
+/* For each instruction set the wide kernel, one for what a few lanes hold, and
+ * one for a point alone: a mostly empty block costs what a full one does. */
+typedef struct {
+  const wood_kernel *wide, *narrow, *single;
+} wood_kernels;
+
+static const wood_kernels kernels[CPU_COUNT] = {
 #if defined(__x86_64__)
-    [CPU_AVX512] = {&KERNEL(avx512_16), &KERNEL(avx512_4)},
-    [CPU_AVX2] = {&KERNEL(avx2_8), &KERNEL(avx2_4)},
-    [CPU_SSE2] = {&KERNEL(sse2_4), &KERNEL(sse2_4)},
+    [CPU_AVX512] = {&KERNEL(avx512_16), &KERNEL(avx512_4), &KERNEL(avx512_1)},
+    [CPU_AVX2] = {&KERNEL(avx2_8), &KERNEL(avx2_8), &KERNEL(avx2_1)},
+    [CPU_SSE2] = {&KERNEL(sse2_4), &KERNEL(sse2_4), &KERNEL(scalar_1)},
 #elif defined(__aarch64__)
-    [CPU_NEON] = {&KERNEL(neon_4), &KERNEL(neon_4)},
+    [CPU_NEON] = {&KERNEL(neon_4), &KERNEL(neon_4), &KERNEL(scalar_1)},
 #endif
-    [CPU_SCALAR] = {&KERNEL(scalar_1), &KERNEL(scalar_1)},
+    [CPU_SCALAR] = {&KERNEL(scalar_1), &KERNEL(scalar_1), &KERNEL(scalar_1)},
 };
 
 typedef struct {
   wood_constants constants;
-  const wood_kernel *wide, *narrow;
+  wood_kernels use;
 } wood_state;
 
 static const sozai_texture_info *describe(void) {
@@ -73,32 +75,27 @@ static int32_t build(void *state, const sozai_host *host, const settings *s,
   int set;
   int32_t r = cpu_choose(&set);
   if (r) return r;
-  w->wide = kernels[set].wide;
-  w->narrow = kernels[set].narrow;
+  w->use = kernels[set];
   return wood_build(&w->constants, s, colours);
 }
 
-static void evaluate(const void *state, const sozai_batch *b, float *const *out) {
+static void evaluate(const void *state, const sozai_batch *b, float *const *out,
+                     uint64_t wanted) {
   const wood_state *w = state;
-  wood_io io = {.footprint = b->footprint, .active = b->active, .out = out};
-  for (int c = 0; c < 3; c++) {
-    io.point[c] = b->point[c];
-    io.normal[c] = b->normal[c];
-    io.light[c] = b->light[c];
-    io.light_colour[c] = b->light_colour[c];
-  }
-  uint32_t lanes = w->wide->lanes, whole = b->count / lanes * lanes, rest = b->count - whole;
+  wood_io io = {b, out, wanted};
+  const wood_kernels *k = &w->use;
+  uint32_t lanes = k->wide->lanes, whole = b->count / lanes * lanes, rest = b->count - whole;
   /* from half a block up the wide kernel is the cheaper */
   if (rest > lanes / 2) {
     whole = b->count;
     rest = 0;
   }
-  if (whole) w->wide->evaluate(&w->constants, &io, 0, whole);
-  if (rest) w->narrow->evaluate(&w->constants, &io, whole, b->count);
+  if (whole) k->wide->evaluate(&w->constants, &io, 0, whole);
+  if (rest) (rest == 1 ? k->single : k->narrow)->evaluate(&w->constants, &io, whole, b->count);
 }
 
 static const char *instruction_set(const void *state) {
-  return ((const wood_state *)state)->wide->name;
+  return ((const wood_state *)state)->use.wide->name;
 }
 
 const material wood_material = {describe, sizeof(wood_state), build, evaluate, instruction_set};
@@ -116,7 +113,7 @@ static int32_t ring_radius(const sozai_texture *t, uint32_t count, const float *
   if (count && (!years || !theta || !y || !out_r)) {
     return fail(SOZAI_ERROR_ARGUMENT, "ring_radius: an array is NULL");
   }
-  w->wide->radius(&w->constants, count, years, theta, y, out_r);
+  w->use.wide->radius(&w->constants, count, years, theta, y, out_r);
   return SOZAI_OK;
 }
 
@@ -127,7 +124,7 @@ static int32_t pith(const sozai_texture *t, uint32_t count, const float *y, floa
   if (count && (!y || !out_x || !out_z)) {
     return fail(SOZAI_ERROR_ARGUMENT, "pith: an array is NULL");
   }
-  w->wide->pith(&w->constants, count, y, out_x, out_z);
+  w->use.wide->pith(&w->constants, count, y, out_x, out_z);
   return SOZAI_OK;
 }
 

@@ -77,7 +77,7 @@ static const sozai_parameter outline = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "section_wobble", .label = "Section wobble", .group = "rings", .unit = "",
    .doc = "How far the rings depart from circles, relative to their radius: the largest sum of "
-   "the outline's four harmonics.",
+   "the outline's three harmonics.",
    .hard_min = 0, .hard_max = 0.3, .soft_min = 0, .soft_max = 0.15, .default_number = {0.04}};
 
 static const sozai_parameter undulation = {
@@ -90,7 +90,7 @@ static const sozai_parameter undulation = {
 static const sozai_parameter undulation_size = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "undulation_size", .label = "Undulation size", .group = "rings", .unit = "mm",
-   .doc = "Size of that waviness across the stem; along it, it is 5 times as long.",
+   .doc = "Size of that waviness across the stem; along it, it is 4 times as long.",
    .hard_min = 5, .hard_max = 400, .soft_min = 10, .soft_max = 100, .default_number = {34}};
 
 static const sozai_parameter taper = {

@@ -53,53 +53,68 @@ INLINE vf pore_integral(const wood_constants *w, vf f) {
   return f * (e * e + f * (e * g + f * g * g * splat(1.0f / 3.0f)));
 }
 
-/* What is averaged across rings. */
-typedef struct {
-  vf late; /* latewood profile, weighted by the ring */
-  vf pore; /* expected coverage of the field's pores, over its full value */
-  vf row;  /* share of the earlywood band */
-} ring_means;
+/* What can be averaged across rings. */
+enum { MEAN_LATE, MEAN_PORE, MEAN_ROW };
+/* MEAN_LATE  latewood profile, weighted by the ring
+ * MEAN_PORE  expected coverage of the field's pores, over its full value
+ * MEAN_ROW   share of the earlywood band */
 
-/* The integrals from the table's start to phase f of ring place p, mm. */
-INLINE ring_means ring_integrals(const wood_constants *w, const ring_place *p) {
-  vf width = splat(1.0f) / p->inverse_width;
-  ring_means m;
-  m.late = p->turns * splat(w->late_period) + gather(w->late_before, p->j) +
-           gather(w->late_weight, p->j) * width * late_integral(w, p->phase);
-  m.pore = splat(w->pore_ring_mean) * (p->turns * splat(w->ring_period) + p->start) +
-           width * pore_integral(w, p->phase);
-  m.row = splat(w->band) * to_float(p->ring) + vmin(p->phase * width, splat(w->band));
-  return m;
+/* The integral from the ring's start to phase f, over its width. */
+INLINE vf ring_integral(const wood_constants *w, int what, vf f, vf inverse_width) {
+  if (what == MEAN_LATE) return late_integral(w, f);
+  if (what == MEAN_PORE) return pore_integral(w, f);
+  return vmin(f, splat(w->band) * inverse_width);
 }
 
-/* Averages over rho - e/2 .. rho + e/2. */
-INLINE ring_means ring_average(const wood_constants *w, const ring_place *at, vf rho, vf e) {
+/* The integral from the pith to ring place p, mm. */
+INLINE vf integral_to(const wood_constants *w, int what, const ring_place *p) {
+  vf width = splat(1.0f) / p->inverse_width;
+  vf within = width * ring_integral(w, what, p->phase, p->inverse_width);
+  if (what == MEAN_LATE) {
+    return p->turns * splat(w->late_period) + gather(w->late_before, p->j) +
+           gather(w->late_weight + 1, p->j) * within;
+  }
+  if (what == MEAN_PORE) {
+    return splat(w->pore_ring_mean) * (p->turns * splat(w->ring_period) + p->start) + within;
+  }
+  return splat(w->band) * to_float(p->ring) + within;
+}
+
+/* Average over rho - e/2 .. rho + e/2. */
+INLINE vf ring_average(const wood_constants *w, int what, const ring_place *at, vf rho, vf e) {
   e = vmax(e, splat(w->blur));
   vf low = vmax(rho - splat(0.5f) * e, splat(0.0f)), high = rho + splat(0.5f) * e;
 
   /* within one ring: differences of phase, nothing large cancels */
   vf start = at->start + at->turns * splat(w->ring_period);
-  vf width = splat(1.0f) / at->inverse_width;
   vf f0 = (low - start) * at->inverse_width, f1 = (high - start) * at->inverse_width;
   vm inside = and_(le(splat(0.0f), f0), le(f1, splat(1.0f)));
   vf g0 = clamp01(f0), g1 = vmax(clamp01(f1), g0 + splat(1e-6f));
-  vf q = splat(1.0f) / (g1 - g0);
-  ring_means m;
-  m.late = gather(w->late_weight, at->j) * (late_integral(w, g1) - late_integral(w, g0)) * q;
-  m.pore = (pore_integral(w, g1) - pore_integral(w, g0)) * q;
-  vf b = splat(w->band);
-  m.row = (vmin(g1 * width, b) - vmin(g0 * width, b)) * at->inverse_width * q;
+  vf m = (ring_integral(w, what, g1, at->inverse_width) -
+          ring_integral(w, what, g0, at->inverse_width)) /
+         (g1 - g0);
+  if (what == MEAN_LATE) {
+    vf weight = gather(w->late_weight + 1, at->j);
+    m = m * weight;
+    /* across one edge, and narrow: past it there is only earlywood, before it
+     * only the last ring's latewood */
+    vm edge = and_(not_(inside), le(e, splat(w->safe)));
+    if (any(edge)) {
+      vf last = gather(w->late_weight, at->j);
+      vf width = splat(1.0f) / at->inverse_width;
+      vf within = weight * (late_integral(w, g1) - late_integral(w, g0));
+      vf before = vmax(splat(0.0f) - f0, splat(0.0f)) * last;
+      m = sel(edge, (within + before) * width / e, m);
+      inside = or_(inside, edge);
+    }
+  }
 
   if (any(not_(inside))) {
     ring_place p0 = ring_at(w, low), p1 = ring_at(w, high);
-    ring_means i0 = ring_integrals(w, &p0), i1 = ring_integrals(w, &p1);
-    vf k = splat(1.0f) / (high - low);
-    m.late = sel(inside, m.late, (i1.late - i0.late) * k);
-    m.pore = sel(inside, m.pore, (i1.pore - i0.pore) * k);
-    m.row = sel(inside, m.row, (i1.row - i0.row) * k);
+    vf across = (integral_to(w, what, &p1) - integral_to(w, what, &p0)) / (high - low);
+    m = sel(inside, m, across);
   }
-  m.late = clamp01(m.late);
-  return m;
+  return clamp01(m);
 }
 
 #endif

@@ -17,13 +17,7 @@
 #include "../core/noise.h"
 #include "wood.h"
 
-/* Keeps the seeds of the noises apart. */
-enum { SEED_PITH_X = 1, SEED_PITH_Z, SEED_UNDULATION, SEED_SLOPE = 5, SEED_WAVE = 8, SEED_PORES,
-       SEED_ROWS, SEED_FIBRE = 12 };
-
-INLINE vu wood_seed(const wood_constants *w, uint32_t which) {
-  return splatu(hash1(w->seed + 0x9e3779b9u * which));
-}
+INLINE vu wood_seed(const wood_constants *w, uint32_t which) { return splatu(w->seeds[which]); }
 
 typedef struct {
   vf x, z;   /* mm, of the pith */
@@ -31,7 +25,7 @@ typedef struct {
 } stem_pith;
 
 INLINE stem_pith pith_at(const wood_constants *w, vf y) {
-  noise_axis a = noise_split(y * splat(w->pith_frequency), HASH_Y);
+  noise_stem a = noise_split_axial(y * splat(w->pith_frequency), HASH_Y);
   vf amplitude = splat(w->pith_amplitude), slope = splat(w->pith_amplitude * w->pith_frequency);
   stem_pith p;
   p.x = amplitude * noise_axial1(&a, wood_seed(w, SEED_PITH_X), &p.dx);
@@ -47,7 +41,8 @@ INLINE vf outline_at(const wood_constants *w, vf c, vf s, vf *slope) {
   for (int k = 0; k < WOOD_HARMONICS; k++) {
     vf a = splat(w->outline_cos[k]), b = splat(w->outline_sin[k]);
     sum = sum + (a * ck + b * sk);
-    d = d + splat((float)(k + 1)) * (b * ck - a * sk);
+    float order = (float)(k + 1);
+    d = d + (splat(order * w->outline_sin[k]) * ck - splat(order * w->outline_cos[k]) * sk);
     vf next = ck * c - sk * s;
     sk = sk * c + ck * s;
     ck = next;
@@ -62,19 +57,19 @@ INLINE vf undulation_at(const wood_constants *w, vf x, vf y, vf z, vf r, vf c, v
                         vf d[3], vf *lost) {
   vf n = splat(0.0f), nx = n, ny = n, nz = n;
   *lost = n;
+  vf fy = splat(w->undulation_frequency_axis);
+  noise_stem ay = noise_split_axial(y * fy, HASH_Y);
   for (int o = 0; o < 2; o++) {
     if (w->undulation[o] == 0.0f) continue;
     vf f = splat(w->undulation_frequency_section[o]);
-    vf fy = splat(w->undulation_frequency_axis[o]);
     /* the second octave is turned by atan(3/4), so that lattices do not line up */
     vf px = x, pz = z;
     if (o == 1) {
       px = splat(0.8f) * x - splat(0.6f) * z;
       pz = splat(0.6f) * x + splat(0.8f) * z;
     }
-    noise_axis ax = noise_split(px * f, HASH_X), ay = noise_split(y * fy, HASH_Y),
-               az = noise_split(pz * f, HASH_Z);
-    vf keep = filter_keep(footprint * f, 1.0f);
+    noise_axis ax = noise_split_cubic(px * f, HASH_X), az = noise_split_cubic(pz * f, HASH_Z);
+    vf keep = filter_keep(footprint, w->undulation_size[o]);
     vf a = splat(w->undulation[o]) * keep;
     vf gx, gy, gz;
     vf v = noise_axial3(&ax, &ay, &az, wood_seed(w, SEED_UNDULATION + (uint32_t)o), &gx, &gy, &gz);
@@ -90,11 +85,13 @@ INLINE vf undulation_at(const wood_constants *w, vf x, vf y, vf z, vf r, vf c, v
       nz = nz + gz;
     }
     /* the noise's variance is about 1/40, measured */
-    *lost = *lost + splat(0.025f * w->undulation[o] * w->undulation[o]) *
-                        (splat(1.0f) - keep * keep);
+    vf gone = splat(1.0f) - keep * keep;
+    *lost = *lost + splat(0.025f * w->undulation[o] * w->undulation[o]) * gone;
   }
-  vf core = splat(w->undulation_core), q = splat(1.0f) / (r * r + core);
-  vf envelope = r * r * q, envelope_slope = splat(2.0f) * r * core * q * q;
+  /* nothing at the pith, where directions crowd */
+  vf t = vmin(r * splat(w->undulation_core), splat(1.0f));
+  vf envelope = t * t * (splat(3.0f) - t - t);
+  vf envelope_slope = splat(6.0f * w->undulation_core) * t * (splat(1.0f) - t);
   d[0] = envelope * nx + envelope_slope * c * n;
   d[1] = envelope * ny;
   d[2] = envelope * nz + envelope_slope * s * n;
@@ -104,6 +101,7 @@ INLINE vf undulation_at(const wood_constants *w, vf x, vf y, vf z, vf r, vf c, v
 typedef struct {
   stem_pith pith;
   vf r, c, s;      /* distance from the pith and direction */
+  vf inverse_r;
   vf rho;          /* mm */
   vf rho_x, rho_z; /* derivatives about the pith at a fixed height */
   vf rho_y;        /* at a fixed place about the pith */
@@ -115,12 +113,13 @@ INLINE stem_place stem_at(const wood_constants *w, vf x, vf y, vf z, vf footprin
   p.pith = pith_at(w, y);
   x = x - p.pith.x;
   z = z - p.pith.z;
-  vf r = vsqrt(x * x + z * z);
-  vm centre = lt(r, splat(1e-6f));
-  p.r = sel(centre, splat(1e-6f), r);
-  vf inverse = splat(1.0f) / p.r;
-  p.c = sel(centre, splat(1.0f), x * inverse);
-  p.s = sel(centre, splat(0.0f), z * inverse);
+  vf square = x * x + z * z;
+  vm centre = lt(square, splat(1e-12f));
+  square = vmax(square, splat(1e-12f));
+  p.inverse_r = inverse_root(square);
+  p.r = square * p.inverse_r;
+  p.c = sel(centre, splat(1.0f), x * p.inverse_r);
+  p.s = sel(centre, splat(0.0f), z * p.inverse_r);
 
   vf slope, outline = outline_at(w, p.c, p.s, &slope);
   vf widen = splat(1.0f) / (splat(1.0f) + outline);

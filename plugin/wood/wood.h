@@ -17,18 +17,35 @@
 
 #include <stdint.h>
 
+#include "../../api/sozai.h"
+
 #define WOOD_RINGS 256       /* rings before the table repeats */
 #define WOOD_BINS_MAX 16384  /* bins of the look-up from rho to ring */
-#define WOOD_HARMONICS 4     /* of the section's outline */
-#define WOOD_RADII 512       /* steps of the table of vessel radii */
+#define WOOD_HARMONICS 3     /* of the section's outline */
+#define WOOD_RADII 32        /* steps of the table of vessel radii */
 #define WOOD_FIBRE_OCTAVES 3
+
+/* The seeds of the noises, kept apart. */
+enum {
+  SEED_PITH_X,
+  SEED_PITH_Z,
+  SEED_UNDULATION,
+  SEED_SLOPE = SEED_UNDULATION + 2,
+  SEED_WAVE = SEED_SLOPE + 2,
+  SEED_PORES,
+  SEED_ROWS,
+  SEED_FIBRE,
+  WOOD_SEEDS = SEED_FIBRE + WOOD_FIBRE_OCTAVES
+};
 
 /* A layer of vessels of normally distributed radius. inverse_square[i] is
  * (mean radius / radius)^2 for the i-th of WOOD_RADII equally likely radii. */
 typedef struct {
   float radius;      /* mm, the mean */
   float cell;        /* mm: side of a lattice cell, or spacing along the arc */
-  float reach;       /* mm: farthest a vessel may lie from where it is looked up */
+  float inverse_cell, step; /* 1/mm; mm: cell / 2048 */
+  float reach;       /* mm: the longest footprint that one look-up answers */
+  float farthest;    /* q, in units of the mean radius, at which the largest vessel ends */
   float coverage;    /* expected area fraction where the layer is at full size */
   float inverse_square[WOOD_RADII];
 } wood_vessels;
@@ -43,8 +60,9 @@ typedef struct {
   float taper;                          /* 1/mm: s(y) = 1 + taper y, |taper y| <= 0.9 */
   float outline_cos[WOOD_HARMONICS], outline_sin[WOOD_HARMONICS];
   float undulation[2];                  /* mm, per octave */
-  float undulation_frequency_section[2], undulation_frequency_axis[2]; /* 1/mm */
-  float undulation_core; /* mm^2: the undulation dies out within this of the pith */
+  float undulation_frequency_section[2], undulation_frequency_axis; /* 1/mm */
+  float undulation_size[2];                                         /* mm */
+  float undulation_core; /* 1/mm: within its inverse of the pith the undulation dies out */
 
   /* rings */
   float ring_period, inverse_ring_period; /* mm: the table's whole radius */
@@ -55,6 +73,7 @@ typedef struct {
   float late_whole;  /* integral of the profile over a ring */
   float late_period; /* integral over the table */
   float blur;        /* mm: no ring edge is sharper */
+  float safe;        /* mm: footprints this small never span a ring's rise and an edge */
 
   /* grain; slopes are r dtheta/dy */
   float spiral;
@@ -63,8 +82,9 @@ typedef struct {
   float wave_irregularity;             /* radians of phase */
   float wave_irregularity_frequency;   /* 1/mm */
   float interlocked_slope, interlocked_frequency; /* 1/years */
-  float interlocked_number;                       /* 2 pi / length, 1/mm */
+  float interlocked_length;                       /* mm */
   float slope_noise[2], slope_noise_frequency[2]; /* mm of displacement; 1/mm */
+  float slope_noise_size[2];                      /* mm */
   float slope_noise_years;                        /* 1/years */
   int32_t has_wave, has_wave_irregularity, has_interlocked, has_slope_noise;
 
@@ -74,6 +94,7 @@ typedef struct {
   float pore_ring_mean;          /* mean over the ring of size^2 */
   wood_vessels row;              /* of the earlywood: rows at the ring's start */
   int32_t has_pores, rows;
+  float vessel_reach, vessel_last; /* the lesser and the greater of the layers' reach */
   float row_density;   /* 1/mm of arc */
   float row_spacing;   /* mm, radially */
   float row_start;     /* mm, of the first row's centres after the ring's start */
@@ -90,25 +111,26 @@ typedef struct {
   float early[3], late[3], vessel[3];
 
   /* figure */
-  float diffuse, specular, shininess, tint;
+  float diffuse, specular, shininess;
+  float roughness; /* of the lobe where nothing widens it */
   float tint_colour[3];
 
   uint32_t seed;
+  uint32_t seeds[WOOD_SEEDS]; /* one for each noise */
 
   /* tables: ring j = 0 .. WOOD_RINGS - 1; the last entry closes the period */
   float start[WOOD_RINGS + 1];       /* mm: rho of the ring's start */
   float inverse_width[WOOD_RINGS];
-  float late_weight[WOOD_RINGS];     /* how dark the ring's latewood grows */
+  float late_weight[WOOD_RINGS + 1]; /* how dark the latewood of ring j - 1 grows */
   float late_before[WOOD_RINGS + 1]; /* integral of the profile up to the ring */
   int32_t bin[WOOD_BINS_MAX];        /* the ring that the bin's start lies in */
 } wood_constants;
 
-/* Inputs and outputs of the kernel: arrays of `count`. Inputs may be NULL as
- * sozai.h says; out[c] is NULL where not wanted. */
+/* Inputs and outputs of the kernel, checked. */
 typedef struct {
-  const float *point[3], *normal[3], *light[3], *light_colour[3], *footprint;
-  const uint8_t *active;
+  const sozai_batch *in;
   float *const *out;
+  uint64_t wanted; /* bit c: out[c] is not NULL */
 } wood_io;
 
 /* Components of the output channels, in their order. */

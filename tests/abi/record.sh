@@ -11,25 +11,27 @@ if ! command -v abidiff >/dev/null; then
   echo "no abidiff here (Debian: abigail-tools)"
   exit 77
 fi
-if readelf -d "$library" | grep -Eq 'NEEDED.*lib(asan|ubsan|tsan)\.'; then
+elf=$(readelf -dSW "$library")
+if [[ $elf =~ NEEDED[^$'\n']*lib(asan|ubsan|tsan)\. ]]; then
   echo "a sanitizer's build: its symbols are not the release's"
   exit 77
 fi
-if ! readelf -S "$library" | grep -q '\.debug_info'; then
+if [[ $elf != *.debug_info* ]]; then
   echo "FAILED: $library has no debugging information"
   exit 1
 fi
 
 if [[ $action == write ]]; then
-  # Without paths and lines, which are this build's and not the ABI's.
-  abidw --no-corpus-path --no-comp-dir-path --no-show-locs "$library" |
+  # Without machine, paths and lines, which are this build's and not the ABI's.
+  abidw --exported-interfaces-only --no-architecture --no-elf-needed \
+    --no-corpus-path --no-comp-dir-path --no-show-locs "$library" |
     sed -E "s| path='[^']*/([^'/]*)'| path='\1'|" >"$record"
   echo "recorded in $record"
   exit 0
 fi
 set +e
 # --harmless: a const more or less counts as well.
-abidiff --harmless "$record" "$library"
+abidiff --exported-interfaces-only --no-architecture --harmless "$record" "$library"
 result=$?
 set -e
 # abidiff: bits 1 and 2 for trouble, 4 for a change, 8 for an incompatible one.

@@ -20,7 +20,7 @@ if [[ $mode == --libc-only ]]; then
   echo "needs: ${needed//$'\n'/ }"
   if grep -Eq '^lib(asan|ubsan|tsan)\.' <<<"$needed"; then
     echo "a sanitizer's build: the rest does not apply"
-    exit 77
+    exit "$((failed ? 1 : 77))"
   fi
   # The loader may be named too: on some machines it defines __tls_get_addr.
   others=$(grep -Ev '^(libc\.so\.6|ld-linux[^ ]*)$' <<<"$needed" || true)

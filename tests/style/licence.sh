@@ -6,10 +6,11 @@ cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.."
 
 mapfile -t files < <(find quickstart .ci CMakeLists.txt cmake api plugin colour hosts tests docs \
   -type f \( -name '*.[ch]' -o -name '*.cpp' -o -name '*.hpp' -o -name '*.sh' -o -name '*.py' \
-  -o -name '*.map' -o -name '*.ocio' -o -name CMakeLists.txt -o -name '*.cmake' -o -name quickstart -o -path .ci/run \))
+  -o -name '*.ocio' -o -name CMakeLists.txt -o -name '*.cmake' -o -name quickstart \
+  -o -path .ci/run \))
 failed=0
 for file in "${files[@]}"; do
-  if ! head -n 3 "$file" | grep -q 'SPDX-License-Identifier: Apache-2.0'; then
+  if [[ $(head -n 3 "$file") != *'SPDX-License-Identifier: Apache-2.0'* ]]; then
     echo "no SPDX line: $file"
     failed=1
   fi

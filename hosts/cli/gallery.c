@@ -1,0 +1,225 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Renders the pictures of gallery_table.c, an index.html that shows them, and
+ * gallery.png, which shows some of them small on one sheet. A picture whose
+ * parameters the plugin does not know is left out with a line that says so. */
+#include "commands.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include "cancel.h"
+#include "gallery_table.h"
+#include "job_options.h"
+#include "output_file.h"
+#include "progress.h"
+#include "session.h"
+#include "sheet.h"
+
+#define MATERIAL "wood"
+#define PATH_SIZE 4096
+#define SHEET_COLUMNS 3
+
+typedef struct gallery {
+  session session;
+  const char *folder, *view;
+  uint32_t spp;
+  FILE *index;
+  sheet sheet;
+  uint32_t made, left_out;
+} gallery;
+
+static bool path_in(char *path, const gallery *g, const char *name, failure *why) {
+  int length = snprintf(path, PATH_SIZE, "%s/%s", g->folder, name);
+  return (length > 0 && length < PATH_SIZE) ||
+         fail(why, EXIT_BAD_INPUT, "'%s' is too long a path", g->folder);
+}
+
+static bool write_film(const gallery *g, const film *f, const char *name, failure *why) {
+  char path[PATH_SIZE];
+  output_file o;
+  if (!path_in(path, g, name, why) || !output_begin(&o, path, why)) return false;
+  if (film_write_png(f, o.writing, &g->session.colour, g->view, 0, 8, why))
+    return output_commit(&o, why);
+  output_discard(&o);
+  return false;
+}
+
+/* ---- one picture ------------------------------------------------------ */
+
+static bool make_recipe(recipe *r, const shot *s, const char *preset, failure *why) {
+  if (!recipe_open(r, MATERIAL, why)) return false;
+  bool ok = !preset || recipe_set_preset(r, preset, why);
+  for (int i = 0; ok && i < SHOT_PARAMS && s->params[i]; i++)
+    ok = recipe_set_pair(r, s->params[i], why);
+  if (!ok) recipe_free(r);
+  return ok;
+}
+
+static bool render_texture(gallery *g, const shot *s, const sozai_texture *texture, film *f,
+                           failure *why) {
+  render_job job;
+  render_job_init(&job, g->session.plugin.textures, texture);
+  job.threads = g->session.host.threads;
+  job.spp = g->spp;
+  job.width = s->width;
+  job.height = s->height;
+  if (s->sky > 0) job.sky = s->sky;
+  const job_options look = {
+      .shape = s->shape, .size = s->size, .camera = s->camera, .light = s->light};
+  return job_options_apply(&job, &look, NULL, why) && render(&job, f, why);
+}
+
+/* The command that makes the same picture: the best of captions. */
+static void write_caption(const gallery *g, const shot *s, const char *file, const char *title,
+                          const char *preset) {
+  fprintf(g->index, "<figure><img src=\"%s\" alt=\"%s\">\n<figcaption>%s<br><code>", file, title,
+          title);
+  fprintf(g->index, "sozai render %s -o %s", MATERIAL, file);
+  if (preset) fprintf(g->index, " --preset %s", preset);
+  for (int i = 0; i < SHOT_PARAMS && s->params[i]; i++) fprintf(g->index, " -p %s", s->params[i]);
+  if (s->shape) fprintf(g->index, " --shape %s", s->shape);
+  if (s->size) fprintf(g->index, " --size %s", s->size);
+  if (s->camera) fprintf(g->index, " --camera %s", s->camera);
+  if (s->light) fprintf(g->index, " --light=%s", s->light);
+  if (s->sky > 0) fprintf(g->index, " --sky %g", s->sky);
+  fprintf(g->index, " --res %ux%u --spp %u</code></figcaption></figure>\n", s->width, s->height,
+          g->spp);
+}
+
+static bool keep_picture(gallery *g, const shot *s, const film *f, const char *name,
+                         const char *title, const char *preset, failure *why) {
+  char file[256];
+  snprintf(file, sizeof file, "%s.png", name);
+  if (!write_film(g, f, file, why)) return false;
+  if (s->on_sheet && !sheet_add(&g->sheet, f, why)) return false;
+  write_caption(g, s, file, title, preset);
+  g->made++;
+  return true;
+}
+
+/* A texture that cannot be made is no failure of the gallery: see the head. */
+static bool make_picture(gallery *g, const shot *s, const char *name, const char *title,
+                         const char *preset, failure *why) {
+  recipe r;
+  if (!make_recipe(&r, s, preset, why)) return false;
+  sozai_texture *texture = NULL;
+  const sozai_textures_1 *textures = g->session.plugin.textures;
+  bool made = recipe_create(&r, textures, &g->session.host.abi, &texture, why);
+  recipe_free(&r);
+  if (!made) {
+    progress_clear();
+    fprintf(stderr, "sozai: left out %s: %s\n", name, why->text);
+    g->left_out++;
+    return why->exit_code == EXIT_BAD_INPUT;
+  }
+  film f;
+  bool ok = render_texture(g, s, texture, &f, why);
+  textures->destroy(texture);
+  if (!ok) return false;
+  ok = keep_picture(g, s, &f, name, title, preset, why);
+  film_free(&f);
+  return ok;
+}
+
+static bool make_shot(gallery *g, const shot *s, failure *why) {
+  if (!s->each_preset) return make_picture(g, s, s->name, s->title, s->preset, why);
+  const sozai_texture_info *info = g->session.plugin.textures->find(MATERIAL);
+  for (uint32_t i = 0; info && i < info->preset_count; i++) {
+    char name[128], title[256];
+    snprintf(name, sizeof name, "%s-%s", s->name, info->presets[i]->id);
+    snprintf(title, sizeof title, "%s, %s", info->presets[i]->label, s->title);
+    if (!make_picture(g, s, name, title, info->presets[i]->id, why)) return false;
+  }
+  return true;
+}
+
+/* ---- all of them ------------------------------------------------------ */
+
+static bool make_folder(const char *folder, failure *why) {
+  struct stat status;
+  if (mkdir(folder, 0777) == 0) return true;
+  int error = errno;
+  if (error == EEXIST && stat(folder, &status) == 0 && S_ISDIR(status.st_mode)) return true;
+  return fail(why, EXIT_BAD_INPUT, "--output: cannot make folder '%s': %s", folder,
+              strerror(error));
+}
+
+static bool make_pictures(gallery *g, failure *why) {
+  for (uint32_t i = 0; i < gallery_shot_count; i++) {
+    if (!make_shot(g, &gallery_shots[i], why)) return false;
+  }
+  film f;
+  if (!sheet_finish(&g->sheet, SHEET_COLUMNS, &f, why)) return false;
+  bool ok = write_film(g, &f, "gallery.png", why);
+  film_free(&f);
+  return ok;
+}
+
+static bool make_index(gallery *g, failure *why) {
+  char path[PATH_SIZE];
+  output_file o;
+  if (!path_in(path, g, "index.html", why) || !output_begin(&o, path, why)) return false;
+  g->index = fopen(o.writing, "w");
+  bool ok = g->index || fail(why, EXIT_FAILURE, "cannot write %s: %s", path, strerror(errno));
+  if (ok) {
+    fputs("<!doctype html>\n<meta charset=\"utf-8\">\n<title>sozai</title>\n<style>\n"
+          "body { font: 15px sans-serif; margin: 2em; background: #f4f3f1; color: #333 }\n"
+          "main { display: grid; grid-template-columns: repeat(auto-fill, minmax(26em, 1fr)); "
+          "gap: 1.5em }\n"
+          "figure { margin: 0 } img { width: 100%; display: block }\n"
+          "figcaption { padding: .4em 0 } code { font-size: 80%; color: #777 }\n"
+          "</style>\n<h1>sozai</h1>\n<main>\n",
+          g->index);
+    ok = make_pictures(g, why);
+    fputs("</main>\n", g->index);
+    if (fclose(g->index) != 0 && ok)
+      ok = fail(why, EXIT_FAILURE, "cannot write %s: %s", path, strerror(errno));
+  }
+  if (ok) return output_commit(&o, why);
+  output_discard(&o);
+  return false;
+}
+
+static bool make_gallery(const session_options *shared, const char *folder, const char *view,
+                         uint32_t spp, failure *why) {
+  gallery g = {.folder = folder, .view = view, .spp = spp};
+  if (!folder) return fail(why, EXIT_BAD_INPUT, "gallery: no output is given: -o DIR");
+  if (!session_open(&g.session, shared, why)) return false;
+  bool ok = make_folder(folder, why) && make_index(&g, why);
+  sheet_free(&g.sheet);
+  session_close(&g.session);
+  if (!ok) return false;
+  printf("%s/index.html: %u pictures", folder, g.made);
+  if (g.left_out) printf(", %u left out", g.left_out);
+  putchar('\n');
+  return true;
+}
+
+int run_gallery(int argc, char **argv) {
+  failure why = {0};
+  session_options shared;
+  if (!session_options_init(&shared, argc, &why)) return report(&why);
+  const char *folder = NULL, *view = NULL;
+  uint32_t spp = 24;
+  const option options[] = {
+      {"output", 'o', OPTION_TEXT, &folder, "DIR", "folder for the pictures; made if need be", 0,
+       0},
+      {"spp", 0, OPTION_COUNT, &spp, "N", "samples per pixel (default: 24)", 1, 65536},
+      {"view", 0, OPTION_TEXT, &view, "NAME", "the display's view", 0, 0},
+      SESSION_RUN_OPTIONS(shared)};
+  const command_line line = {.usage = "gallery -o DIR [options]",
+                             .about = "Renders every preset, and what wood can do, into a folder "
+                                      "with an index.html.\n",
+                             .options = options,
+                             .option_count = sizeof options / sizeof options[0]};
+  int parsed = options_parse(&line, argc, argv, NULL, &why);
+  int code = 0;
+  if (parsed == OPTIONS_BAD ||
+      (parsed == OPTIONS_RUN && !make_gallery(&shared, folder, view, spp, &why)))
+    code = report(&why);
+  session_options_free(&shared);
+  return code;
+}

@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "render.h"
+
+#include <pthread.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+#include "cancel.h"
+#include "parallel.h"
+#include "progress.h"
+#include "tile.h"
+
+typedef struct crew {
+  tile_context context;
+  uint32_t tiles;
+  atomic_uint done;
+  atomic_bool failed;
+  pthread_mutex_t lock; /* guards why */
+  failure why;
+} crew;
+
+static void run_tile(void *context, uint32_t index) {
+  crew *w = context;
+  failure why = {0};
+  if (atomic_load(&w->failed)) return;
+  if (!tile_render(&w->context, index, &why)) {
+    pthread_mutex_lock(&w->lock);
+    if (!atomic_exchange(&w->failed, true)) w->why = why;
+    pthread_mutex_unlock(&w->lock);
+    return;
+  }
+  uint32_t done = atomic_fetch_add(&w->done, 1) + 1;
+  if (!w->context.job->quiet) progress_show((float)done / (float)w->tiles, "rendering");
+}
+
+static int32_t find_colour(const sozai_texture_info *info, const char *id) {
+  for (uint32_t i = 0; i < info->channel_count; i++)
+    if (strcmp(info->channels[i]->id, id) == 0 && info->channels[i]->components == 3)
+      return (int32_t)info->channels[i]->first;
+  return -1;
+}
+
+static bool run_tiles(const render_job *job, const scene *s, const sozai_texture_info *info,
+                      film *out, failure *why) {
+  camera cam;
+  studio light;
+  camera_place(&cam, job, s, out->width, out->height);
+  studio_init(&light, job, s);
+  crew w = {.context = {.job = job,
+                        .info = info,
+                        .scene = s,
+                        .camera = &cam,
+                        .studio = &light,
+                        .film = out,
+                        .albedo = find_colour(info, "albedo"),
+                        .radiance = find_colour(info, "radiance")},
+            .tiles = tile_count(out),
+            .lock = PTHREAD_MUTEX_INITIALIZER};
+  parallel_for(job->threads, w.tiles, run_tile, &w);
+  progress_clear();
+  if (atomic_load(&w.failed)) *why = w.why;
+  return !atomic_load(&w.failed);
+}
+
+bool render(const render_job *job, film *out, failure *why) {
+  memset(out, 0, sizeof *out);
+  const sozai_texture_info *info = job->textures->info_of(job->texture);
+  scene s;
+  if (!scene_open(&s, job, why)) return false;
+  uint32_t width, height;
+  camera_resolution(job, &s, &width, &height);
+  bool ok = film_allocate(out, width, height, info, job->channels, job->channel_count, why) &&
+            run_tiles(job, &s, info, out, why);
+  scene_close(&s);
+  if (!ok) film_free(out);
+  return ok;
+}

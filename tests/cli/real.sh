@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# The command over the plugin and colour service that are built beside it.
+# shellcheck source=tests/cli/lib.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh" "$@"
+readonly picture=$4
+readonly header=px,py,pz,nx,ny,nz,lx,ly,lz,vx,vy,vz,footprint
+
+# Without SOZAI_PLUGIN it finds the plugin by itself.
+unset SOZAI_PLUGIN
+works list
+check "the plugin beside the program" grep -qw keyaki "$scratch/out"
+
+works eval wood --preset keyaki <<<"$header"$'\n50,0,0,0,0,1,0,0,1,0,0,1,0.1\nnan,inf,-inf,nan,0,0,0,0,0,inf,0,0,nan\n1e30,-1e30,0,0,0,0,0,0,0,0,0,0,1e30'
+check "every number is finite" not grep -qi 'nan\|inf' "$scratch/out"
+same "rows" 4 "$(wc -l <"$scratch/out")"
+
+refuses 2 "ring_width|-1|0.2|30" eval wood -p ring_width=-1 <<<"$header"
+refuses 2 "ring_widht" eval wood -p ring_widht=1 <<<"$header"
+refuses 2 "none.ocio" eval wood --config "$scratch/none.ocio" <<<"$header"
+refuses 2 "nope" render wood --view nope -o "$scratch/x.png"
+check "no picture of it" test ! -e "$scratch/x.png"
+
+for cut in flat end; do
+  works render wood --preset mizunara --cut "$cut" -o "$scratch/$cut.exr" --res 64x48 --spp 4
+  check "$cut: finite" "$picture" finite "$scratch/$cut.exr"
+done
+# A board's length runs along the grain, and its end grain is across it.
+check "flat: fibres along +y" "$picture" between "$scratch/flat.exr" 32 24 fiber.y 0.95 1
+check "end: fibres along +z" "$picture" between "$scratch/end.exr" 32 24 fiber.z 0.95 1
+works render wood --preset keyaki -o "$scratch/shown.png" --res 64x48 --spp 4
+works render wood --preset keyaki -o "$scratch/raw.png" --res 64x48 --spp 4 --view Raw
+check "the view is the display's" not cmp -s "$scratch/shown.png" "$scratch/raw.png"
+finish

@@ -1,0 +1,112 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# render: layers, the face seen from the front, the same bits whatever the
+# threads, and nothing left behind by a failure.
+# shellcheck source=tests/cli/lib.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh" "$@"
+readonly picture=$4
+cd "$scratch" || exit 1
+
+# ---- an EXR and its layers ---------------------------------------------------
+works render wood -o all.exr --res 96x64 --spp 4
+same "size and layers" "96 64 B G R albedo.B albedo.G albedo.R coverage dive fiber.x fiber.y fiber.z \
+latewood radiance.B radiance.G radiance.R reference.x reference.z roughness specular time vessel" \
+  "$("$picture" layers all.exr)"
+check "every number is finite" "$picture" finite all.exr
+check "the floor is lit" "$picture" between all.exr 2 2 R 0.2 1.2
+check "no shape there" "$picture" between all.exr 2 2 coverage 0 0
+check "the shape is in the middle" "$picture" between all.exr 48 32 coverage 1 1
+check "a layer holds the texture's answer" "$picture" between all.exr 48 32 specular 0.5 0.5
+
+works render wood -o some.exr --res 32x32 --spp 1 --channels dive,albedo
+same "layers asked for" "32 32 B G R albedo.B albedo.G albedo.R coverage dive" "$("$picture" layers some.exr)"
+
+# ---- straight at the face ----------------------------------------------------
+# Checks of 10 mm on a face of 40 x 20 mm: four by two, the light ones where x
+# and y fall in the same parity.
+works render wood -o face.exr --shape plane --size 40x20 --camera front --res 80x40 --spp 1 --sky 0 --light 0,90
+check "the face fills the picture: top left" "$picture" between face.exr 0 0 coverage 1 1
+check "and bottom right" "$picture" between face.exr 79 39 coverage 1 1
+check "x runs to the right from -20 mm" "$picture" between face.exr 0 0 reference.x -20 -19.5
+check "to 20 mm" "$picture" between face.exr 79 0 reference.x 19.5 20
+check "y runs up: the light check at (5, 5)" "$picture" between face.exr 50 10 albedo.R 0.75 0.75
+check "the dark one at (5, -5)" "$picture" between face.exr 50 30 albedo.R 0.125 0.125
+check "lit from straight above, without sky, it shows its albedo" "$picture" between face.exr 50 10 R 0.75 0.75
+works render wood -o proportions.exr --shape plane --size 40x20 --camera front --spp 1 --channels time
+check "the picture takes the face's proportions" grep -q '^1024 512 ' <("$picture" layers proportions.exr)
+
+# ---- shapes ------------------------------------------------------------------
+for shape in board sphere plane; do
+  works render wood -o "$shape.exr" --shape "$shape" --res 32x24 --spp 2
+  check "$shape: finite" "$picture" finite "$shape.exr"
+  check "$shape: in the middle" "$picture" between "$shape.exr" 16 12 coverage 1 1
+done
+cat >pyramid.obj <<'OBJ'
+v -10 0 -10
+v 10 0 -10
+v 10 0 10
+v -10 0 10
+v 0 18 0
+f 1 4 5
+f 4 3 5
+f 3 2 5
+f 2 1 5
+f 1 2 3 4
+OBJ
+works render wood -o mesh.exr --shape pyramid.obj --scale 2 --res 32x24 --spp 2 --camera front
+check "a mesh: finite" "$picture" finite mesh.exr
+check "a mesh: in the middle" "$picture" between mesh.exr 16 12 coverage 1 1
+cat >board.sozai <<'YAML'
+material: wood
+surface: {shape: mesh, mesh: pyramid.obj}
+YAML
+works render board.sozai -o from-file.exr --scale 2 --res 32x24 --spp 2 --camera front
+check "a file's surface is the default shape" "$picture" same from-file.exr mesh.exr
+
+# ---- the same whatever the threads ---------------------------------------------
+works render wood -o one.exr --res 100x70 --spp 5 --threads 1
+works render wood -o three.exr --res 100x70 --spp 5 --threads 3
+check "one thread and three" "$picture" same one.exr three.exr
+
+# ---- PNG -----------------------------------------------------------------------
+works render wood -o small.png --res 32x24 --spp 1
+same "PNG" "32 24 B G R" "$("$picture" layers small.png)"
+works render wood -o deep.png --res 32x24 --spp 1 --bits 16 --exposure -1
+check "a stop darker is darker" "$picture" between deep.png 1 1 R 0.1 0.85
+
+# ---- refusals ------------------------------------------------------------------
+refuses 2 "--output|'picture.gif'" render wood -o picture.gif
+refuses 2 "no output" render wood
+refuses 2 "--shape|'cube'" render wood -o x.png --shape cube
+refuses 2 "cannot read mesh 'none.obj'" render wood -o x.png --shape none.obj
+echo 'v 1 2 3' >empty.obj
+refuses 2 "empty.obj" render wood -o x.png --shape empty.obj
+refuses 2 "--size|'10x20'|WxHxT" render wood -o x.png --size 10x20
+refuses 2 "--size|'10x20x-3'|0.01" render wood -o x.png --size 10x20x-3
+refuses 2 "--res|'0x5'|1 to 32768" render wood -o x.png --res 0x5
+refuses 2 "--spp|'many'" render wood -o x.png --spp many
+refuses 2 "--light|'1'" render wood -o x.png --light 1
+refuses 2 "--camera|'behind'" render wood -o x.png --camera behind
+refuses 2 "--bits|12" render wood -o x.png --bits 12
+refuses 2 "cut|'diagonal'" render wood -o x.png --cut diagonal
+refuses 2 "pitch|-4|0.1|1000" render wood -o x.png -p pitch=-4
+refuses 2 "unknown channel 'shade'" render wood -o x.exr --channels shade
+refuses 2 "cannot write|nowhere" render wood -o nowhere/x.png
+refuses 1 "none.ocio" render wood -o x.png --config none.ocio # the mock has no colour service
+same "nothing is left of them" "" "$(find . -name '*x.png*' -o -name '*x.exr*')"
+
+# ---- Ctrl-C --------------------------------------------------------------------
+# bash has background jobs ignore SIGINT, so SIGTERM, which is handled alike.
+"$sozai" render wood -o cancelled.exr --res 4096x4096 --spp 1024 >cancel.out 2>cancel.err &
+pid=$!
+for _ in {1..100}; do
+  [[ -n $(find . -name '.*cancelled.exr') ]] && break
+  sleep 0.1
+done
+kill -TERM "$pid"
+wait "$pid"
+same "exit code when cancelled" 1 $?
+check "it says so" grep -q cancelled cancel.err
+same "nothing is left of it" "" "$(find . -name '*cancelled.exr*')"
+cd / || exit 1
+finish

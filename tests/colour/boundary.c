@@ -1,0 +1,200 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * What may not cross the C boundary: exceptions, prints, half results.
+ */
+#define _GNU_SOURCE /* fegetexcept */
+#include "library.h"
+
+#include <fenv.h>
+#include <locale.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+typedef int32_t (*conversion)(void *, const char *, float *, uint64_t, char *, size_t);
+
+static const float colour[3] = {0.1f, 0.2f, 0.3f};
+
+static void unknown_space(void **state) {
+  const sozai_colour_1 *s = *state;
+  const conversion both[] = {s->to_working, s->from_working};
+  for (int i = 0; i < 2; i++) {
+    float rgb[3] = {0.1f, 0.2f, 0.3f};
+    char message[512] = "";
+    assert_int_equal(both[i](s->self, "Utopia RGB", rgb, 1, message, sizeof message),
+                     SOZAI_ERROR_COLOUR);
+    assert_contains(message, "Utopia RGB");
+    assert_contains(message, s->config_name(s->self));
+    assert_memory_equal(rgb, colour, sizeof rgb);
+  }
+}
+
+static void arguments(void **state) {
+  const sozai_colour_1 *s = *state;
+  const conversion both[] = {s->to_working, s->from_working};
+  float rgb[3] = {0.1f, 0.2f, 0.3f};
+  for (int i = 0; i < 2; i++) {
+    assert_int_equal(both[i](s->self, NULL, rgb, 1, NULL, 0), SOZAI_ERROR_ARGUMENT);
+    assert_int_equal(both[i](s->self, "sRGB", NULL, 1, NULL, 0), SOZAI_ERROR_ARGUMENT);
+    assert_int_equal(both[i](NULL, "sRGB", rgb, 1, NULL, 0), SOZAI_ERROR_ARGUMENT);
+    assert_int_equal(both[i](s->self, "sRGB", NULL, 0, NULL, 0), SOZAI_OK);
+    assert_int_equal(both[i](s->self, "sRGB", rgb, 0, NULL, 0), SOZAI_OK);
+    assert_int_equal(both[i](s->self, "", rgb, 1, NULL, 0), SOZAI_ERROR_COLOUR);
+  }
+  assert_int_equal(s->to_display(s->self, NULL, NULL, NULL, 0, NULL, 0), SOZAI_OK);
+  assert_int_equal(s->to_display(s->self, NULL, NULL, NULL, 1, NULL, 0), SOZAI_ERROR_ARGUMENT);
+  assert_memory_equal(rgb, colour, sizeof rgb);
+  assert_int_equal(s->size, sizeof *s);
+}
+
+/* Any room will do; what fits is terminated, and cut between characters. */
+static void message_room(void **state) {
+  const sozai_colour_1 *s = *state;
+  const char *space = "\xE6\x9C\xA8\xE6\x9D\x90"; /* two characters of three bytes */
+  char full[512];
+  float rgb[3] = {0};
+  s->to_working(s->self, space, rgb, 1, full, sizeof full);
+  assert_contains(full, space);
+  assert_int_equal(s->to_working(s->self, space, rgb, 1, NULL, 10), SOZAI_ERROR_COLOUR);
+  assert_int_equal(s->to_working(s->self, space, rgb, 1, full, 0), SOZAI_ERROR_COLOUR);
+  char line[512];
+  s->to_working(s->self, "two\nlines\t", rgb, 1, line, sizeof line);
+  assert_contains(line, "two lines ");
+  for (size_t room = 1; room < 40; room++) {
+    char cut[41];
+    memset(cut, 'x', sizeof cut);
+    s->to_working(s->self, space, rgb, 1, cut, room);
+    size_t length = strlen(cut);
+    assert_true(length < room && length + 3 >= room);
+    assert_memory_equal(cut, full, length);
+    assert_int_not_equal((unsigned char)full[length] & 0xC0, 0x80);
+    assert_int_equal(cut[room], 'x');
+  }
+}
+
+static void bad_optimisation_flags(void **state) {
+  (void)state;
+  static const char *const bad[] = {"banana", "99999999999999999999999"};
+  for (size_t i = 0; i < 2; i++) {
+    const sozai_colour_1 *s = service_open(NULL);
+    float rgb[3] = {0.1f, 0.2f, 0.3f};
+    char message[512] = "";
+    setenv("OCIO_OPTIMIZATION_FLAGS", bad[i], 1);
+    int32_t result = s->to_working(s->self, "sRGB", rgb, 1, message, sizeof message);
+    int32_t display = s->to_display(s->self, NULL, NULL, rgb, 1, NULL, 0);
+    unsetenv("OCIO_OPTIMIZATION_FLAGS");
+    print_message("%s\n", message);
+    assert_int_equal(result, SOZAI_ERROR_COLOUR);
+    assert_int_equal(display, SOZAI_ERROR_COLOUR);
+    assert_contains(message, "OCIO_OPTIMIZATION_FLAGS");
+    assert_contains(message, bad[i]);
+    assert_memory_equal(rgb, colour, sizeof rgb);
+    /* A failure is not remembered. */
+    assert_int_equal(s->to_working(s->self, "sRGB", rgb, 1, NULL, 0), SOZAI_OK);
+    service_close(s);
+  }
+}
+
+static void only_finite_numbers_come_out(void **state) {
+  const sozai_colour_1 *s = *state;
+  static const char *const spaces[] = {"sRGB",        "ACEScg", "ACEScct",
+                                       "CIE XYZ D65", "Raw",    "sRGB - Display"};
+  const conversion both[] = {s->to_working, s->from_working};
+  const float hard[] = {NAN, INFINITY, -INFINITY, 3.4e38f, -3.4e38f, 1e-42f, 0.5f};
+  const int n = sizeof hard / sizeof *hard;
+  for (size_t k = 0; k < 6; k++)
+    for (int d = 0; d < 2; d++)
+      for (int i = 0; i < n * n * n; i++) {
+        float rgb[3] = {hard[i % n], hard[i / n % n], hard[i / n / n]};
+        assert_int_equal(both[d](s->self, spaces[k], rgb, 1, NULL, 0), SOZAI_OK);
+        for (int c = 0; c < 3; c++) assert_true(isfinite(rgb[c]));
+      }
+  float rgb[3] = {NAN, 0.5f, 1};
+  assert_int_equal(s->to_working(s->self, "sRGB", rgb, 1, NULL, 0), SOZAI_OK);
+  assert_true(rgb[0] == 0);
+  assert_float_equal(rgb[1], 0.21404114, 1e-6);
+}
+
+/* OpenColorIO would warn of this config on standard error. */
+static void prints_nothing(void **state) {
+  (void)state;
+  fflush(NULL);
+  FILE *caught = tmpfile();
+  int out = dup(1), err = dup(2);
+  dup2(fileno(caught), 1);
+  dup2(fileno(caught), 2);
+  const sozai_colour_1 *s = NULL;
+  int32_t result = library_factory()->open(SOZAI_TEST_DATA "/configs/doubled.ocio", &s, NULL, 0);
+  float rgb[3] = {0};
+  int32_t failing = s ? s->to_working(s->self, "lost", rgb, 1, NULL, 0) : 0;
+  library_factory()->close(s);
+  library_factory()->open(SOZAI_TEST_DATA "/configs/unfit.ocio", &s, NULL, 0);
+  library_factory()->open("/nowhere", &s, NULL, 0);
+  fflush(NULL);
+  dup2(out, 1);
+  dup2(err, 2);
+  close(out);
+  close(err);
+  fseek(caught, 0, SEEK_END);
+  long printed = ftell(caught);
+  fclose(caught);
+  assert_int_equal(result, SOZAI_OK);
+  assert_int_equal(failing, SOZAI_ERROR_COLOUR);
+  assert_int_equal(printed, 0);
+}
+
+static void convert_a_little(void) {
+  const sozai_colour_1 *s = service_open(NULL);
+  float rgb[3] = {0.5f, 0.5f, 0.5f};
+  assert_int_equal(s->to_working(s->self, "sRGB", rgb, 1, NULL, 0), SOZAI_OK);
+  assert_float_equal(rgb[1], 0.21404114, 1e-6);
+  assert_int_equal(s->to_working(s->self, "ACEScg", rgb, 1, NULL, 0), SOZAI_OK);
+  assert_float_equal(rgb[1], 0.21404114, 1e-6);
+  assert_int_equal(s->to_display(s->self, NULL, NULL, rgb, 1, NULL, 0), SOZAI_OK);
+  assert_float_equal(rgb[1], 0.5, 1e-5);
+  service_close(s);
+}
+
+static void environment_stays(void **state) {
+  (void)state;
+  static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+  for (size_t i = 0; i < sizeof modes / sizeof *modes; i++) {
+    fesetround(modes[i]);
+    convert_a_little();
+    int after = fegetround();
+    fesetround(FE_TONEAREST);
+    assert_int_equal(after, modes[i]);
+  }
+  assert_int_equal(fegetexcept(), 0);
+  assert_string_equal(setlocale(LC_ALL, NULL), "C");
+}
+
+/* Numbers in a config have points, whatever the host's locale. */
+static void comma_locale(void **state) {
+  (void)state;
+  static const char *const with_comma[] = {"de_DE.UTF-8", "fr_FR.UTF-8", "de_DE", "ru_RU.UTF-8"};
+  for (size_t i = 0; i < sizeof with_comma / sizeof *with_comma; i++)
+    if (setlocale(LC_ALL, with_comma[i])) {
+      convert_a_little();
+      assert_string_equal(setlocale(LC_ALL, NULL), with_comma[i]);
+      setlocale(LC_ALL, "C");
+      return;
+    }
+  skip();
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(unknown_space),
+      cmocka_unit_test(arguments),
+      cmocka_unit_test(message_room),
+      cmocka_unit_test(bad_optimisation_flags),
+      cmocka_unit_test(only_finite_numbers_come_out),
+      cmocka_unit_test(prints_nothing),
+      cmocka_unit_test(environment_stays),
+      cmocka_unit_test(comma_locale),
+  };
+  return cmocka_run_group_tests(tests, shipped_setup, shipped_teardown);
+}

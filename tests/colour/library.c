@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "library.h"
+
+#include <dlfcn.h>
+#include <stdlib.h>
+
+const char *const library_path = SOZAI_TEST_COLOUR;
+
+static void *handle;
+static const sozai_entry_v1 *entry;
+
+const sozai_entry_v1 *library_load(void) {
+  handle = dlopen(library_path, RTLD_NOW | RTLD_LOCAL);
+  if (!handle) fail_msg("%s", dlerror());
+  entry = dlsym(handle, SOZAI_COLOUR_ENTRY_SYMBOL);
+  assert_non_null(entry);
+  assert_int_equal(entry->abi_major, SOZAI_ABI_MAJOR);
+  return entry;
+}
+
+void library_unload(void) {
+  assert_int_equal(dlclose(handle), 0);
+  handle = NULL;
+  entry = NULL;
+}
+
+int library_setup(void **state) {
+  (void)state;
+  unsetenv("OCIO");
+  unsetenv("OCIO_OPTIMIZATION_FLAGS");
+  unsetenv("OCIO_LOGGING_LEVEL");
+  library_load();
+  return entry->init(library_path);
+}
+
+int library_teardown(void **state) {
+  (void)state;
+  entry->deinit();
+  library_unload();
+  return 0;
+}
+
+const sozai_colour_factory_1 *library_factory(void) {
+  return entry->get_factory(SOZAI_COLOUR_FACTORY_1);
+}
+
+const sozai_colour_1 *service_open(const char *config) {
+  const sozai_colour_1 *service = NULL;
+  char message[512] = "";
+  int32_t result = library_factory()->open(config, &service, message, sizeof message);
+  if (result != SOZAI_OK) fail_msg("open: %d, %s", (int)result, message);
+  assert_non_null(service);
+  return service;
+}
+
+void service_close(const sozai_colour_1 *service) { library_factory()->close(service); }
+
+int shipped_setup(void **state) {
+  if (library_setup(state) != 0) return -1;
+  *state = (void *)(uintptr_t)service_open(NULL);
+  return 0;
+}
+
+int shipped_teardown(void **state) {
+  service_close(*state);
+  return library_teardown(state);
+}
