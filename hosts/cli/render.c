@@ -100,7 +100,7 @@ static bool render_recipe(session *s, const recipe *r, const request *q, int kin
 static bool render_named(const char *name, const request *q, failure *why) {
   session s;
   recipe r;
-  int kind;
+  int kind = PICTURE_EXR;
   if (!picture_kind(q->output, &kind, why) || !session_open(&s, &q->shared, why)) return false;
   bool ok = session_recipe(&r, name, &q->shared, why);
   if (ok) {

@@ -222,7 +222,7 @@ static bool read_mesh(reader *in) {
     char *path = malloc(folder + strlen(name) + 1);
     if (path) {
       memcpy(path, in->out->file, folder);
-      strcpy(path + folder, name);
+      memcpy(path + folder, name, strlen(name) + 1);
     }
     free(name);
     name = path;

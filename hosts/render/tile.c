@@ -10,7 +10,7 @@
 #include "cancel.h"
 #include "samples.h"
 
-#define BATCH (TILE_SIDE * TILE_SIDE * 16)
+#define BATCH ((size_t)TILE_SIDE * TILE_SIDE * 16)
 #define INPUTS 16 /* arrays of a batch: five vectors and the footprint */
 #define NEUTRAL 0.5f
 

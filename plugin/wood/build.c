@@ -27,7 +27,7 @@ static double uniform(uint32_t seed, uint32_t stream, uint32_t k) {
   return (hash1(seed ^ hash1(stream * 0x9e3779b9u + k)) + 0.5) / 4294967296.0;
 }
 
-enum { STREAM_RINGS = 101, STREAM_LATE, STREAM_OUTLINE };
+enum { STREAM_RINGS = 101, STREAM_LATE, STREAM_OUTLINE, STREAM_ROW_X, STREAM_ROW_Z };
 
 /* Middles of equally likely parts of the normal distribution, scaled so that
  * their standard deviation is 1: for ring widths, and for vessel radii. */
@@ -100,11 +100,11 @@ static int32_t build_stem(wood_constants *w, const settings *s) {
   }
 
   double u = num(s, P_UNDULATION), size = num(s, P_UNDULATION_SIZE);
-  if (u > 0.12 * size) {
+  if (u > 0.0900001 * size) {
     return fail(SOZAI_ERROR_RANGE,
-                "undulation: %.9g mm is above 0.12 of undulation_size (%.9g mm): rings would cross; "
+                "undulation: %.9g mm is above 0.09 of undulation_size (%.9g mm): rings would cross; "
                 "0 to %.9g mm",
-                u, size, 0.12 * size);
+                u, size, 0.09 * size);
   }
   static const double weight[2] = {1.0, 0.3}, scale[2] = {1.0, 0.31};
   for (int o = 0; o < 2; o++) {
@@ -151,21 +151,27 @@ static int32_t ring_widths(const wood_constants *w, const settings *s, double *w
   return SOZAI_OK;
 }
 
+static double within01(double x) { return x < 0.0 ? 0.0 : x > 1.0 ? 1.0 : x; }
+
+/* The kernel's late_integral, for creation. */
 static double late_profile_integral(const wood_constants *w, double f) {
-  double past = f - (double)w->late_start, rise = (double)w->late_rise;
-  double g = past < 0.0 ? 0.0 : past > rise ? 1.0 : past / rise;
-  return rise * (g * g * g - 0.5 * g * g * g * g) + (past > rise ? past - rise : 0.0);
+  double before = 6.0 * (double)w->late_sixth, after = (double)w->late_after;
+  double past = f - (double)w->late_middle;
+  double a = within01((f - (double)w->late_start) / before), b = 1.0 - within01(past / after);
+  return before / 6.0 * a * a * a + after * (5.0 / 6.0 - b + b * b * b / 6.0) +
+         (past > after ? past - after : 0.0);
 }
 
 static void build_season(wood_constants *w, const settings *s) {
-  double fraction = num(s, P_LATE_FRACTION), abrupt = num(s, P_LATE_ABRUPTNESS);
+  double fraction = num(s, P_LATE_FRACTION), gradual = 1.0 - num(s, P_LATE_ABRUPTNESS);
   double middle = 1.0 - fraction;
-  double start = middle * (1.0 - 0.9 * (1.0 - abrupt));
-  double end = middle + fraction * (0.1 + 0.5 * (1.0 - abrupt));
-  w->late_start = (float)start;
-  w->late_rise = (float)(end - start);
-  w->inverse_late_rise = (float)(1.0 / (double)w->late_rise);
-  w->late_whole = (float)late_profile_integral(w, 1.0);
+  double before = middle * (0.03 + 0.87 * gradual), after = fraction * (0.08 + 0.52 * gradual);
+  w->late_middle = (float)middle;
+  w->late_start = (float)(middle - before);
+  w->inverse_late_before = (float)(1.0 / before);
+  w->late_sixth = (float)(before / 6.0);
+  w->late_after = (float)after;
+  w->inverse_late_after = (float)(1.0 / after);
 }
 
 static int32_t build_rings(wood_constants *w, const settings *s) {
@@ -192,7 +198,7 @@ static int32_t build_rings(wood_constants *w, const settings *s) {
   w->late_period = (float)late;
   w->ring_width = (float)(total / WOOD_RINGS);
   w->blur = 0.02f;
-  double plateau = 1.0 - (double)w->late_start - (double)w->late_rise;
+  double plateau = 1.0 - (double)w->late_middle - (double)w->late_after;
   double flat = (double)w->late_start < plateau ? (double)w->late_start : plateau;
   w->safe = (float)(flat * least);
 
@@ -267,7 +273,8 @@ static double build_radii(wood_vessels *v, double diameter_um, double spread) {
     v->inverse_square[i] = (float)(1.0 / (k * k));
   }
   v->radius = (float)(0.5e-3 * diameter_um);
-  /* a little farther, so that rounding leaves nothing beyond it */
+  /* disc.top is 2.5 at the most; a little farther, so that rounding leaves
+   * nothing beyond it */
   v->farthest = 2.5001f / v->inverse_square[WOOD_RADII - 1];
   return square / WOOD_RADII;
 }
@@ -280,6 +287,47 @@ static float longest_footprint(double clear, double radius) {
   double least = radius * radius;
   if (e2 < least) e2 = least;
   return (float)__builtin_sqrt(e2);
+}
+
+/* Discs thrown at random over an area leave exp(-c) of it free, c being the
+ * sum of their areas over it. */
+static void build_overlap(wood_vessels *v) {
+  double c = (double)v->coverage;
+  double covered = 1.0 - scalar_exp(-c);
+  v->overlap = c > 1e-6 ? (float)(1.0 - covered / c) : 0.0f;
+  v->coverage = (float)covered;
+}
+
+/* The same for the rows, which overlap their neighbours only: they are laid
+ * out as the kernel does, and their covered area is counted on a grid. */
+static void build_row_overlap(wood_constants *w, double row_density) {
+  enum { VESSELS = 24, ACROSS = 6, DEEP = 10 };
+  double radius = (double)w->row.radius, spacing = 1.0 / row_density;
+  double deep = 2.0 * radius / DEEP, across = spacing / ACROSS;
+  int rows = w->rows, lines = (int)(((double)w->row_spacing * rows + 2.0 * radius) / deep) + 1;
+  long area = 0, covered = 0;
+  for (int i = 0; i < VESSELS * ACROSS; i++) {
+    for (int j = 0; j < lines; j++) {
+      double px = (i + 0.5) * across, pz = (j + 0.5) * deep - radius;
+      int hits = 0;
+      for (int m = 0; m < rows; m++) {
+        for (int k = i / ACROSS - 1; k <= i / ACROSS + 1; k++) {
+          uint32_t id = (uint32_t)(m * (VESSELS + 2) + k + 1);
+          double shift = uniform(1, STREAM_ROW_X, 9999u + (uint32_t)m) - 0.5;
+          double jx = (uniform(1, STREAM_ROW_X, id) - 0.5) * (double)w->row_jitter_arc;
+          double jz = (uniform(1, STREAM_ROW_Z, id) - 0.5) * (double)w->row_jitter_radial;
+          double dx = px - (k + 0.5 + shift + jx) * spacing;
+          double dz = pz - jz - m * (double)w->row_spacing;
+          double square = (double)w->row.inverse_square[(id * 7) % WOOD_RADII];
+          hits += (dx * dx + dz * dz) * square < radius * radius;
+        }
+      }
+      area += hits;
+      covered += hits > 0;
+    }
+  }
+  w->row.overlap = area ? (float)(1.0 - (double)covered / (double)area) : 0.0f;
+  w->row.coverage *= 1.0f - w->row.overlap;
 }
 
 static void build_vessels(wood_constants *w, const settings *s) {
@@ -299,6 +347,7 @@ static void build_vessels(wood_constants *w, const settings *s) {
   w->pores.coverage =
       (float)(0.5 * TWO_PI * (double)w->pores.radius * (double)w->pores.radius * square * density);
   if (!w->has_pores) w->pores.coverage = 0.0f;
+  build_overlap(&w->pores);
   w->pore_early = 1.0f;
   w->pore_growth = (float)(late - 1.0);
   double g = late - 1.0;
@@ -313,9 +362,6 @@ static void build_vessels(wood_constants *w, const settings *s) {
   w->row.inverse_cell = (float)row_density;
   w->vessel_reach = w->has_pores ? w->pores.reach : w->row.reach;
   if (w->rows && w->row.reach < w->vessel_reach) w->vessel_reach = w->row.reach;
-  w->vessel_last = w->vessel_reach;
-  if (w->rows && w->row.reach > w->vessel_last) w->vessel_last = w->row.reach;
-  if (w->has_pores && w->pores.reach > w->vessel_last) w->vessel_last = w->pores.reach;
   w->row_density = (float)row_density;
   w->row_spacing = (float)row_spacing;
   w->row_start = (float)(0.55e-3 * row_d);
@@ -333,6 +379,7 @@ static void build_vessels(wood_constants *w, const settings *s) {
   if (w->rows) {
     w->row.coverage = (float)(w->rows * row_density * 0.5 * TWO_PI * row_radius * row_radius *
                               row_square / (double)w->band);
+    build_row_overlap(w, row_density);
   }
 
   /* how much of the latewood tissue the pores are expected to take: the mean

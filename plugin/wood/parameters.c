@@ -108,7 +108,7 @@ static const sozai_parameter pith_wander = {
 static const sozai_parameter late_fraction = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "latewood_fraction", .label = "Latewood fraction", .group = "season", .unit = "",
-   .doc = "Share of a ring that is latewood.",
+   .doc = "Share of a ring after the point where its tissue is half way to latewood.",
    .hard_min = 0.01, .hard_max = 0.95, .soft_min = 0.05, .soft_max = 0.6, .default_number = {0.3}};
 
 static const sozai_parameter late_abruptness = {
@@ -178,7 +178,7 @@ static const sozai_parameter interlocked_length = {
    .id = "interlocked_length", .label = "Interlocked length", .group = "grain", .unit = "mm",
    .doc = "Along the stem: the slopes also change sides slowly, over this length, which bounds "
    "the shear between years.",
-   .hard_min = 100, .hard_max = 100000, .soft_min = 500, .soft_max = 5000, .default_number = {1600}};
+   .hard_min = 100, .hard_max = 100000, .soft_min = 500, .soft_max = 5000, .default_number = {1000}};
 
 static const sozai_parameter slope_noise = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -311,7 +311,7 @@ static const sozai_parameter shininess = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "shininess", .label = "Shininess", .group = "figure", .unit = "",
    .doc = "n of equation (4): the lobe's exponent.",
-   .hard_min = 1, .hard_max = 1000, .soft_min = 5, .soft_max = 200, .default_number = {30}};
+   .hard_min = 1, .hard_max = 1000, .soft_min = 5, .soft_max = 200, .default_number = {12}};
 
 static const sozai_parameter tint = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,

@@ -37,14 +37,17 @@ INLINE ring_place ring_at(const wood_constants *w, vf rho) {
   return p;
 }
 
-/* Integral of the latewood profile from 0 to f: the profile is 0 up to
- * late_start, rises as a smooth step, and stays 1 to the ring's end. */
+/* Integral from 0 to f of the latewood profile: 0 up to late_start, rising by
+ * a parabola to 1/2 where the latewood begins, by another to 1 after late_end
+ * more, and 1 to the ring's end. */
 INLINE vf late_integral(const wood_constants *w, vf f) {
-  vf past = f - splat(w->late_start);
-  vf g = clamp01(past * splat(w->inverse_late_rise));
-  vf g3 = g * g * g;
-  return splat(w->late_rise) * (g3 - splat(0.5f) * g3 * g) +
-         vmax(past - splat(w->late_rise), splat(0.0f));
+  vf one = splat(1.0f), past = f - splat(w->late_middle);
+  vf a = clamp01((f - splat(w->late_start)) * splat(w->inverse_late_before));
+  vf b = one - clamp01(past * splat(w->inverse_late_after));
+  vf after = splat(w->late_after);
+  return splat(w->late_sixth) * a * a * a +
+         after * (splat(5.0f / 6.0f) - b + b * b * b * splat(1.0f / 6.0f)) +
+         vmax(past - after, splat(0.0f));
 }
 
 /* Integral from 0 to f of the pores' expected coverage over its full value. */

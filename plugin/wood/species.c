@@ -41,7 +41,7 @@ static const sozai_value values_onigurumi[] = {
     NUMBER("vessel_diameter_spread", 0.2),
     NUMBER("fibre_brightness", 0.15),
     SRGB("earlywood_colour", 168, 128, 88), SRGB("latewood_colour", 132, 95, 63),
-    SRGB("vessel_colour", 78, 54, 36),
+    SRGB("vessel_colour", 124, 94, 65),
     NUMBER("specular", 0.06),
 };
 SPECIES(onigurumi, "Onigurumi, Japanese walnut (Juglans mandshurica var. sachalinensis)",
@@ -56,7 +56,7 @@ static const sozai_value values_makaba[] = {
     NUMBER("vessel_diameter", 92.0),     NUMBER("vessel_diameter_spread", 0.2),
     NUMBER("fibre_brightness", 0.09),
     SRGB("earlywood_colour", 214, 170, 130), SRGB("latewood_colour", 186, 138, 99),
-    SRGB("vessel_colour", 172, 126, 90),
+    SRGB("vessel_colour", 194, 150, 113),
     NUMBER("specular", 0.09),
 };
 SPECIES(makaba, "Makaba, monarch birch (Betula maximowicziana)",
@@ -71,7 +71,7 @@ static const sozai_value values_yamazakura[] = {
     NUMBER("vessel_diameter", 46.0),     NUMBER("vessel_diameter_spread", 0.2),
     NUMBER("fibre_brightness", 0.1),
     SRGB("earlywood_colour", 200, 146, 102), SRGB("latewood_colour", 164, 108, 70),
-    SRGB("vessel_colour", 158, 106, 72),
+    SRGB("vessel_colour", 178, 127, 88),
     NUMBER("specular", 0.08),
 };
 SPECIES(yamazakura, "Yamazakura, Japanese cherry (Cerasus jamasakura)",
@@ -89,7 +89,7 @@ static const sozai_value values_mizunara[] = {
     NUMBER("earlywood_jitter", 0.6),
     NUMBER("fibre_brightness", 0.12),
     SRGB("earlywood_colour", 203, 171, 128), SRGB("latewood_colour", 180, 144, 100),
-    SRGB("vessel_colour", 128, 97, 64),
+    SRGB("vessel_colour", 168, 137, 99),
     NUMBER("specular", 0.06),
 };
 SPECIES(mizunara, "Mizunara, Japanese oak (Quercus crispula)",
@@ -107,7 +107,7 @@ static const sozai_value values_harunire[] = {
     NUMBER("earlywood_jitter", 0.7),
     NUMBER("fibre_brightness", 0.14),
     SRGB("earlywood_colour", 196, 158, 116), SRGB("latewood_colour", 160, 118, 78),
-    SRGB("vessel_colour", 112, 80, 52),
+    SRGB("vessel_colour", 150, 116, 82),
     NUMBER("specular", 0.06),
 };
 SPECIES(harunire, "Harunire, Japanese elm (Ulmus davidiana var. japonica)",
@@ -125,7 +125,7 @@ static const sozai_value values_keyaki[] = {
     NUMBER("earlywood_jitter", 0.5),
     NUMBER("fibre_brightness", 0.12),
     SRGB("earlywood_colour", 212, 160, 100), SRGB("latewood_colour", 172, 112, 60),
-    SRGB("vessel_colour", 104, 66, 36),
+    SRGB("vessel_colour", 158, 112, 67),
     NUMBER("specular", 0.08),
 };
 SPECIES(keyaki, "Keyaki, Japanese zelkova (Zelkova serrata)",
@@ -167,8 +167,9 @@ static const sozai_value values_itayakaede[] = {
     NUMBER("vessel_diameter", 66.0),     NUMBER("vessel_diameter_spread", 0.2),
     NUMBER("fibre_brightness", 0.07),
     SRGB("earlywood_colour", 232, 202, 160), SRGB("latewood_colour", 198, 156, 110),
-    SRGB("vessel_colour", 200, 162, 120),
-    NUMBER("specular", 0.22),            NUMBER("shininess", 45.0),
+    SRGB("vessel_colour", 214, 182, 140),
+    NUMBER("diffuse", 0.8),              NUMBER("specular", 0.35),
+    NUMBER("shininess", 12.0),
 };
 SPECIES(itayakaede, "Itayakaede, painted maple with wavy grain (Acer pictum)",
         "Nearly white, close-textured; wavy grain gives a cross figure that moves with the light.",

@@ -117,7 +117,8 @@ INLINE stem_place stem_at(const wood_constants *w, vf x, vf y, vf z, vf footprin
   vm centre = lt(square, splat(1e-12f));
   square = vmax(square, splat(1e-12f));
   p.inverse_r = inverse_root(square);
-  p.r = square * p.inverse_r;
+  /* rounded as well as can be: shear along a fibre multiplies its error */
+  p.r = vsqrt(square);
   p.c = sel(centre, splat(1.0f), x * p.inverse_r);
   p.s = sel(centre, splat(0.0f), z * p.inverse_r);
 

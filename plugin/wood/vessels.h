@@ -9,13 +9,16 @@
  * Earlywood vessels stand along the ring boundary, 2 pi R P to a ring, evenly
  * spaced with jitter. Radii are normally distributed, truncated above zero.
  *
- * Filtering. A vessel's edge is a ramp in q = (distance / radius)^2 from 0.75
- * to 1.25: its area and its half level are the disc's. Under a footprint of
- * covariance C the disc's matrix R^2 I grows to R^2 I + C / 0.2552 (0.2552 R^2
- * is the ramped disc's own variance), and its height falls by the ratio of the
- * areas: the mean is exact, the shape approximate. Where a footprint is longer
- * than the cells looked at, it is cut into four along its longest direction;
- * beyond that the expected coverage takes over.
+ * Filtering. A vessel is a ramp in q = (distance / radius)^2, from 1.25 where
+ * it is 0 to 0.75 where it is 1: its area and its half level are the disc's.
+ * Under a footprint of covariance C the disc's matrix R^2 I grows to
+ * M = R^2 I + C / 0.2552 (0.2552 R^2 is the ramped disc's own variance). While
+ * x = R^2 / sqrt(det M) is above 0.55 the vessel stays full in its middle, its
+ * area is kept by moving the half level to q = x, and the ramp widens; below,
+ * it is a cone in q whose height falls with x. The area is exact throughout,
+ * the shape approximate. A footprint longer than the cells looked at is cut
+ * into 2, 4 or 8 along its longest direction; beyond that the expected
+ * coverage takes over. tests/property prints the errors.
  */
 #ifndef SOZAI_WOOD_VESSELS_H
 #define SOZAI_WOOD_VESSELS_H
@@ -29,22 +32,27 @@ typedef struct {
   vf xx, xz, zz;
 } matrix2;
 
-/* What a blurred disc comes to: cov = height * clamp(2.5 - q), with
- * q = 2 d^T M^-1 d in units of the mean radius. */
+/* What a blurred disc comes to: height * clamp(top - q), with q = d^T Q d in
+ * units of the mean radius. */
 typedef struct {
-  vf xx, xz, zz, height;
+  vf xx, xz, zz; /* of Q; xz doubled */
+  vf top, height;
 } disc;
 
 INLINE disc disc_blurred(vf radius2, matrix2 c) {
-  vf k = splat(1.0f / 0.2552f);
+  vf k = splat(1.0f / 0.2552f), one = splat(1.0f);
   vf xx = radius2 + k * c.xx, zz = radius2 + k * c.zz, xz = k * c.xz;
   vf det = vmax(xx * zz - xz * xz, radius2 * radius2);
-  vf root = inverse_root(det), inverse = root * root;
+  vf root = inverse_root(det), x = radius2 * root;
+  vf middle = vmax(x, splat(0.55f));
+  vf slope = one / vmin(splat(4.5f) - splat(4.0f) * x, splat(1.1f)); /* one over the ramp's width */
+  vf inverse = root * root * slope;
   disc d;
-  d.height = radius2 * root;
-  d.xx = zz * inverse * splat(2.0f);
-  d.zz = xx * inverse * splat(2.0f);
-  d.xz = xz * inverse * splat(-4.0f);
+  d.height = vmin(x * splat(1.0f / 0.55f), one);
+  d.top = splat(0.5f) + middle * slope;
+  d.xx = zz * inverse;
+  d.zz = xx * inverse;
+  d.xz = splat(-2.0f) * xz * inverse;
   return d;
 }
 
@@ -54,9 +62,17 @@ INLINE vf disc_distance(const disc *d, vf x, vf z) {
 
 /* Cover by one vessel at distance q, its radius drawn from the hash; over the
  * disc's height. */
-INLINE vf vessel_cover(const wood_vessels *v, vu h, vf q) {
+INLINE vf vessel_cover(const wood_vessels *v, const disc *d, vu h, vf q) {
   vi i = (vi)((h >> 5) & splatu(WOOD_RADII - 1));
-  return clamp01(splat(2.5f) - q * lookup32(v->inverse_square, i));
+  return clamp01(d->top - q * lookup32(v->inverse_square, i));
+}
+
+/* From the sum of covers to the share covered: discs overlap, and where they
+ * are blurred the sum counts that twice, by `overlap` on average. */
+INLINE vf vessel_overlap(const wood_vessels *v, const disc *d, vf sum) {
+  vf blurred = splat(1.0f) - d->height;
+  sum = sum * d->height;
+  return vmin(sum - sum * blurred * splat(v->overlap), splat(1.0f));
 }
 
 /* Coverage by the field's pores at (x, z) of the reference section. The four
@@ -86,11 +102,11 @@ INLINE vf pores_cover(const wood_constants *w, vf x, vf z, const disc *d) {
       vf z1 = oz - to_float((vi)((h >> 10) & splatu(2047))) * splat(v->step);
       vf q = disc_distance(d, x1, z1);
       /* past `farthest` the cover is exactly 0: passing over it changes nothing */
-      if (!idle(lt(q, splat(v->farthest)))) sum = sum + vessel_cover(v, h, q);
+      if (!idle(lt(q, splat(v->farthest)))) sum = sum + vessel_cover(v, d, h, q);
       h = base * splatu(0x2c1b3c6du);
     }
   }
-  return sum * d->height;
+  return vessel_overlap(v, d, sum);
 }
 
 /* The earlywood band nearest to a point, and the point's place along it. */
@@ -155,10 +171,10 @@ INLINE vf rows_cover(const wood_constants *w, const row_place *p, vf rho, vf da,
       vf i = to_float((vi)((h >> 10) & splatu(2047))) * splat(1.0f / 2048.0f) - splat(0.5f);
       vf x = (within - splat((float)a) - j * splat(w->row_jitter_arc)) * p->arc;
       vf z = radial - i * splat(w->row_jitter_radial);
-      sum = sum + vessel_cover(&w->row, h, disc_distance(d, x, z));
+      sum = sum + vessel_cover(&w->row, d, h, disc_distance(d, x, z));
     }
   }
-  return sel(p->near, sum * d->height, splat(0.0f));
+  return sel(p->near, vessel_overlap(&w->row, d, sum), splat(0.0f));
 }
 
 /* Where a point's vessels are looked up. */
@@ -170,24 +186,64 @@ typedef struct {
   footprint2 f; /* over (arc, rho) */
 } vessel_place;
 
-/* The footprint's longest direction over (arc, rho), and what is left when it
- * is taken out. Covariances are a twelfth of the products. */
+/* A footprint over (arc, rho) as two vectors, mm: its longest direction, and
+ * what is left, which lies along arc or rho alone. */
 typedef struct {
-  vf arc, rho;  /* mm: the whole length along it */
-  vf aa, ab, bb;
-} footprint_axis;
+  vf arc, rho;
+  vf rest_arc, rest_rho;
+} footprint_axes;
 
-INLINE footprint_axis footprint_longest(const footprint2 *f) {
-  footprint_axis l;
+INLINE footprint_axes footprint_split(const footprint2 *f) {
+  footprint_axes l;
+  vf zero = splat(0.0f);
   vm across = le(f->bb, f->aa);
-  vf major = vsqrt(vmax(sel(across, f->aa, f->bb), splat(1e-12f)));
-  vf other = f->ab / major;
+  vf square = vmax(sel(across, f->aa, f->bb), splat(1e-12f));
+  vf inverse = inverse_root(square), major = square * inverse, other = f->ab * inverse;
   l.arc = sel(across, major, other);
   l.rho = sel(across, other, major);
-  l.aa = vmax(f->aa - l.arc * l.arc, splat(0.0f));
-  l.bb = vmax(f->bb - l.rho * l.rho, splat(0.0f));
-  l.ab = splat(0.0f);
+  vf rest = vsqrt(vmax(sel(across, f->bb, f->aa) - other * other, zero));
+  l.rest_arc = sel(across, zero, rest);
+  l.rest_rho = sel(across, rest, zero);
   return l;
+}
+
+/* How a footprint is cut into parts, lane by lane: `along` of its longest
+ * direction (1, 2, 4 or 8), `beside` of what is left (1 or 2). */
+typedef struct {
+  vm cut, most;       /* into more than one; into as many as there are */
+  vf along, beside;   /* inverses of the numbers */
+  vf aa, ab, bb;      /* of one part */
+  int taps;           /* of the lane that has the most */
+} footprint_parts;
+
+INLINE vf square_of(vf x) { return x * x; }
+
+INLINE footprint_parts footprint_cut(const footprint2 *f, const footprint_axes *l, vm cut,
+                                     float reach) {
+  footprint_parts p;
+  vf one = splat(1.0f), half = splat(0.5f), reach2 = splat(reach * reach);
+  vf long2 = square_of(l->arc) + square_of(l->rho);
+  vf rest2 = square_of(l->rest_arc) + square_of(l->rest_rho);
+  vm wide = and_(cut, gt(rest2, splat(0.36f) * reach2));
+  p.cut = cut;
+  p.beside = sel(wide, half, one);
+  rest2 = rest2 * square_of(p.beside);
+  vm two = gt(long2 + rest2, reach2), four = gt(long2 * splat(0.25f) + rest2, reach2);
+  vm eight = and_(not_(wide), gt(long2 * splat(0.0625f) + rest2, reach2));
+  p.most = and_(cut, or_(eight, and_(wide, four)));
+  p.along = sel(two, half, one);
+  p.along = sel(four, splat(0.25f), p.along);
+  p.along = sel(eight, splat(0.125f), p.along);
+  p.along = sel(cut, p.along, one);
+  vf k = square_of(p.along), r = square_of(p.beside);
+  p.aa = sel(cut, square_of(l->arc) * k + square_of(l->rest_arc) * r, f->aa);
+  p.bb = sel(cut, square_of(l->rho) * k + square_of(l->rest_rho) * r, f->bb);
+  p.ab = sel(cut, l->arc * l->rho * k, f->ab);
+  p.taps = any(p.most) ? 8
+           : any(and_(cut, or_(four, wide))) ? 4
+           : any(cut) ? 2
+                      : 1;
+  return p;
 }
 
 /* From (arc, rho) at direction (c, s) to (x, z). */
@@ -205,25 +261,17 @@ typedef struct {
   vf pores_faded, rows_faded;   /* 1: the expected coverage is to be used */
 } vessel_cover_t;
 
+/* 0 while sqrt(e2) is below 0.6 of the reach, 1 from the whole of it on. */
 INLINE vf fade_beyond(vf e2, float reach) {
   return smooth_step(splat(0.6f * reach), splat(reach), vsqrt(e2));
 }
 
-/* One tap: part i of the `parts` (1, 2 or 4, lane by lane) that a footprint is
- * cut into along its longest direction. `share` is 1 / parts. */
+/* One tap, `da` along the arc and `dr` along rho off the centre. */
 INLINE void vessels_tap(const wood_constants *w, const vessel_place *p, const row_place *row,
-                        const footprint_axis *l, vm cut, vf share, vf along, vf weight, vessel_cover_t *sum) {
+                        const footprint_parts *part, vf da, vf dr, vf weight,
+                        vessel_cover_t *sum) {
   vf twelfth = splat(1.0f / 12.0f);
-  vf aa = p->f.aa * twelfth, ab = p->f.ab * twelfth, bb = p->f.bb * twelfth;
-  vf da = splat(0.0f), dr = da;
-  if (any(cut)) {
-    vf part = share * share * twelfth;
-    aa = sel(cut, l->arc * l->arc * part + l->aa * twelfth, aa);
-    bb = sel(cut, l->rho * l->rho * part + l->bb * twelfth, bb);
-    ab = sel(cut, l->arc * l->rho * part, ab);
-    da = sel(cut, l->arc * along, da);
-    dr = sel(cut, l->rho * along, dr);
-  }
+  vf aa = part->aa * twelfth, ab = part->ab * twelfth, bb = part->bb * twelfth;
   if (w->has_pores) {
     matrix2 m = to_section(aa, ab, bb, p->c, p->s);
     vf radius2 = splat(w->pores.radius * w->pores.radius);
@@ -242,35 +290,43 @@ INLINE void vessels_tap(const wood_constants *w, const vessel_place *p, const ro
   }
 }
 
-/* A footprint within reach is answered by one tap, a longer one by two halves
- * or four quarters; past the reach of those the expected coverage fades in. */
+/* A footprint within reach is answered by one tap, a longer one by up to 8;
+ * past the reach of those the expected coverage fades in. */
 INLINE vessel_cover_t vessels_at(const wood_constants *w, const vessel_place *p) {
   vf zero = splat(0.0f), one = splat(1.0f);
   vessel_cover_t v = {zero, zero, zero, zero};
-  vf reach2 = splat(w->vessel_reach * w->vessel_reach);
-  vm cut = gt(p->f.aa + p->f.bb, reach2), gone = not_(le(zero, one)), halves = gone;
-  vf share = one;
-  footprint_axis l = {zero, zero, zero, zero, zero};
-  int taps = 1;
-  if (any(cut)) {
-    l = footprint_longest(&p->f);
-    vf along2 = l.arc * l.arc + l.rho * l.rho, rest2 = l.aa + l.bb;
-    vf quarter2 = along2 * splat(1.0f / 16.0f) + rest2;
-    halves = and_(cut, le(along2 * splat(0.25f) + rest2, reach2));
-    share = sel(cut, sel(halves, splat(0.5f), splat(0.25f)), one);
-    gone = and_(cut, gt(quarter2, splat(w->vessel_last * w->vessel_last)));
-    vm quarters = and_(and_(cut, not_(halves)), not_(gone));
-    taps = any(quarters) ? 4 : any(halves) ? 2 : any(not_(cut)) ? 1 : 0;
-    vf faded = sel(and_(cut, not_(halves)), quarter2, zero);
-    v.pores_faded = fade_beyond(faded, w->pores.reach);
-    v.rows_faded = fade_beyond(faded, w->row.reach);
-  }
   row_place row;
   if (w->rows) row = row_at(w, &p->ring, p->rho, p->c, p->s, vsqrt(p->f.bb));
-  for (int i = 0; i < taps; i++) {
-    vf along = (splat((float)i + 0.5f)) * share - splat(0.5f);
-    vf weight = sel(lt(along, splat(0.5f)), share, zero);
-    vessels_tap(w, p, &row, &l, cut, share, along, weight, &v);
+  vm cut = gt(p->f.aa + p->f.bb, splat(w->vessel_reach * w->vessel_reach));
+  if (!any(cut)) {
+    footprint_parts whole = {cut, cut, one, one, p->f.aa, p->f.ab, p->f.bb, 1};
+    vessels_tap(w, p, &row, &whole, zero, zero, one, &v);
+    return v;
+  }
+
+  footprint_axes l = footprint_split(&p->f);
+  footprint_parts part = footprint_cut(&p->f, &l, cut, w->vessel_reach);
+  v.pores_faded = sel(part.most, fade_beyond(part.aa + part.bb, w->pores.reach), zero);
+  /* along the arc a row's looked-up neighbours run out; along rho a footprint
+   * that is not short beside the ring meets the bands of others */
+  vf rings = vsqrt(p->f.bb) * p->ring.inverse_width;
+  v.rows_faded = vmax(sel(part.most, fade_beyond(part.aa, w->row.reach), zero),
+                      sel(cut, smooth_step(splat(0.45f), splat(0.8f), rings), zero));
+  vm gone = cut;
+  if (w->has_pores) gone = and_(gone, le(one, v.pores_faded));
+  if (w->rows) gone = and_(gone, le(one, v.rows_faded));
+  if (!any(not_(gone))) return v;
+  for (int i = 0; i < part.taps; i++) {
+    /* the i-th part: `along` runs first, then the other side */
+    vf at = splat((float)i + 0.5f) * part.along;
+    vm second = gt(at, one);
+    vf a = at - splat(0.5f) - sel(second, one, zero);
+    vf side = sel(lt(part.beside, one), sel(second, splat(0.25f), splat(-0.25f)), zero);
+    vf weight = part.along * part.beside;
+    weight = sel(lt(at * part.beside, one), weight, zero);
+    vf da = sel(cut, l.arc * a + l.rest_arc * side, zero);
+    vf dr = sel(cut, l.rho * a + l.rest_rho * side, zero);
+    vessels_tap(w, p, &row, &part, da, dr, weight, &v);
   }
   v.pores = sel(gone, zero, v.pores);
   v.rows = sel(gone, zero, v.rows);

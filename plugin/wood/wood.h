@@ -47,6 +47,7 @@ typedef struct {
   float reach;       /* mm: the longest footprint that one look-up answers */
   float farthest;    /* q, in units of the mean radius, at which the largest vessel ends */
   float coverage;    /* expected area fraction where the layer is at full size */
+  float overlap;     /* share of the discs' areas that lies under another disc */
   float inverse_square[WOOD_RADII];
 } wood_vessels;
 
@@ -69,8 +70,10 @@ typedef struct {
   float bin_scale;                        /* bins per mm */
   int32_t bin_last;
   float ring_width; /* mm, the mean */
-  float late_start, late_rise, inverse_late_rise; /* phase */
-  float late_whole;  /* integral of the profile over a ring */
+  float late_start, late_middle;    /* phase: the rise begins; it is half way */
+  float inverse_late_before;        /* 1 / (middle - start) */
+  float late_after, inverse_late_after; /* from the middle to the whole, and its inverse */
+  float late_sixth;                 /* (middle - start) / 6 */
   float late_period; /* integral over the table */
   float blur;        /* mm: no ring edge is sharper */
   float safe;        /* mm: footprints this small never span a ring's rise and an edge */
@@ -94,7 +97,7 @@ typedef struct {
   float pore_ring_mean;          /* mean over the ring of size^2 */
   wood_vessels row;              /* of the earlywood: rows at the ring's start */
   int32_t has_pores, rows;
-  float vessel_reach, vessel_last; /* the lesser and the greater of the layers' reach */
+  float vessel_reach; /* mm: the lesser of the layers' reach */
   float row_density;   /* 1/mm of arc */
   float row_spacing;   /* mm, radially */
   float row_start;     /* mm, of the first row's centres after the ring's start */

@@ -95,7 +95,7 @@ refuses 2 "not the name of a file" eval wood -o "$scratch" <<<$'px,py,pz\n1,2,3'
 
 # ---- what is no file is written in place -------------------------------------
 mkfifo "$scratch/pipe"
-cat "$scratch/pipe" >"$scratch/piped" &
+timeout 20 cat "$scratch/pipe" >"$scratch/piped" &
 works eval wood --channels reference -o "$scratch/pipe" <<<$'px,py,pz\n1,2,3'
 wait
 same "through a pipe" $'reference_x,reference_z\n1,3' "$(<"$scratch/piped")"

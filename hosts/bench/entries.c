@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "entries.h"
+
+/* clang-format off */
+#define FULL(label, size, set) {.name = label, .batch = size, .wood = {.cpu = set}}
+#define FULL_ON(set) FULL("wood.full.batch1024@" set, 1024, set), \
+  FULL("wood.full.batch16@" set, 16, set), FULL("wood.full.batch1@" set, 1, set)
+#define ALONE(label, ...) {.name = "wood." label ".batch1024", .batch = 1024, __VA_ARGS__}
+#define CHANNEL(id) ALONE(id, .channel = id)
+#define GRAIN(id) ALONE("grain_" id, .channel = "albedo", .wood = {.grain = id})
+#define POROSITY(id) ALONE("porosity_" id, .channel = "albedo", .wood = {.porosity = id})
+#define FOOTPRINT(mm) ALONE("footprint_" #mm, .footprint = (float)(mm))
+/* clang-format on */
+
+const entry entries[] = {
+    FULL("wood.full.batch1024", 1024, NULL),
+    FULL("wood.full.batch16", 16, NULL),
+    FULL("wood.full.batch1", 1, NULL),
+#if defined(__x86_64__)
+    FULL_ON("avx512"),
+    FULL_ON("avx2"),
+    FULL_ON("sse2"),
+#elif defined(__aarch64__)
+    FULL_ON("neon"),
+#endif
+    FULL_ON("scalar"),
+    CHANNEL("albedo"),
+    CHANNEL("radiance"),
+    CHANNEL("fiber"),
+    CHANNEL("dive"),
+    CHANNEL("time"),
+    CHANNEL("latewood"),
+    CHANNEL("vessel"),
+    CHANNEL("reference"),
+    GRAIN("straight"),
+    GRAIN("spiral"),
+    GRAIN("wavy"),
+    GRAIN("interlocked"),
+    POROSITY("none"),
+    POROSITY("diffuse"),
+    POROSITY("semi_ring"),
+    POROSITY("ring"),
+    FOOTPRINT(0.01),
+    FOOTPRINT(0.0625),
+    FOOTPRINT(0.1),
+    FOOTPRINT(0.3),
+    FOOTPRINT(1),
+    FOOTPRINT(3),
+    FOOTPRINT(10),
+    FOOTPRINT(30),
+    FOOTPRINT(100),
+    {.name = "wood.threads2.batch1024", .kind = ENTRY_THREADS, .batch = 1024},
+    {.name = "wood.create", .kind = ENTRY_CREATE},
+    {.name = "wood.load", .kind = ENTRY_LOAD},
+};
+const size_t entry_count = sizeof entries / sizeof entries[0];

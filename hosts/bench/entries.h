@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: Apache-2.0
+ * What there is to measure. The names stay as they are: results of one version
+ * are compared with those of another. */
+#ifndef SOZAI_BENCH_ENTRIES_H
+#define SOZAI_BENCH_ENTRIES_H
+
+#include <stddef.h>
+#include <stdint.h>
+#include "wood.h"
+
+#define ENTRY_POINTS 0  /* evaluating the board's part */
+#define ENTRY_THREADS 1 /* the same on two threads */
+#define ENTRY_CREATE 2
+#define ENTRY_LOAD 3
+
+typedef struct entry {
+  const char *name;
+  int kind; /* ENTRY_* */
+  uint32_t batch;
+  float footprint;     /* mm; 0: a texel */
+  const char *channel; /* NULL: all */
+  wood wood;
+} entry;
+
+extern const entry entries[];
+extern const size_t entry_count;
+
+#endif

@@ -1,0 +1,215 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "run.h"
+
+#include <math.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include "clock.h"
+#include "load.h"
+#include "measure.h"
+#include "op_count.h"
+#include "parallel.h"
+#include "peak.h"
+#include "pin.h"
+#include "walk.h"
+
+#define CREATES 20        /* a repetition */
+#define COUNTED_POINTS 64 /* a batch: whole rounds of every kernel */
+
+bool entry_needs_yardstick(const entry *e) {
+  return e->kind == ENTRY_POINTS || e->kind == ENTRY_THREADS;
+}
+
+/* ---- contestants ------------------------------------------------------ */
+
+typedef struct job {
+  const bench *bench;
+  const entry *entry;
+  sozai_texture *texture;
+  walk *walk[2];
+  atomic_bool failed;
+} job;
+
+static bool run_yardstick(void *context, double *ns, failure *why) {
+  const job *j = context;
+  return yardstick_run(j->bench->yardstick, &j->bench->board, ns, why);
+}
+
+static bool evaluate_failed(const job *j, failure *why) {
+  return fail(why, EXIT_FAILURE, "%s: evaluate: %s", j->entry->name,
+              j->bench->plugin.textures->last_error());
+}
+
+static bool run_points(void *context, double *ns, failure *why) {
+  const job *j = context;
+  double begin = thread_ns();
+  bool ok = walk_rows(j->walk[0], 0, j->bench->board.rows);
+  *ns = thread_ns() - begin;
+  return ok || evaluate_failed(j, why);
+}
+
+/* For the two threads the time that passes counts, and so for the one beside
+ * them. */
+static bool run_one_thread(void *context, double *ns, failure *why) {
+  const job *j = context;
+  double begin = wall_ns();
+  bool ok = walk_rows(j->walk[0], 0, j->bench->board.rows);
+  *ns = wall_ns() - begin;
+  return ok || evaluate_failed(j, why);
+}
+
+static void run_half(void *context, uint32_t i) {
+  job *j = context;
+  uint32_t half = j->bench->board.rows / 2;
+  if (!pin_to((int)i) || !walk_rows(j->walk[i], i * half, (i + 1) * half))
+    atomic_store(&j->failed, true);
+}
+
+static bool run_two_threads(void *context, double *ns, failure *why) {
+  job *j = context;
+  double begin = wall_ns();
+  parallel_for(2, 2, run_half, j);
+  *ns = wall_ns() - begin;
+  pin_to(0); /* either half may have been this thread's */
+  return !atomic_load(&j->failed) || fail(why, EXIT_FAILURE, "%s: a thread failed", j->entry->name);
+}
+
+static bool run_create(void *context, double *ns, failure *why) {
+  const job *j = context;
+  double begin = thread_ns();
+  for (int i = 0; i < CREATES; i++) {
+    sozai_texture *texture = NULL;
+    if (!wood_create(&j->entry->wood, &j->bench->plugin, &texture, why)) return false;
+    j->bench->plugin.textures->destroy(texture);
+  }
+  *ns = (thread_ns() - begin) / CREATES;
+  return true;
+}
+
+static bool run_load(void *context, double *ns, failure *why) {
+  const job *j = context;
+  return load_once(j->bench->plugin.path, ns, why);
+}
+
+/* ---- the arithmetic-bound limit --------------------------------------- */
+
+static void step_through(void *context) {
+  const job *j = context;
+  const board *b = &j->bench->board;
+  uint32_t batches = j->bench->counted_batches;
+  for (uint32_t i = 0; i < batches; i++) /* spread over the part */
+    walk_batch(j->walk[1], b->column + b->columns / batches * i, b->row + b->rows / batches * i);
+}
+
+static void find_limit(const job *j, result *out) {
+  op_count count;
+  peak most = peak_of(out->instruction_set);
+  out->peak_gops = most.lanes ? most.gops : NAN;
+  if (!most.lanes || !op_count_run(step_through, (void *)(uintptr_t)j, &count)) return;
+  uint32_t batch = out->batch < COUNTED_POINTS ? out->batch : COUNTED_POINTS;
+  double lanes_a_point = (double)most.lanes / ((double)batch * j->bench->counted_batches);
+  out->float_ops = (double)count.floating * lanes_a_point;
+  out->ops = (double)(count.floating + count.integer) * lanes_a_point;
+  out->limit_ns = out->ops / out->peak_gops;
+}
+
+/* ---- entries ---------------------------------------------------------- */
+
+static bool open_walk(job *j, int which, uint32_t batch, failure *why) {
+  const entry *e = j->entry;
+  walk_plan plan = {.textures = j->bench->plugin.textures,
+                    .texture = j->texture,
+                    .board = &j->bench->board,
+                    .batch = batch,
+                    .footprint = e->footprint > 0 ? e->footprint : TEXEL_MM};
+  if (e->channel && !(plan.channel = wood_channel(&j->bench->plugin, e->channel)))
+    return fail(why, EXIT_FAILURE, "wood has no channel %s", e->channel);
+  j->walk[which] = walk_open(&plan, why);
+  return j->walk[which] != NULL;
+}
+
+static void take_yardstick(const bench *b, const timing *t, result *out) {
+  double points = (double)board_points(&b->board);
+  out->yardstick_ns = t->median / points;
+  out->yardstick_min = t->min / points;
+  out->ratio = out->yardstick_ns / out->ns;
+}
+
+static bool run_on_points(job *j, result *out, failure *why) {
+  const bench *b = j->bench;
+  double points = (double)board_points(&b->board);
+  uint32_t counted = out->batch < COUNTED_POINTS ? out->batch : COUNTED_POINTS;
+  contestant who[] = {{run_yardstick, j}, {run_points, j}};
+  timing t[2];
+  if (!open_walk(j, 0, out->batch, why) || !open_walk(j, 1, counted, why) ||
+      !measure(who, 2, b->repetitions, t, why))
+    return false;
+  out->ns = t[1].median / points;
+  out->ns_min = t[1].min / points;
+  take_yardstick(b, &t[0], out);
+  /* A point alone is no work for vectors: their limit says nothing about it. */
+  if (out->batch > 1) find_limit(j, out);
+  return true;
+}
+
+static bool run_on_threads(job *j, result *out, failure *why) {
+  const bench *b = j->bench;
+  double points = (double)board_points(&b->board);
+  contestant who[] = {{run_yardstick, j}, {run_one_thread, j}, {run_two_threads, j}};
+  timing t[3];
+  if (!open_walk(j, 0, out->batch, why) || !open_walk(j, 1, out->batch, why) ||
+      !measure(who, 3, b->repetitions, t, why))
+    return false;
+  out->ns = t[2].median / points;
+  out->ns_min = t[2].min / points;
+  out->speedup = t[1].median / t[2].median;
+  take_yardstick(b, &t[0], out);
+  return true;
+}
+
+static bool run_alone(job *j, result *out, failure *why) {
+  contestant who = {j->entry->kind == ENTRY_LOAD ? run_load : run_create, j};
+  timing t;
+  if (!measure(&who, 1, j->bench->repetitions, &t, why)) return false;
+  out->ns = t.median;
+  out->ns_min = t.min;
+  out->yardstick_ns = out->yardstick_min = CREATE_GOAL_NS;
+  out->ratio = out->yardstick_ns / out->ns;
+  return true;
+}
+
+static bool run_job(job *j, result *out, failure *why) {
+  switch (j->entry->kind) {
+  case ENTRY_POINTS:
+    return run_on_points(j, out, why);
+  case ENTRY_THREADS:
+    return run_on_threads(j, out, why);
+  default:
+    return run_alone(j, out, why);
+  }
+}
+
+bool entry_run(const bench *b, const entry *e, result *out, bool *skipped, failure *why) {
+  *out = (result){.name = e->name,
+                  .instruction_set = "",
+                  .batch = e->batch,
+                  .speedup = NAN,
+                  .ops = NAN,
+                  .float_ops = NAN,
+                  .peak_gops = NAN,
+                  .limit_ns = NAN};
+  job j = {.bench = b, .entry = e};
+  atomic_init(&j.failed, false);
+  *skipped = e->kind == ENTRY_THREADS && pin_cpu_count() < 2;
+  if (*skipped) return true;
+  if (!wood_create(&e->wood, &b->plugin, &j.texture, why)) return false;
+  *skipped = j.texture == NULL;
+  if (*skipped) return true;
+  /* the plugin's own text, which outlives the texture */
+  out->instruction_set = b->plugin.textures->instruction_set(j.texture);
+  bool ok = run_job(&j, out, why);
+  walk_close(j.walk[0]);
+  walk_close(j.walk[1]);
+  b->plugin.textures->destroy(j.texture);
+  return ok;
+}

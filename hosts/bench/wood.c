@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#define _POSIX_C_SOURCE 200809L /* setenv */
+#include "wood.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static sozai_value choice(const char *id, const char *text) {
+  return (sozai_value){.id = id, .kind = SOZAI_KIND_CHOICE, .text = text};
+}
+
+bool wood_create(const wood *w, const plugin *p, sozai_texture **out, failure *why) {
+  sozai_value values[3] = {choice("cut", "flat"),
+                           choice("grain", w->grain ? w->grain : "compound")};
+  uint32_t count = 2;
+  if (w->porosity) values[count++] = choice("porosity", w->porosity);
+  /* The kernel is chosen within create(). Unset, it is the best. */
+  if (w->cpu)
+    setenv("SOZAI_CPU", w->cpu, 1);
+  else
+    unsetenv("SOZAI_CPU");
+  int32_t result = p->textures->create(NULL, "wood", "keyaki", values, count, out);
+  unsetenv("SOZAI_CPU");
+  if (result == SOZAI_OK || (result == SOZAI_ERROR_UNSUPPORTED && w->cpu)) return true;
+  return fail(why, EXIT_FAILURE, "create: %s", p->textures->last_error());
+}
+
+const sozai_channel *wood_channel(const plugin *p, const char *id) {
+  const sozai_texture_info *info = p->textures->find("wood");
+  for (uint32_t i = 0; info && i < info->channel_count; i++)
+    if (strcmp(info->channels[i]->id, id) == 0) return info->channels[i];
+  return NULL;
+}

@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: Apache-2.0
+ * The woods that are measured. */
+#ifndef SOZAI_BENCH_WOOD_H
+#define SOZAI_BENCH_WOOD_H
+
+#include "plugin.h"
+
+typedef struct wood {
+  const char *grain;    /* NULL: compound, which is all grains at once */
+  const char *porosity; /* NULL: the preset's */
+  const char *cpu;      /* an instruction set, or NULL for the best there is */
+} wood;
+
+/* A flat-sawn board of the preset keyaki. Where the machine lacks the
+ * instruction set, true with *out = NULL. */
+bool wood_create(const wood *w, const plugin *p, sozai_texture **out, failure *why);
+
+/* The channel of that id, or NULL. */
+const sozai_channel *wood_channel(const plugin *p, const char *id);
+
+#endif

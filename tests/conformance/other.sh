@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# other.sh SOURCE BUILD TEST COMPILER [CMake option...] [-- RUNNER...]: build
+# the plugin once more with COMPILER, and ask TEST whether it answers with the
+# same bits as the one built here. RUNNER: what runs programs of another
+# processor. Exits 77 without the compiler or the runner.
+#
+# Built here and not with everything else: only this test wants it, and a
+# second compiler must not stand in the way of the first one's build.
+set -euo pipefail
+source=$1 build=$2 test=$3 compiler=$4
+shift 4
+options=() runner=()
+while (($#)) && [[ $1 != -- ]]; do
+  options+=("$1")
+  shift
+done
+if (($#)); then
+  shift
+  runner=("$@")
+fi
+for program in "$compiler" "${runner[0]:-true}"; do
+  command -v "$program" >/dev/null || {
+    echo "no $program here"
+    exit 77
+  }
+done
+
+mkdir -p "$build"
+{
+  cmake -S "$source/tests/conformance/other" -B "$build" -DSOZAI_SOURCE="$source" \
+    -DCMAKE_C_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=Release "${options[@]}"
+  cmake --build "$build"
+} >"$build/log.txt" 2>&1 || {
+  grep -E -m 20 'error|Error|not found' "$build/log.txt" || tail -n 20 "$build/log.txt"
+  exit 1
+}
+if ((${#runner[@]})); then
+  exec "$test" --against "$build/sozai.so" --worker "$build/identity-worker" --runner "${runner[@]}"
+fi
+exec "$test" --against "$build/sozai.so"

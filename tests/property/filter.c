@@ -1,0 +1,103 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Filtering: albedo under a footprint against the average of 1,024 points of
+ * the square it stands for, for every species, cut and size of footprint.
+ */
+#include <math.h>
+
+#include "cmocka_all.h"
+#include "wood.h"
+
+#define PI 3.14159265358979
+enum { SIDE = 32, SAMPLES = SIDE * SIDE, PLACES = 120 };
+
+static void against_1024_samples(void **state) {
+  (void)state;
+  static const double sizes[] = {0.01, 0.03, 0.1, 0.3, 1, 3, 10, 30, 100};
+  static const char *const cuts[] = {"flat", "quarter", "rift", "end"};
+  uniform_seed(51);
+  double worst = 0, worst_mean = 0;
+  points p = {0};
+  print_message("RMS / mean error of albedo, by footprint in mm:\n%-11s", "");
+  for (unsigned f = 0; f < 9; f++) print_message("%16g", sizes[f]);
+  print_message("\n");
+  for (unsigned k = 0; k < wood_presets(); k++) {
+    print_message("%-11s", wood_preset(k));
+    for (unsigned f = 0; f < 9; f++) {
+      double square = 0, mean = 0;
+      unsigned n = 0;
+      for (int c = 0; c < 4; c++) {
+        char text[32];
+        snprintf(text, sizeof text, "cut=%s", cuts[c]);
+        sozai_texture *t = wood_make(wood_preset(k), text);
+        for (int place = 0; place < PLACES; place++) {
+          double x = 160 * (uniform() - 0.5), y = (c == 3 ? 80 : 1200) * (uniform() - 0.5);
+          double turn = 2 * PI * uniform(), co = cos(turn), si = sin(turn);
+          points_clear(&p);
+          for (int i = 0; i < SAMPLES; i++) {
+            double u = ((i % SIDE + uniform()) / SIDE - 0.5) * sizes[f];
+            double v = ((i / SIDE + uniform()) / SIDE - 0.5) * sizes[f];
+            points_add(&p, x + u * co - v * si, y + u * si + v * co, 0, 0);
+          }
+          points_add(&p, x, y, 0, sizes[f]);
+          points_ask(&p, t);
+          for (int ch = 0; ch < 3; ch++) {
+            double truth = 0;
+            for (int i = 0; i < SAMPLES; i++) truth += (double)p.out[ALBEDO + ch][i] / SAMPLES;
+            double error = (double)p.out[ALBEDO + ch][SAMPLES] - truth;
+            square += error * error;
+            mean += error;
+            n++;
+          }
+        }
+        textures->destroy(t);
+      }
+      double rms = sqrt(square / n);
+      mean /= n;
+      worst = fmax(worst, rms);
+      worst_mean = fmax(worst_mean, fabs(mean));
+      print_message("  %.4f/%+.4f", rms, mean);
+    }
+    print_message("\n");
+  }
+  points_free(&p);
+  CHECK(worst <= 0.01 && worst_mean <= 0.002,
+        "worst RMS %.4f (goal 0.01), worst mean %.4f (goal 0.002)\n", worst, worst_mean);
+}
+
+/* What is there without a footprint fades to its mean under a wide one. */
+static void detail_fades(void **state) {
+  (void)state;
+  for (unsigned k = 0; k < wood_presets(); k++) {
+    sozai_texture *t = wood_make(wood_preset(k), "cut=quarter");
+    double sd[3];
+    for (int f = 0; f < 3; f++) {
+      points p = {0};
+      uniform_seed(52);
+      for (int i = 0; i < 4000; i++) {
+        points_add(&p, 100 * (uniform() - 0.5), 600 * (uniform() - 0.5), 0,
+                   f == 0 ? 0 : f == 1 ? 2 : 50);
+      }
+      points_ask(&p, t);
+      double mean = 0, square = 0;
+      for (unsigned i = 0; i < p.count; i++) {
+        mean += (double)p.out[ALBEDO][i] / p.count;
+        square += (double)p.out[ALBEDO][i] * (double)p.out[ALBEDO][i] / p.count;
+      }
+      sd[f] = sqrt(fmax(square - mean * mean, 0));
+      points_free(&p);
+    }
+    CHECK(sd[1] < sd[0] && sd[2] < 0.35 * sd[0],
+          "%s: albedo's sd %.4f at a point, %.4f under 2 mm, %.4f under 50 mm\n", wood_preset(k),
+          sd[0], sd[1], sd[2]);
+    textures->destroy(t);
+  }
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(against_1024_samples),
+      cmocka_unit_test(detail_fades),
+  };
+  return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
+}

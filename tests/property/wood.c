@@ -1,0 +1,114 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "wood.h"
+
+#include <dlfcn.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+const sozai_textures_1 *textures;
+const sozai_wood_1 *woods;
+static void *library;
+static const sozai_entry_v1 *entry;
+
+static void stop(const char *what, const char *why) {
+  fprintf(stderr, "%s: %s\n", what, why ? why : "?");
+  exit(1);
+}
+
+int wood_setup(void **state) {
+  (void)state;
+  library = dlopen(SOZAI_TEST_PLUGIN, RTLD_NOW | RTLD_LOCAL);
+  if (!library) stop(SOZAI_TEST_PLUGIN, dlerror());
+  entry = dlsym(library, SOZAI_ENTRY_SYMBOL);
+  if (!entry || entry->abi_major != SOZAI_ABI_MAJOR) stop(SOZAI_TEST_PLUGIN, "wrong ABI");
+  if (entry->init(SOZAI_TEST_PLUGIN) != SOZAI_OK) stop("init", "failed");
+  textures = entry->get_factory(SOZAI_TEXTURES_1);
+  woods = entry->get_factory(SOZAI_WOOD_1);
+  return textures && woods ? 0 : 1;
+}
+
+int wood_teardown(void **state) {
+  (void)state;
+  entry->deinit();
+  dlclose(library);
+  return 0;
+}
+
+sozai_texture *wood_make(const char *preset, const char *parameters) {
+  char text[1024];
+  sozai_value values[32];
+  unsigned n = 0;
+  snprintf(text, sizeof text, "%s", parameters);
+  for (char *save, *one = strtok_r(text, ";", &save); one; one = strtok_r(NULL, ";", &save)) {
+    while (*one == ' ') one++;
+    char *equals = strchr(one, '=');
+    if (!equals || n == 32) stop("parameters", parameters);
+    *equals = 0;
+    memset(&values[n], 0, sizeof values[n]);
+    values[n].id = one;
+    values[n].kind = SOZAI_KIND_STRING;
+    values[n++].text = equals + 1;
+  }
+  sozai_texture *t;
+  if (textures->create(NULL, "wood", preset, values, n, &t)) {
+    stop("create", textures->last_error());
+  }
+  return t;
+}
+
+unsigned wood_presets(void) { return textures->find("wood")->preset_count; }
+const char *wood_preset(unsigned i) { return textures->find("wood")->presets[i]->id; }
+
+static float **array_of(points *p, unsigned k) {
+  if (k < 3) return &p->point[k];
+  if (k < 6) return &p->normal[k - 3];
+  if (k < 9) return &p->light[k - 6];
+  return k == 9 ? &p->footprint : &p->out[k - 10];
+}
+#define ARRAYS 27
+
+void points_clear(points *p) { p->count = 0; }
+
+void points_free(points *p) {
+  for (unsigned k = 0; k < ARRAYS; k++) free(*array_of(p, k));
+  memset(p, 0, sizeof *p);
+}
+
+unsigned points_add(points *p, double x, double y, double z, double footprint) {
+  if (p->count == p->room) {
+    p->room = p->room ? 2 * p->room : 1024;
+    for (unsigned k = 0; k < ARRAYS; k++) {
+      float **a = array_of(p, k);
+      *a = realloc(*a, p->room * sizeof **a);
+      if (!*a) stop("memory", "none");
+    }
+  }
+  unsigned i = p->count++;
+  const double v[10] = {x, y, z, 0, 0, 1, 0, 0, 1, footprint};
+  for (unsigned k = 0; k < 10; k++) (*array_of(p, k))[i] = (float)v[k];
+  return i;
+}
+
+void points_ask(points *p, const sozai_texture *t) {
+  sozai_batch b;
+  memset(&b, 0, sizeof b);
+  b.size = sizeof b;
+  b.count = p->count;
+  for (int c = 0; c < 3; c++) {
+    b.point[c] = p->point[c];
+    b.normal[c] = p->normal[c];
+    b.light[c] = p->light[c];
+  }
+  b.footprint = p->footprint;
+  b.out = p->out;
+  b.out_count = 17;
+  if (textures->evaluate(t, &b)) stop("evaluate", textures->last_error());
+}
+
+static unsigned long long stream = 1;
+void uniform_seed(unsigned seed) { stream = seed * 2654435761ull + 1; }
+double uniform(void) {
+  stream = stream * 6364136223846793005ull + 1442695040888963407ull;
+  return (double)(stream >> 11) / 9007199254740992.0;
+}

@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * A plugin and a way to ask it about wood, for the property tests.
+ */
+#ifndef SOZAI_TEST_WOOD_H
+#define SOZAI_TEST_WOOD_H
+
+#include "sozai.h"
+
+extern const sozai_textures_1 *textures;
+extern const sozai_wood_1 *woods;
+
+/* cmocka group fixtures: load the plugin, unload it. */
+int wood_setup(void **state);
+int wood_teardown(void **state);
+
+/* A wood of a preset (NULL: none) with parameters as "a=1; b=2"; fails the
+ * test when it cannot be made. */
+sozai_texture *wood_make(const char *preset, const char *parameters);
+
+/* How many presets there are, and the id of one. */
+unsigned wood_presets(void);
+const char *wood_preset(unsigned i);
+
+/* Points to ask about. Arrays grow as needed; outputs are by component. */
+typedef struct {
+  unsigned count, room;
+  float *point[3], *normal[3], *light[3], *footprint;
+  float *out[17];
+} points;
+
+/* Components, as describe lists them. */
+enum { ALBEDO = 0, RADIANCE = 3, FIBER = 6, DIVE = 9, TIME = 12, LATEWOOD, VESSEL, REFERENCE };
+
+void points_clear(points *p);
+void points_free(points *p);
+/* Normal +z, light +z; returns the point's index. */
+unsigned points_add(points *p, double x, double y, double z, double footprint);
+void points_ask(points *p, const sozai_texture *t);
+
+/* A stream of numbers in 0..1, the same in every run. */
+double uniform(void);
+void uniform_seed(unsigned seed);
+
+#endif
