@@ -62,7 +62,7 @@ static struct kernel {
   int lanes;
   int (*here)(void);
   void (*run)(void);
-  double gops; /* 0: not measured yet */
+  double gops; /* the most so far */
 } kernels[] = {
     {"scalar", 1, always, run_scalar, 0},
 #if defined(__x86_64__)
@@ -91,7 +91,9 @@ peak peak_of(const char *instruction_set) {
   for (size_t i = 0; i < sizeof kernels / sizeof *kernels; i++) {
     struct kernel *k = &kernels[i];
     if (strcmp(k->name, instruction_set) != 0 || !k->here()) continue;
-    if (k->gops == 0) k->gops = measure_peak(k);
+    /* Clock rates and neighbours change: another try, the best so far. */
+    double gops = measure_peak(k);
+    if (gops > k->gops) k->gops = gops;
     return (peak){.lanes = k->lanes, .gops = k->gops};
   }
   return (peak){0};

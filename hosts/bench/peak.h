@@ -8,8 +8,8 @@ typedef struct peak {
 } peak;
 
 /* The most multiplications and additions that this core was seen to do with an
- * instruction set, none waiting for another; measured when first asked for.
- * {0} for one that it lacks, or an unknown name. */
+ * instruction set, none waiting for another: measured at each asking, and the
+ * best so far given. {0} for one that it lacks, or an unknown name. */
 peak peak_of(const char *instruction_set);
 
 #endif

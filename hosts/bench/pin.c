@@ -36,3 +36,7 @@ bool pin_to(int which) {
   CPU_SET(cpu, &one);
   return sched_setaffinity(0, sizeof one, &one) == 0;
 }
+
+void pin_release(void) {
+  if (pin_cpu_count() > 0) sched_setaffinity(0, sizeof allowed, &allowed);
+}

@@ -10,5 +10,7 @@ int pin_cpu_count(void);
 /* Keep the calling thread on one of them: which = 0 is the one that the
  * process stays on, 1 another. False: there is none, or it was refused. */
 bool pin_to(int which);
+/* Let the calling thread go back to all of them. */
+void pin_release(void);
 
 #endif

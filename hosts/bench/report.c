@@ -30,7 +30,7 @@ void report_row(const result *r) {
   cell(8, 1, r->peak_gops);
   cell(8, 2, r->limit_ns);
   cell(6, 2, r->ns / r->limit_ns);
-  if (!isnan(r->speedup)) printf("  %.2f x one thread", r->speedup);
+  if (!isnan(r->speedup)) printf("  %.2f x one thread, at best %.2f", r->speedup, r->speedup_best);
   printf("\n");
   fflush(stdout);
 }
@@ -50,6 +50,7 @@ static void write_result(json *j, const result *r) {
   if (*r->instruction_set) json_text(j, "instruction_set", r->instruction_set);
   if (r->batch) json_number(j, "batch", r->batch);
   known(j, "speedup", r->speedup);
+  known(j, "speedup_best", r->speedup_best);
   known(j, "ops_per_point", r->ops);
   known(j, "float_ops_per_point", r->float_ops);
   known(j, "peak_gops", r->peak_gops);

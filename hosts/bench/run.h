@@ -25,9 +25,9 @@ typedef struct result {
   uint32_t batch;              /* 0: not in batches */
   double ns, ns_min;
   double yardstick_ns, yardstick_min;
-  double ratio; /* of medians: how often it fits into the yardstick */
-  double speedup;
-  double ops, float_ops; /* a point */
+  double ratio;                 /* of medians: how often it fits into the yardstick */
+  double speedup, speedup_best; /* over one thread: of medians; of the shortest times */
+  double ops, float_ops;        /* a point */
   double peak_gops;
   double limit_ns;
 } result;

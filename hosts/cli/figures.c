@@ -1,12 +1,72 @@
-/* SPDX-License-Identifier: Apache-2.0 */
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Draws the papers' figures, each with a JSON of measured numbers beside it. */
 #include "commands.h"
 
+#include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
-#include "options.h"
+#include <string.h>
+#include <sys/stat.h>
+#include "figures_wood.h"
+#include "output_file.h"
+
+static bool draw_figure(session *s, const wood_figure *f, const char *folder, failure *why) {
+  char path[4096];
+  output_file o;
+  int n = snprintf(path, sizeof path, "%s/%s.json", folder, f->name);
+  if (n < 0 || (size_t)n >= sizeof path)
+    return fail(why, EXIT_BAD_INPUT, "'%s' is too long a path", folder);
+  if (!output_begin(&o, path, why)) return false;
+  json j = {.to = fopen(o.writing, "w")};
+  bool ok = j.to || fail(why, EXIT_FAILURE, "cannot write %s: %s", path, strerror(errno));
+  if (ok) {
+    json_open(&j, NULL, '{');
+    json_text(&j, "figure", f->name);
+    json_text(&j, "title", f->title);
+    ok = f->draw(s, folder, f->name, &j, why);
+    json_close(&j, '}');
+    if (fclose(j.to) != 0 && ok)
+      ok = fail(why, EXIT_FAILURE, "cannot write %s: %s", path, strerror(errno));
+  }
+  if (ok) return output_commit(&o, why);
+  output_discard(&o);
+  return false;
+}
+
+static bool draw_all(const session_options *shared, const char *folder, failure *why) {
+  if (!folder) return fail(why, EXIT_BAD_INPUT, "figures: no output is given: -o DIR");
+  if (mkdir(folder, 0777) != 0 && errno != EEXIST)
+    return fail(why, EXIT_FAILURE, "cannot make the folder %s: %s", folder, strerror(errno));
+  session s;
+  if (!session_open(&s, shared, why)) return false;
+  bool ok = true;
+  for (size_t i = 0; ok && i < wood_figure_count; i++) {
+    ok = draw_figure(&s, &wood_figures[i], folder, why);
+    if (ok) printf("%s/%s.png  %s\n", folder, wood_figures[i].name, wood_figures[i].title);
+  }
+  session_close(&s);
+  return ok;
+}
 
 int run_figures(int argc, char **argv) {
-  (void)argc, (void)argv;
-  failure why;
-  fail(&why, EXIT_FAILURE, "figures: not in this version");
-  return report(&why);
+  failure why = {0};
+  session_options shared;
+  if (!session_options_init(&shared, argc, &why)) return report(&why);
+  const char *folder = NULL;
+  const option options[] = {
+      {"output", 'o', OPTION_TEXT, &folder, "DIR", "folder for the figures; made if need be", 0, 0},
+      SESSION_RUN_OPTIONS(shared)};
+  const command_line line = {.usage = "figures -o DIR [options]",
+                             .about = "Draws the figures of the papers that the materials "
+                                      "implement, each with a JSON of\nthe numbers measured in it "
+                                      "beside it.\n",
+                             .options = options,
+                             .option_count = sizeof options / sizeof options[0]};
+  int parsed = options_parse(&line, argc, argv, NULL, &why);
+  int code = 0;
+  if (parsed == OPTIONS_BAD || (parsed == OPTIONS_RUN && !draw_all(&shared, folder, &why)))
+    code = report(&why);
+  session_options_free(&shared);
+  return code;
 }

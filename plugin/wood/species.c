@@ -41,7 +41,7 @@ static const sozai_value values_onigurumi[] = {
     NUMBER("vessel_diameter_spread", 0.2),
     NUMBER("fibre_brightness", 0.15),
     SRGB("earlywood_colour", 168, 128, 88), SRGB("latewood_colour", 132, 95, 63),
-    SRGB("vessel_colour", 124, 94, 65),
+    SRGB("vessel_colour", 129, 98, 68),
     NUMBER("specular", 0.06),
 };
 SPECIES(onigurumi, "Onigurumi, Japanese walnut (Juglans mandshurica var. sachalinensis)",
@@ -56,7 +56,7 @@ static const sozai_value values_makaba[] = {
     NUMBER("vessel_diameter", 92.0),     NUMBER("vessel_diameter_spread", 0.2),
     NUMBER("fibre_brightness", 0.09),
     SRGB("earlywood_colour", 214, 170, 130), SRGB("latewood_colour", 186, 138, 99),
-    SRGB("vessel_colour", 194, 150, 113),
+    SRGB("vessel_colour", 197, 154, 116),
     NUMBER("specular", 0.09),
 };
 SPECIES(makaba, "Makaba, monarch birch (Betula maximowicziana)",

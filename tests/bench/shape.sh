@@ -4,7 +4,7 @@
 # the results of a short run.
 # shellcheck source=tests/cli/lib.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/../cli/lib.sh" "$@"
-readonly json_check=$1
+readonly json_check=$4
 mkdir "$scratch/tmp"
 export TMPDIR=$scratch/tmp
 

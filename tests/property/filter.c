@@ -9,7 +9,7 @@
 #include "wood.h"
 
 #define PI 3.14159265358979
-enum { SIDE = 32, SAMPLES = SIDE * SIDE, PLACES = 120 };
+enum { SIDE = 32, SAMPLES = SIDE * SIDE, PLACES = 400 };
 
 static void against_1024_samples(void **state) {
   (void)state;
