@@ -76,6 +76,7 @@ static void build_cut(wood_constants *w, const settings *s) {
       double sum = 0.0;
       for (int k = 0; k < 3; k++) sum += turn[i][k] * axes[k][j];
       w->turn[i][j] = (float)sum;
+      if (w->turn[i][j] != (i == j ? 1.0f : 0.0f)) w->turned = 1;
       shift += turn[i][j] * place[j];
     }
     w->shift[i] = (float)shift;

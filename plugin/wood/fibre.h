@@ -11,30 +11,20 @@
 
 #include "stem.h"
 
-/* The noise repeats after this many cells: a section of 90 mm at the finest. */
-#define FIBRE_REPEAT 4095
-
 /* Relative shift of brightness at (x, z) of the reference section under a
- * footprint of extent e there; within the sum of the amplitudes. */
-INLINE vf fibre_shift(const wood_constants *w, vf x, vf z, vf e) {
+ * footprint whose extent there has the square e2; within the sum of the
+ * amplitudes. Kawai and Momoi repeat a small array of noise; hashing the cell
+ * costs no memory and does not repeat. */
+INLINE vf fibre_shift(const wood_constants *w, vf x, vf z, vf e2) {
   vf sum = splat(0.0f);
   for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) {
     if (w->fibre_amplitude[o] == 0.0f) continue;
-    vf keep = filter_keep(e, w->fibre_size[o]) * splat(w->fibre_amplitude[o] / HASH_ONE);
+    vf keep = filter_keep_square(e2, w->fibre_size[o]) * splat(w->fibre_amplitude[o] / HASH_ONE);
     if (!any(gt(keep, splat(0.0f)))) continue;
     vf f = splat(w->fibre_frequency[o]);
-    vi ix, iz;
-    vf px = x * f, pz = z * f;
-    vf fx = px - vfloor(px, &ix), fz = pz - vfloor(pz, &iz);
-    vi one = splati(1), repeat = splati(FIBRE_REPEAT);
-    vu seed = wood_seed(w, SEED_FIBRE + (uint32_t)o);
-    vu x0 = (vu)(ix & repeat) * splatu(HASH_X), x1 = (vu)((ix + one) & repeat) * splatu(HASH_X);
-    vu z0 = (vu)(iz & repeat) * splatu(HASH_Z) + seed;
-    vu z1 = (vu)((iz + one) & repeat) * splatu(HASH_Z) + seed;
-    vf wx = fx * fx * (splat(3.0f) - fx - fx), wz = fz * fz * (splat(3.0f) - fz - fz);
-    vf a = mix(hash_signed(x0 + z0), hash_signed(x1 + z0), wx);
-    vf b = mix(hash_signed(x0 + z1), hash_signed(x1 + z1), wx);
-    sum = sum + keep * mix(a, b, wz);
+    noise_axis ax = noise_split_cubic(x * f, HASH_X), az = noise_split_cubic(z * f, HASH_Z);
+    vf dx, dz; /* not wanted, and so not computed */
+    sum = sum + keep * noise_value2(&ax, &az, wood_seed(w, SEED_FIBRE + (uint32_t)o), &dx, &dz);
   }
   return sum;
 }

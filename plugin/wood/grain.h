@@ -77,11 +77,12 @@ INLINE grain_place grain_at(const wood_constants *w, vf y, vf t, vf extent) {
       vf f = splat(w->slope_noise_frequency[o]), a = splat(w->slope_noise[o]);
       noise_stem ay = noise_split_axial(y * f, HASH_Y);
       vf ny, nt, n = noise_axial2(&ay, &at, wood_seed(w, SEED_SLOPE + (uint32_t)o), &ny, &nt);
-      vf keep = filter_keep(extent, w->slope_noise_size[o]), slope = a * f * ny;
+      vf keep = filter_keep(extent, w->slope_noise_size[o]);
+      vf slope = splat(w->slope_noise[o] * w->slope_noise_frequency[o]) * ny;
       p.d = p.d + a * n;
       p.g = p.g + slope;
       p.g_filtered = p.g_filtered + slope * keep;
-      p.d_t = p.d_t + a * nt * splat(w->slope_noise_years);
+      p.d_t = p.d_t + splat(w->slope_noise[o] * w->slope_noise_years) * nt;
       /* the slope's variance is about 0.3 of its scale's square, measured */
       float scale = w->slope_noise[o] * w->slope_noise_frequency[o];
       p.variance = p.variance + splat(0.3f * scale * scale) * (splat(1.0f) - keep * keep);

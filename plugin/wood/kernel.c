@@ -68,6 +68,10 @@ INLINE void unit_direction(vf v[3]) {
 }
 
 INLINE void to_log(const wood_constants *w, const vf p[3], vf out[3]) {
+  if (!w->turned) {
+    for (int c = 0; c < 3; c++) out[c] = p[c];
+    return;
+  }
   for (int c = 0; c < 3; c++) {
     out[c] = splat(w->turn[c][0]) * p[0] + splat(w->turn[c][1]) * p[1] +
              splat(w->turn[c][2]) * p[2];
@@ -148,7 +152,7 @@ INLINE vf rings_across(const wood_constants *w, int what, const stem_place *p,
 typedef struct {
   uint32_t i, n;             /* the first point, and how many */
   vf p[3];                   /* log space */
-  vf normal[3], nrm[3];      /* object space; log space */
+  vf nrm[3];                 /* normal, log space */
   vf s;                      /* footprint */
   vf up2, inverse_up;        /* squared length of +y within the surface, its inverse root */
   stem_place stem;
@@ -171,12 +175,12 @@ INLINE void stage_load(const wood_constants *w, const wood_io *io, block *k) {
     k->s = clamp(load_lanes(io->in->footprint, k->i, k->n), splat(0.0f), splat(1e4f));
   }
   k->up2 = splat(1.0f);
-  for (int c = 0; c < 3; c++) k->normal[c] = splat(c == 2 ? 1.0f : 0.0f);
+  vf normal[3] = {splat(0.0f), splat(0.0f), splat(1.0f)};
   if (io->in->normal[0]) {
-    for (int c = 0; c < 3; c++) k->normal[c] = load_lanes(io->in->normal[c], k->i, k->n);
-    unit_direction(k->normal);
+    for (int c = 0; c < 3; c++) normal[c] = load_lanes(io->in->normal[c], k->i, k->n);
+    unit_direction(normal);
   }
-  to_log(w, k->normal, k->nrm);
+  to_log(w, normal, k->nrm);
   if (io->in->normal[0]) k->up2 = vmax(splat(1.0f) - k->nrm[1] * k->nrm[1], splat(0.0f));
   k->inverse_up = inverse_root(vmax(k->up2, splat(1e-12f)));
 }
@@ -221,9 +225,12 @@ INLINE void stage_fibre(const wood_constants *w, const wood_io *io, const wood_w
   k->sine = zero - (f[0] * k->nrm[0] + f[1] * k->nrm[1] + f[2] * k->nrm[2]);
   if (want->fibre) {
     for (int c = 0; c < 3; c++) {
-      store_lanes(io, WOOD_FIBER + c, k->i, k->n,
-                  splat(w->turn[0][c]) * f[0] + splat(w->turn[1][c]) * f[1] +
-                      splat(w->turn[2][c]) * f[2]);
+      vf back = f[c];
+      if (w->turned) {
+        back = splat(w->turn[0][c]) * f[0] + splat(w->turn[1][c]) * f[1] +
+               splat(w->turn[2][c]) * f[2];
+      }
+      store_lanes(io, WOOD_FIBER + c, k->i, k->n, back);
     }
   }
   if (want->dive) store_lanes(io, WOOD_DIVE, k->i, k->n, arcsin(k->sine));
@@ -277,7 +284,7 @@ INLINE void stage_tissue(const wood_constants *w, const wood_io *io, const wood_
   if (!want->colour) return;
   /* earlywood rows stand where there is no latewood; pores everywhere */
   vf late = k->late * (one - vmin(over_late, one));
-  vf shift = one + fibre_shift(w, k->x, k->z, vsqrt(f.aa + f.bb));
+  vf shift = one + fibre_shift(w, k->x, k->z, f.aa + f.bb);
   vf early = vmax(one - cover - late, zero) * shift, dark = late * shift;
   for (int c = 0; c < 3; c++) {
     k->albedo[c] = splat(w->early[c]) * early + splat(w->late[c]) * dark +
@@ -328,7 +335,7 @@ INLINE void stage_figure(const wood_constants *w, const wood_io *io, const wood_
   }
 }
 
-#define BLOCKS (LANES == 1 ? 1 : 4)
+#define BLOCKS (LANES == 1 ? 1 : 2)
 
 static void evaluate(const wood_constants *w, const wood_io *io, uint32_t from, uint32_t to) {
   wood_wants want = wants_of(io);

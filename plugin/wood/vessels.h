@@ -45,7 +45,8 @@ INLINE disc disc_blurred(vf radius2, matrix2 c) {
   vf det = vmax(xx * zz - xz * xz, radius2 * radius2);
   vf root = inverse_root(det), x = radius2 * root;
   vf middle = vmax(x, splat(0.55f));
-  vf slope = one / vmin(splat(4.5f) - splat(4.0f) * x, splat(1.1f)); /* one over the ramp's width */
+  /* one over the ramp's width: 2, and no less than what keeps the cone's tip at 1 */
+  vf slope = vmax(splat(7.0f) * x - splat(5.0f), splat(1.0f / 1.1f));
   vf inverse = root * root * slope;
   disc d;
   d.height = vmin(x * splat(1.0f / 0.55f), one);
@@ -125,16 +126,16 @@ typedef struct {
 INLINE row_place row_at(const wood_constants *w, const ring_place *ring, vf rho, vf c, vf s,
                         vf extent) {
   row_place p;
-  vf width = splat(1.0f) / ring->inverse_width;
-  vf into = ring->phase * width, before = width - into;
-  vf reach = extent + splat(w->row.radius);
+  vf reach = (extent + splat(w->row.radius)) * ring->inverse_width;
+  vf band = splat(w->band) * ring->inverse_width;
   /* the band just ahead, where that is nearer than the one behind */
-  vm ahead = lt(before, vmin(into - splat(w->band), reach));
-  p.near = or_(ahead, lt(into, splat(w->band) + reach));
+  vm ahead = lt(splat(1.0f) - ring->phase, vmin(ring->phase - band, reach));
+  p.near = or_(ahead, lt(ring->phase, band + reach));
   p.turn = p.per_arc = p.arc = p.count = p.start = splat(0.0f);
   p.n = splati(0);
   p.seed = splatu(0);
   if (!any(p.near)) return p;
+  vf width = splat(1.0f) / ring->inverse_width;
   p.start = ring->start + ring->turns * splat(w->ring_period) + sel(ahead, width, splat(0.0f));
   vi which = seli(ahead, ring->ring + splati(1), ring->ring);
   p.count = vfloor(p.start * splat(6.2831853f * w->row_density) + splat(0.5f), &p.n);

@@ -55,6 +55,7 @@ typedef struct {
   /* object -> log: rows, then the shift. The rows are a rotation's. */
   float turn[3][3];
   float shift[3];
+  int32_t turned; /* 0: the rows are the axes, and there is nothing to turn */
 
   /* the stem */
   float pith_amplitude, pith_frequency; /* mm, 1/mm */

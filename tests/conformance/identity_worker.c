@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * identity_worker PLUGIN POINTS BATCH THREADS [misaligned] [masked] [subset]
+ * identity_worker PLUGIN POINTS BATCH THREADS [misaligned] [masked] [subset] [flushed]
  *
  * Evaluates POINTS points (whole blocks of them) and prints their number, a
  * hash over every bit of every answer, and the instruction set. The hash is a
@@ -27,7 +27,7 @@ static uint32_t texture_count;
 
 static uint64_t blocks;
 static uint32_t batch_size;
-static int misaligned, masked, subset;
+static int misaligned, masked, subset, flushed;
 static atomic_ullong next_piece, total, evaluated;
 static atomic_int failed;
 
@@ -193,6 +193,10 @@ static uint32_t cut(uint64_t block, uint32_t piece) {
 static void *thread(void *one) {
   const int alone = *(const int *)one;
   const uint32_t pieces = alone ? 1 : PIECES;
+#if defined(__x86_64__)
+  /* denormals are zero, as renderers set it for their threads */
+  if (flushed) __builtin_ia32_ldmxcsr(__builtin_ia32_stmxcsr() | 0x8040u);
+#endif
   work *w = malloc(sizeof *w);
   uint64_t sum = 0, count = 0, made = ~0ull;
   for (;;) {
@@ -222,6 +226,7 @@ int main(int argc, char **argv) {
     misaligned |= strcmp(argv[i], "misaligned") == 0;
     masked |= strcmp(argv[i], "masked") == 0;
     subset |= strcmp(argv[i], "subset") == 0;
+    flushed |= strcmp(argv[i], "flushed") == 0;
   }
   if (!batch_size || threads > 64 || plugin_start(&host, argv[1])) return 1;
   info = host.textures->find("wood");

@@ -222,7 +222,9 @@ static void handlers(void **unused) {
     assert_true(after.sa_handler == before[s].sa_handler);
   }
   sigprocmask(SIG_SETMASK, NULL, &mask_after);
-  assert_memory_equal(&mask, &mask_after, sizeof mask);
+  for (int s = 1; s < 32; s++) {
+    assert_int_equal(sigismember(&mask, s), sigismember(&mask_after, s));
+  }
 }
 
 /* ---- memory ------------------------------------------------------------ */

@@ -23,7 +23,7 @@
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define ROUNDS 60u
 #else
-#define ROUNDS 400u
+#define ROUNDS 3000u
 #endif
 
 static plugin p;
