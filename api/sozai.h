@@ -48,7 +48,7 @@ extern "C" {
 #define SOZAI_ERROR_ARGUMENT (-1)    /* a NULL, a wrong size, a missing input */
 #define SOZAI_ERROR_UNKNOWN (-2)     /* no texture, preset, parameter or channel of that name */
 #define SOZAI_ERROR_KIND (-3)        /* a value of the wrong kind, or unreadable as text */
-#define SOZAI_ERROR_RANGE (-4)       /* a value outside its hard range */
+#define SOZAI_ERROR_RANGE (-4)       /* a value outside its hard range, or none of the choices */
 #define SOZAI_ERROR_MEMORY (-5)      /* the allocator gave NULL */
 #define SOZAI_ERROR_UNSUPPORTED (-6) /* this plugin, or this machine, has no such thing */
 #define SOZAI_ERROR_CANCELLED (-7)   /* the host asked to stop */
@@ -88,7 +88,7 @@ typedef struct sozai_entry_v1 {
 #define SOZAI_KIND_BOOL 3u   /* number[0], 0 or 1 */
 #define SOZAI_KIND_CHOICE 4u /* text: the choice's id */
 #define SOZAI_KIND_FLOAT3 5u /* number[0..2] */
-#define SOZAI_KIND_COLOUR 6u /* number[0..2]; text: its colour space, NULL for the parameter's own */
+#define SOZAI_KIND_COLOUR 6u /* number[0..2]; text: its space, NULL for the parameter's own */
 #define SOZAI_KIND_TEXT 7u   /* text */
 #define SOZAI_KIND_PATH 8u   /* text: a file's path */
 #define SOZAI_KIND_BUFFER 9u /* buffer: memory of the host's */
@@ -101,10 +101,10 @@ typedef struct sozai_entry_v1 {
 
 /* Memory handed in by the host. Read during create() only, and copied. */
 typedef struct sozai_buffer {
-  uint32_t size; /* sizeof(sozai_buffer) */
-  uint32_t kind; /* SOZAI_BUFFER_* */
-  uint64_t dims[3]; /* TABLE: rows, columns. IMAGE: height, width, channels.
-                       MESH: points, triangles. POINTS: points. Others 0. */
+  uint32_t size;            /* sizeof(sozai_buffer) */
+  uint32_t kind;            /* SOZAI_BUFFER_* */
+  uint64_t dims[3];         /* TABLE: rows, columns. IMAGE: height, width, channels.
+                               MESH: points, triangles. POINTS: points. Others 0. */
   const float *data;        /* TABLE, IMAGE: the numbers */
   const float *points;      /* MESH, POINTS: x y z each, mm */
   const float *normals;     /* MESH, POINTS: x y z each, or NULL */
@@ -114,15 +114,16 @@ typedef struct sozai_buffer {
 
 /* One value for one parameter. This struct never grows. */
 typedef struct sozai_value {
-  const char *id; /* the parameter's id */
-  uint32_t kind;  /* SOZAI_KIND_* */
+  const char *id;    /* the parameter's id */
+  uint32_t kind;     /* SOZAI_KIND_* */
   uint32_t reserved; /* 0 */
   double number[3];
   const char *text;
   const sozai_buffer *buffer;
 } sozai_value;
 
-/* What a parameter is. */
+/* What a parameter is. Strings of this and the following descriptions are never
+ * NULL unless it says so. */
 typedef struct sozai_parameter {
   uint32_t size;
   uint32_t kind;
@@ -135,8 +136,9 @@ typedef struct sozai_parameter {
   double hard_max;
   double soft_min; /* where a slider should end */
   double soft_max;
-  double default_number[3]; /* CHOICE: the index of the default in choices */
-  const char *default_text; /* TEXT, PATH: the default. COLOUR: the space its numbers are in. */
+  double default_number[3];       /* CHOICE: the index of the default in choices */
+  const char *default_text;       /* TEXT, PATH: the default. COLOUR: the space its numbers are in.
+                                     Other kinds: NULL. */
   const char *const *choices;     /* CHOICE: ids; else NULL */
   const char *const *choice_docs; /* CHOICE: a phrase each; else NULL */
   uint32_t choice_count;
@@ -201,24 +203,25 @@ typedef struct sozai_texture_info {
  * need the alignment of a float, no more. Outputs may not overlap inputs or
  * one another. */
 typedef struct sozai_batch {
-  uint32_t size;  /* sizeof(sozai_batch) */
-  uint32_t count; /* from 0 up */
-  const float *point[3];  /* mm, object space. NaN is read as 0, and beyond
-                             +-1e6 (a kilometre) as the nearest of the two. */
-  const float *normal[3]; /* outward, of any length; zero or not finite is
-                             read as +z. All three NULL: see evaluate. */
-  const float *light[3];  /* towards the light, of any length; likewise */
+  uint32_t size;                /* sizeof(sozai_batch) */
+  uint32_t count;               /* from 0 up */
+  const float *point[3];        /* mm, object space. NaN is read as 0, and beyond
+                                   +-1e6 (a kilometre) as the nearest of the two. */
+  const float *normal[3];       /* outward, of any length; zero or not finite is
+                                   read as +z. All three NULL: see evaluate. */
+  const float *light[3];        /* towards the light, of any length; likewise */
   const float *light_colour[3]; /* irradiance on a face turned to the light
                                    over pi, working space; NULL: 1. Not finite: 0. */
-  const float *view[3];    /* towards the eye, of any length; zero or not finite: the normal */
-  const float *footprint;  /* mm: side of the square on the surface, square
-                              to the normal, over which each answer is the
-                              average. NULL, negative or NaN: 0, a point.
-                              Above 1e4: 1e4. */
-  const uint8_t *active;   /* 0: leave that point's outputs untouched. NULL: all active */
-  float *const *out;       /* component_count pointers, NULL where not wanted:
-                              what is not wanted is not computed */
-  uint32_t out_count;      /* length of out; components past it are not wanted */
+  const float *view[3];         /* towards the eye, of any length; zero or not finite: the normal */
+  const float *footprint;       /* mm: side of the square on the surface, square
+                                   to the normal, over which each answer is the
+                                   average. NULL, negative or NaN: 0, a point.
+                                   Above 1e4: 1e4. */
+  const uint8_t *active;        /* 0: leave that point's outputs untouched. NULL: all active */
+  float *const *out;            /* component_count pointers, NULL where not wanted:
+                                   what is not wanted is not computed */
+  uint32_t out_count;           /* length of out: components past it are not wanted,
+                                   and pointers past component_count are not read */
   uint32_t reserved;
 } sozai_batch;
 

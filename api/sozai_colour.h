@@ -48,10 +48,11 @@ typedef struct sozai_colour_1 {
    * or back. [thread-safe] */
   int32_t (*to_working)(void *self, const char *space, float *rgb, uint64_t count, char *message,
                         size_t message_size);
-  int32_t (*from_working)(void *self, const char *space, float *rgb, uint64_t count,
-                          char *message, size_t message_size);
+  int32_t (*from_working)(void *self, const char *space, float *rgb, uint64_t count, char *message,
+                          size_t message_size);
   /* From the working space to what a display shows, 0 to 1, in place.
-   * display, view: names, or NULL for the config's defaults. [thread-safe] */
+   * display, view: names, or NULL for the config's default display and that
+   * display's default view. [thread-safe] */
   int32_t (*to_display)(void *self, const char *display, const char *view, float *rgb,
                         uint64_t count, char *message, size_t message_size);
 } sozai_colour_1;
@@ -61,11 +62,12 @@ typedef struct sozai_colour_1 {
 
 typedef struct sozai_colour_factory_1 {
   /* Open a config: its path, or NULL for $OCIO, else the shipped one. The
-   * service lives until close. FILE: missing or unreadable. COLOUR: no role
-   * scene_linear, or a config that does not check. [thread-safe] */
+   * service lives until close. FILE: missing, unreadable or malformed. COLOUR:
+   * no role scene_linear, or a config that does not check. Also ARGUMENT,
+   * MEMORY and STATE. [thread-safe] */
   int32_t (*open)(const char *config, const sozai_colour_1 **out, char *message,
                   size_t message_size);
-  /* [exclusive] */
+  /* NULL is allowed. [exclusive] */
   void (*close)(const sozai_colour_1 *service);
 } sozai_colour_factory_1;
 
@@ -85,13 +87,13 @@ typedef struct sozai_colour_factory_1 {
 typedef struct sozai_image sozai_image;
 
 typedef struct sozai_image_request {
-  uint32_t size; /* sizeof(sozai_image_request) */
+  uint32_t size;   /* sizeof(sozai_image_request) */
   uint32_t wrap_s; /* SOZAI_WRAP_* */
   uint32_t wrap_t;
   uint32_t first_channel;
-  uint32_t channels;        /* 1 to 4 */
+  uint32_t channels; /* 1 to 4 */
   uint32_t reserved;
-  const char *path;         /* a file, or NULL with a buffer */
+  const char *path; /* a file, or NULL with a buffer */
   const sozai_buffer *buffer;
   const char *colour_space; /* NULL: by the config's file rules; "data": raw */
 } sozai_image_request;

@@ -18,8 +18,7 @@ typedef struct material {
                    const float (*colours)[3]);
   /* The batch has been checked. out has a pointer for every component; bit k
    * of wanted says that out[k] is not NULL. */
-  void (*evaluate)(const void *state, const sozai_batch *batch, float *const *out,
-                   uint64_t wanted);
+  void (*evaluate)(const void *state, const sozai_batch *batch, float *const *out, uint64_t wanted);
   const char *(*instruction_set)(const void *state);
 } material;
 

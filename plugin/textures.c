@@ -45,7 +45,7 @@ static const sozai_texture_info *find(const char *id) {
 
 static int32_t build_state(sozai_texture *t) {
   size_t bytes = t->info->parameter_count * sizeof(float[3]);
-  float (*colours)[3] = host_alloc(&t->host, bytes, 64);
+  float(*colours)[3] = host_alloc(&t->host, bytes, 64);
   if (!colours) return SOZAI_ERROR_MEMORY;
   int32_t r = colour_convert(&t->host, t->info, &t->given, colours);
   if (!r) {
@@ -120,12 +120,18 @@ static uint32_t inputs_of(const sozai_batch *b) {
 
 static const char *input_name(uint32_t bit) {
   switch (bit & (~bit + 1u)) {
-  case SOZAI_INPUT_POINT: return "point";
-  case SOZAI_INPUT_NORMAL: return "normal";
-  case SOZAI_INPUT_LIGHT: return "light";
-  case SOZAI_INPUT_LIGHT_COLOUR: return "light_colour";
-  case SOZAI_INPUT_VIEW: return "view";
-  default: return "footprint";
+  case SOZAI_INPUT_POINT:
+    return "point";
+  case SOZAI_INPUT_NORMAL:
+    return "normal";
+  case SOZAI_INPUT_LIGHT:
+    return "light";
+  case SOZAI_INPUT_LIGHT_COLOUR:
+    return "light_colour";
+  case SOZAI_INPUT_VIEW:
+    return "view";
+  default:
+    return "footprint";
   }
 }
 
@@ -148,8 +154,8 @@ static int32_t evaluate(const sozai_texture *t, const sozai_batch *batch) {
   sozai_batch copy;
   if (batch->size != sizeof copy) {
     if (batch->size < 8) {
-      return fail(SOZAI_ERROR_ARGUMENT,
-                  "evaluate: batch.size is %u: set it to sizeof(sozai_batch)", batch->size);
+      return fail(SOZAI_ERROR_ARGUMENT, "evaluate: batch.size is %u: set it to sizeof(sozai_batch)",
+                  batch->size);
     }
     memset(&copy, 0, sizeof copy);
     memcpy(&copy, batch, batch->size < sizeof copy ? batch->size : sizeof copy);
@@ -208,6 +214,6 @@ const void *texture_state(const sozai_texture *t, const material *m) {
   return t && t->kind == m ? t->state : NULL;
 }
 
-const sozai_textures_1 textures_table = {
-    count, info, find, create, destroy, evaluate, value, info_of, bytes, instruction_set,
-    fail_message};
+const sozai_textures_1 textures_table = {count,       info,  find,    create, destroy,
+                                         evaluate,    value, info_of, bytes,  instruction_set,
+                                         fail_message};

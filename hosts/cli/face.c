@@ -39,10 +39,12 @@ static void evaluate_row(void *context, uint32_t row) {
   job->results[row] = SOZAI_ERROR_MEMORY;
   if (in && out) {
     fill_row(&f->view, row, in);
-    for (uint32_t k = 0; k < f->info->component_count; k++)
-      out[k] = f->components[k] + row * width;
-    sozai_batch b = {.size = sizeof b, .count = f->view.width, .footprint = in + 9 * width,
-                     .out = out, .out_count = f->info->component_count};
+    for (uint32_t k = 0; k < f->info->component_count; k++) out[k] = f->components[k] + row * width;
+    sozai_batch b = {.size = sizeof b,
+                     .count = f->view.width,
+                     .footprint = in + 9 * width,
+                     .out = out,
+                     .out_count = f->info->component_count};
     for (size_t c = 0; c < 3; c++) {
       b.point[c] = in + c * width;
       b.normal[c] = in + (c + 3) * width;

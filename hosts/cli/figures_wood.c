@@ -262,15 +262,15 @@ static bool draw_9(session *s, const char *folder, const char *name, json *j, fa
     face f;
     ok = face_evaluate(&f, s, NULL, parameters, &view, why);
     if (!ok) break;
-    const float *radiance = face_channel(&f, "radiance", why), *dive = face_channel(&f, "dive", why);
+    const float *radiance = face_channel(&f, "radiance", why),
+                *dive = face_channel(&f, "dive", why);
     const float *albedo = face_channel(&f, "albedo", why);
     double *gloss = calloc(2 * SIDE, sizeof *gloss);
     ok = radiance && dive && albedo && (gloss || fail(why, EXIT_FAILURE, "out of memory"));
     if (ok) {
       double *slope = gloss + SIDE;
       for (size_t k = 0; k < (size_t)SIDE * SIDE; k++) {
-        gloss[k / SIDE] +=
-            ((double)radiance[k] - 0.7 * (double)albedo[k] * cos(delta)) / SIDE;
+        gloss[k / SIDE] += ((double)radiance[k] - 0.7 * (double)albedo[k] * cos(delta)) / SIDE;
         slope[k / SIDE] += (double)dive[k] / SIDE;
       }
       uint32_t first = 0;

@@ -203,11 +203,11 @@ int run_gallery(int argc, char **argv) {
   session_options shared;
   if (!session_options_init(&shared, argc, &why)) return report(&why);
   const char *folder = NULL, *view = NULL;
-  uint32_t spp = 24;
+  uint32_t spp = 16;
   const option options[] = {
       {"output", 'o', OPTION_TEXT, &folder, "DIR", "folder for the pictures; made if need be", 0,
        0},
-      {"spp", 0, OPTION_COUNT, &spp, "N", "samples per pixel (default: 24)", 1, 65536},
+      {"spp", 0, OPTION_COUNT, &spp, "N", "samples per pixel (default: 16)", 1, 65536},
       {"view", 0, OPTION_TEXT, &view, "NAME", "the display's view", 0, 0},
       SESSION_RUN_OPTIONS(shared)};
   const command_line line = {.usage = "gallery -o DIR [options]",

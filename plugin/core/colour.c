@@ -79,8 +79,7 @@ static const sozai_colour_factory_1 *load_beside(const sozai_host *host) {
   }
   entry = dlsym(library, SOZAI_COLOUR_ENTRY_SYMBOL);
   if (!entry || entry->abi_major != SOZAI_ABI_MAJOR || entry->init(beside) != SOZAI_OK) {
-    host_log(host, SOZAI_LOG_WARNING, "%s is no colour service of ABI %u", beside,
-             SOZAI_ABI_MAJOR);
+    host_log(host, SOZAI_LOG_WARNING, "%s is no colour service of ABI %u", beside, SOZAI_ABI_MAJOR);
     entry = NULL;
     dlclose(library);
     library = NULL;
@@ -90,9 +89,7 @@ static const sozai_colour_factory_1 *load_beside(const sozai_host *host) {
   return factory;
 }
 
-static int same(const char *a, const char *b) {
-  return a == b || (a && b && strcmp(a, b) == 0);
-}
+static int same(const char *a, const char *b) { return a == b || (a && b && strcmp(a, b) == 0); }
 
 /* The service for a config, opened if it is not yet. *out NULL: there is none. */
 static int32_t open_beside(const sozai_host *host, const sozai_colour_1 **out) {
@@ -132,8 +129,11 @@ static int32_t open_beside(const sozai_host *host, const sozai_colour_1 **out) {
 /* ---- names of sRGB ---------------------------------------------------- */
 
 /* Configs agree on what sRGB is, not on what it is called. */
-static const char *const srgb_names[] = {"sRGB", "sRGB - Texture", "srgb_texture",
-                                         "Utility - sRGB - Texture", "sRGB Encoded Rec.709 (sRGB)",
+static const char *const srgb_names[] = {"sRGB",
+                                         "sRGB - Texture",
+                                         "srgb_texture",
+                                         "Utility - sRGB - Texture",
+                                         "sRGB Encoded Rec.709 (sRGB)",
                                          "srgb_rec709_scene"};
 static const char *const linear_names[] = {"scene_linear", "lin_rec709", "lin_srgb",
                                            "Linear Rec.709 (sRGB)", "Linear Rec.709"};
@@ -213,7 +213,8 @@ int32_t colour_convert(const sozai_host *host, const sozai_texture_info *info, c
       char message[512] = "";
       r = service->to_working(service->self, known_name(service, space), out[i], 1, message,
                               sizeof message);
-      if (r) return fail(SOZAI_ERROR_COLOUR, "%s: colour space \"%.80s\": %s", p->id, space, message);
+      if (r)
+        return fail(SOZAI_ERROR_COLOUR, "%s: colour space \"%.80s\": %s", p->id, space, message);
     } else {
       r = convert_by_formula(p->id, space, out[i]);
       if (r) return r;

@@ -60,7 +60,8 @@ INLINE vf filter_wave(vf e, float inverse_wavelength) {
   vf x = vmin(e * splat(inverse_wavelength), splat(1.0f));
   vf z = x * x;
   /* sin(pi x)/(pi x) on 0..1 to 2e-4, and exactly zero at 1 */
-  return (splat(1.0f) - z) * (splat(1.0f) + z * (splat(-0.6449341f) + z * (splat(0.1663f) + z * splat(-0.0213659f))));
+  return (splat(1.0f) - z) *
+         (splat(1.0f) + z * (splat(-0.6449341f) + z * (splat(0.1663f) + z * splat(-0.0213659f))));
 }
 
 #endif

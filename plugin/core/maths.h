@@ -105,8 +105,8 @@ INLINE vf log2_(vf x) {
   vf m = float_of(b - (e << 23));
   vf t = (m - splat(1.0f)) / (m + splat(1.0f));
   vf z = t * t;
-  vf p = t * (splat(2.8853900798f) +
-              z * (splat(0.96179883882f) + z * (splat(0.57671518602f) + z * splat(0.43171769744f))));
+  vf p = t * (splat(2.8853900798f) + z * (splat(0.96179883882f) +
+                                          z * (splat(0.57671518602f) + z * splat(0.43171769744f))));
   return to_float(e) + p;
 }
 
@@ -117,13 +117,12 @@ INLINE vf exp2_(vf x) {
   vi i;
   vf n = vfloor(y + splat(0.5f), &i);
   vf f = y - n;
-  vf p =
-      splat(1.0f) +
-      f * (splat(0.69314720670f) +
-           f * (splat(0.24022650922f) +
-                f * (splat(0.055503272267f) +
-                     f * (splat(0.0096180566785f) +
-                          f * (splat(0.0013400428177f) + f * splat(0.00015461444696f))))));
+  vf p = splat(1.0f) +
+         f * (splat(0.69314720670f) +
+              f * (splat(0.24022650922f) +
+                   f * (splat(0.055503272267f) +
+                        f * (splat(0.0096180566785f) +
+                             f * (splat(0.0013400428177f) + f * splat(0.00015461444696f))))));
   vf r = p * float_of((i + splati(127)) << 23);
   return sel(tiny, splat(0.0f), r);
 }
@@ -132,9 +131,7 @@ INLINE vf exp2_(vf x) {
 INLINE vf power01(vf x, vf n) { return exp2_(n * log2_(vmax(x, splat(1e-30f)))); }
 
 /* t^3 (10 - 15 t + 6 t^2): 0 to 1 with two vanishing derivatives at each end. */
-INLINE vf fade(vf t) {
-  return t * t * t * (splat(10.0f) + t * (splat(-15.0f) + t * splat(6.0f)));
-}
+INLINE vf fade(vf t) { return t * t * t * (splat(10.0f) + t * (splat(-15.0f) + t * splat(6.0f))); }
 INLINE vf fade_slope(vf t) {
   vf u = t * (splat(1.0f) - t);
   return splat(30.0f) * u * u;

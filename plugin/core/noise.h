@@ -134,8 +134,7 @@ INLINE void noise_corner(vu h, vf x, vf y, vf z, vf *value, vf *gx, vf *gy, vf *
 
 /* Gradient noise in three dimensions with its gradient (out[3]). */
 INLINE vf noise_gradient3(vf px, vf py, vf pz, vu seed, vf out[3]) {
-  noise_axis x = noise_split(px, HASH_X), y = noise_split(py, HASH_Y),
-             z = noise_split(pz, HASH_Z);
+  noise_axis x = noise_split(px, HASH_X), y = noise_split(py, HASH_Y), z = noise_split(pz, HASH_Z);
   vf v[8], g[8][3];
   for (int c = 0; c < 8; c++) {
     vu h = seed + (c & 1 ? x.high : x.low) + (c & 2 ? y.high : y.low) + (c & 4 ? z.high : z.low);
@@ -172,11 +171,10 @@ INLINE vf noise_fractal3(vf px, vf py, vf pz, uint32_t seed, int octaves, float 
   float scale = 1.0f, weight = 1.0f;
   for (int o = 0; o < octaves; o++) {
     vf g[3], k = splat(scale);
-    vf keep = splat(weight) *
-              (splat(1.0f) - smooth_step(splat(0.5f), splat(1.0f), footprint * k));
+    vf keep = splat(weight) * (splat(1.0f) - smooth_step(splat(0.5f), splat(1.0f), footprint * k));
     if (!any(gt(keep, splat(0.0f)))) break;
-    sum = sum + keep * noise_gradient3(px * k, py * k, pz * k,
-                                       splatu(hash1(seed + (uint32_t)o)), g);
+    sum =
+        sum + keep * noise_gradient3(px * k, py * k, pz * k, splatu(hash1(seed + (uint32_t)o)), g);
     for (int i = 0; i < 3; i++) out[i] = out[i] + keep * k * g[i];
     scale *= lacunarity;
     weight *= gain;

@@ -9,8 +9,9 @@
 #define BUFFER_MAX (1ull << 31) /* bytes in a buffer's array */
 
 static const char *kind_name(uint32_t kind) {
-  static const char *const names[] = {"text to be read", "a float", "an int",  "a bool", "a choice",
-                                      "a float3",        "a colour", "text", "a path", "a buffer"};
+  static const char *const names[] = {"text to be read", "a float",  "an int",   "a bool",
+                                      "a choice",        "a float3", "a colour", "text",
+                                      "a path",          "a buffer"};
   return kind < sizeof names / sizeof names[0] ? names[kind] : "an unknown kind";
 }
 
@@ -259,8 +260,8 @@ static void set_default(const sozai_parameter *p, setting *s) {
   }
 }
 
-static int32_t read_values(setting *list, const sozai_texture_info *info,
-                           const sozai_value *values, uint32_t count) {
+static int32_t read_values(setting *list, const sozai_texture_info *info, const sozai_value *values,
+                           uint32_t count) {
   for (uint32_t i = 0; i < count; i++) {
     if (!values[i].id) return fail(SOZAI_ERROR_ARGUMENT, "value %u has no parameter's id", i);
     int k = find_parameter(info, values[i].id);

@@ -64,7 +64,7 @@ static void build_cut(wood_constants *w, const settings *s) {
   static const double end[3][3] = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
   const double(*axes)[3] = cut == CUT_END ? end : along;
   static const double half_root = 0.70710678118654752440;
-  double place[3] = {0, 0, 0};
+  double place[3] = {0, cut == CUT_LOG ? 0 : num(s, P_CUT_HEIGHT), 0};
   if (cut == CUT_FLAT) place[2] = d;
   if (cut == CUT_QUARTER || cut == CUT_END) place[0] = d;
   if (cut == CUT_RIFT) place[0] = place[2] = d * half_root;
@@ -102,18 +102,19 @@ static int32_t build_stem(wood_constants *w, const settings *s) {
 
   double u = num(s, P_UNDULATION), size = num(s, P_UNDULATION_SIZE);
   if (u > 0.0900001 * size) {
-    return fail(SOZAI_ERROR_RANGE,
-                "undulation: %.9g mm is above 0.09 of undulation_size (%.9g mm): rings would cross; "
-                "0 to %.9g mm",
-                u, size, 0.09 * size);
+    return fail(
+        SOZAI_ERROR_RANGE,
+        "undulation: %.9g mm is above 0.09 of undulation_size (%.9g mm): rings would cross; "
+        "0 to %.9g mm",
+        u, size, 0.09 * size);
   }
   static const double weight[2] = {1.0, 0.3}, scale[2] = {1.0, 0.31};
   for (int o = 0; o < 2; o++) {
     w->undulation[o] = (float)(2.0 * u * weight[o]);
+    w->undulation_frequency_axis[o] = (float)(1.0 / (3.0 * size * scale[o]));
     w->undulation_size[o] = (float)(size * scale[o]);
     w->undulation_frequency_section[o] = (float)(1.0 / (size * scale[o]));
   }
-  w->undulation_frequency_axis = (float)(1.0 / (4.0 * size));
   w->undulation_core = (float)(0.5 / size);
   return SOZAI_OK;
 }

@@ -23,11 +23,11 @@
 #include "stem.h"
 
 typedef struct {
-  vf d;        /* mm: displacement along the arc */
-  vf g;        /* slope, without what the footprint swallows */
+  vf d;          /* mm: displacement along the arc */
+  vf g;          /* slope, without what the footprint swallows */
   vf g_filtered; /* slope averaged over the footprint */
-  vf d_t;      /* mm per year */
-  vf variance; /* of the slope, lost in the average */
+  vf d_t;        /* mm per year */
+  vf variance;   /* of the slope, lost in the average */
 } grain_place;
 
 /* extent: mm, of the footprint along y. */

@@ -73,8 +73,8 @@ INLINE void to_log(const wood_constants *w, const vf p[3], vf out[3]) {
     return;
   }
   for (int c = 0; c < 3; c++) {
-    out[c] = splat(w->turn[c][0]) * p[0] + splat(w->turn[c][1]) * p[1] +
-             splat(w->turn[c][2]) * p[2];
+    out[c] =
+        splat(w->turn[c][0]) * p[0] + splat(w->turn[c][1]) * p[1] + splat(w->turn[c][2]) * p[2];
   }
 }
 
@@ -150,18 +150,18 @@ INLINE vf rings_across(const wood_constants *w, int what, const stem_place *p,
  * few blocks each before the next begins: the blocks do not wait for one
  * another, and what one leaves idle of the processor the next one uses. */
 typedef struct {
-  uint32_t i, n;             /* the first point, and how many */
-  vf p[3];                   /* log space */
-  vf nrm[3];                 /* normal, log space */
-  vf s;                      /* footprint */
-  vf up2, inverse_up;        /* squared length of +y within the surface, its inverse root */
+  uint32_t i, n;      /* the first point, and how many */
+  vf p[3];            /* log space */
+  vf nrm[3];          /* normal, log space */
+  vf s;               /* footprint */
+  vf up2, inverse_up; /* squared length of +y within the surface, its inverse root */
   stem_place stem;
   ring_place ring;
   vf years, divisor, phase;
   grain_place grain;
-  vf c, sn, x, z;            /* reference section: direction and place */
-  vf sine;                   /* of the dive angle */
-  vf b[3];                   /* row of the map from surface to rho */
+  vf c, sn, x, z; /* reference section: direction and place */
+  vf sine;        /* of the dive angle */
+  vf b[3];        /* row of the map from surface to rho */
   vf late, albedo[3];
 } block;
 
@@ -227,8 +227,8 @@ INLINE void stage_fibre(const wood_constants *w, const wood_io *io, const wood_w
     for (int c = 0; c < 3; c++) {
       vf back = f[c];
       if (w->turned) {
-        back = splat(w->turn[0][c]) * f[0] + splat(w->turn[1][c]) * f[1] +
-               splat(w->turn[2][c]) * f[2];
+        back =
+            splat(w->turn[0][c]) * f[0] + splat(w->turn[1][c]) * f[1] + splat(w->turn[2][c]) * f[2];
       }
       store_lanes(io, WOOD_FIBER + c, k->i, k->n, back);
     }
@@ -252,8 +252,8 @@ INLINE void stage_tissue(const wood_constants *w, const wood_io *io, const wood_
   int ball = !io->in->normal[0];
   /* the row of the map from surface to arc */
   vf ratio = stem->rho * stem->inverse_r;
-  vf phi_rho = (k->grain.d_t * k->ring.inverse_width - k->phase * stem->rho * k->divisor) *
-               k->divisor;
+  vf phi_rho =
+      (k->grain.d_t * k->ring.inverse_width - k->phase * stem->rho * k->divisor) * k->divisor;
   vf shear = stem->rho * phi_rho, g = stem->rho * k->grain.g * k->divisor;
   vf tx = zero - ratio * stem->s, tz = ratio * stem->c;
   vf a[3] = {tx - shear * k->b[0],
@@ -287,8 +287,8 @@ INLINE void stage_tissue(const wood_constants *w, const wood_io *io, const wood_
   vf shift = one + fibre_shift(w, k->x, k->z, f.aa + f.bb);
   vf early = vmax(one - cover - late, zero) * shift, dark = late * shift;
   for (int c = 0; c < 3; c++) {
-    k->albedo[c] = splat(w->early[c]) * early + splat(w->late[c]) * dark +
-                   splat(w->vessel[c]) * cover;
+    k->albedo[c] =
+        splat(w->early[c]) * early + splat(w->late[c]) * dark + splat(w->vessel[c]) * cover;
     store_lanes(io, WOOD_ALBEDO + c, k->i, k->n, k->albedo[c]);
   }
 }
@@ -368,8 +368,8 @@ static void evaluate(const wood_constants *w, const wood_io *io, uint32_t from, 
 
 /* R(t, theta, y): rho of the year from the table, then the radius whose rho it
  * is, by Newton's method from above, where the field is all but linear. */
-static void ring_radius(const wood_constants *w, uint32_t count, const float *t,
-                        const float *theta, const float *y, float *out) {
+static void ring_radius(const wood_constants *w, uint32_t count, const float *t, const float *theta,
+                        const float *y, float *out) {
   for (uint32_t i = 0; i < count; i += LANES) {
     uint32_t n = count - i < LANES ? count - i : LANES;
     vf years = clamp(finite_coordinate(load_lanes(t, i, n)), splat(0.0f), splat(1e5f));
@@ -408,4 +408,5 @@ static void pith(const wood_constants *w, uint32_t count, const float *y, float 
   }
 }
 
-const wood_kernel NAMED(wood_kernel_) = {STRING(SOZAI_ISA_NAME), LANES, evaluate, ring_radius, pith};
+const wood_kernel NAMED(wood_kernel_) = {STRING(SOZAI_ISA_NAME), LANES, evaluate, ring_radius,
+                                         pith};

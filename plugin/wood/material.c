@@ -50,8 +50,9 @@ static const sozai_texture_info *describe(void) {
       .revision = 1,
       .id = "wood",
       .label = "Wood",
-      .doc = "Solid wood sawn from a stem: rings, vessels and fibres carried by one grain, with the "
-             "figure that it gives.",
+      .doc =
+          "Solid wood sawn from a stem: rings, vessels and fibres carried by one grain, with the "
+          "figure that it gives.",
       .parameters = wood_parameters,
       .presets = wood_species,
       .channels = wood_channels,
@@ -79,8 +80,7 @@ static int32_t build(void *state, const sozai_host *host, const settings *s,
   return wood_build(&w->constants, s, colours);
 }
 
-static void evaluate(const void *state, const sozai_batch *b, float *const *out,
-                     uint64_t wanted) {
+static void evaluate(const void *state, const sozai_batch *b, float *const *out, uint64_t wanted) {
   const wood_state *w = state;
   wood_io io = {b, out, wanted};
   const wood_kernels *k = &w->use;

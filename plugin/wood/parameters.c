@@ -41,6 +41,12 @@ static const sozai_parameter cut_distance = {
    .doc = "Of the object's origin from the pith; not for cut = log.",
    .hard_min = -5000, .hard_max = 5000, .soft_min = 0, .soft_max = 300, .default_number = {60}};
 
+static const sozai_parameter cut_height = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "cut_height", .label = "Height in the stem", .group = "cut", .unit = "mm",
+   .doc = "Of the object's origin above the section y = 0; not for cut = log.",
+   .hard_min = -100000, .hard_max = 100000, .soft_min = 0, .soft_max = 4000, .default_number = {700}};
+
 static const sozai_parameter cut_rotation = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "cut_rotation", .label = "Azimuth", .group = "cut", .unit = "deg",
@@ -90,7 +96,7 @@ static const sozai_parameter undulation = {
 static const sozai_parameter undulation_size = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "undulation_size", .label = "Undulation size", .group = "rings", .unit = "mm",
-   .doc = "Size of that waviness across the stem; along it, it is 4 times as long.",
+   .doc = "Size of that waviness across the stem; along it, it is 3 times as long.",
    .hard_min = 5, .hard_max = 400, .soft_min = 10, .soft_max = 100, .default_number = {34}};
 
 static const sozai_parameter taper = {
@@ -324,6 +330,7 @@ const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_OBJECT] = &object,
    [P_CUT] = &cut,
    [P_CUT_DISTANCE] = &cut_distance,
+   [P_CUT_HEIGHT] = &cut_height,
    [P_CUT_ROTATION] = &cut_rotation,
    [P_CUT_OFFSET] = &cut_offset,
    [P_RING_WIDTH] = &ring_width,

@@ -10,13 +10,22 @@
 #include "species.h"
 
 #define COUNT(a) (sizeof(a) / sizeof((a)[0]))
-#define NUMBER(name, x) {.id = name, .kind = SOZAI_KIND_FLOAT, .number = {x}}
-#define WHOLE(name, x) {.id = name, .kind = SOZAI_KIND_INT, .number = {x}}
-#define CHOICE(name, c) {.id = name, .kind = SOZAI_KIND_CHOICE, .text = c}
+#define NUMBER(name, x)                                                                            \
+  {                                                                                                \
+    .id = name, .kind = SOZAI_KIND_FLOAT, .number = { x }                                          \
+  }
+#define WHOLE(name, x)                                                                             \
+  {                                                                                                \
+    .id = name, .kind = SOZAI_KIND_INT, .number = { x }                                            \
+  }
+#define CHOICE(name, c)                                                                            \
+  { .id = name, .kind = SOZAI_KIND_CHOICE, .text = c }
 /* sRGB as 8-bit numbers */
 #define SRGB(name, r, g, b)                                                                        \
-  {.id = name, .kind = SOZAI_KIND_COLOUR, .number = {(r) / 255.0, (g) / 255.0, (b) / 255.0},       \
-   .text = "sRGB"}
+  {                                                                                                \
+    .id = name, .kind = SOZAI_KIND_COLOUR, .number = {(r) / 255.0, (g) / 255.0, (b) / 255.0},      \
+    .text = "sRGB"                                                                                 \
+  }
 #define SPECIES(key, name, about, literature)                                                      \
   static const sozai_preset species_##key = {.size = sizeof(sozai_preset),                         \
                                              .value_count = COUNT(values_##key),                   \
@@ -27,20 +36,27 @@
                                              .values = values_##key}
 
 #define ITOH                                                                                       \
-  "Itoh T., Anatomical description of Japanese hardwoods I-V, Wood Research and Technical Notes " \
+  "Itoh T., Anatomical description of Japanese hardwoods I-V, Wood Research and Technical Notes "  \
   "31-35 (1995-1999)"
 #define INSIDEWOOD "InsideWood database, NC State University (IAWA feature codes)"
 #define FFPRI "Forestry and Forest Products Research Institute, Japanese wood database"
 
 static const sozai_value values_onigurumi[] = {
-    NUMBER("ring_width", 2.6),           NUMBER("ring_variation", 0.28),
-    NUMBER("latewood_fraction", 0.3),    NUMBER("latewood_abruptness", 0.15),
-    NUMBER("undulation", 1.1),           NUMBER("slope_noise", 0.025),
-    CHOICE("porosity", "semi_ring"),     NUMBER("vessel_density", 7.0),
-    NUMBER("vessel_diameter", 190.0),    NUMBER("vessel_diameter_late", 105.0),
+    NUMBER("ring_width", 2.6),
+    NUMBER("ring_variation", 0.28),
+    NUMBER("latewood_fraction", 0.3),
+    NUMBER("latewood_abruptness", 0.15),
+    NUMBER("undulation", 1.1),
+    CHOICE("porosity", "semi_ring"),
+    NUMBER("vessel_density", 7.0),
+    NUMBER("vessel_diameter", 190.0),
+    NUMBER("vessel_diameter_late", 105.0),
     NUMBER("vessel_diameter_spread", 0.2),
+    NUMBER("slope_noise", 0.04),
+    NUMBER("slope_noise_length", 45.0),
     NUMBER("fibre_brightness", 0.15),
-    SRGB("earlywood_colour", 168, 128, 88), SRGB("latewood_colour", 132, 95, 63),
+    SRGB("earlywood_colour", 168, 128, 88),
+    SRGB("latewood_colour", 132, 95, 63),
     SRGB("vessel_colour", 129, 98, 68),
     NUMBER("specular", 0.06),
 };
@@ -49,13 +65,20 @@ SPECIES(onigurumi, "Onigurumi, Japanese walnut (Juglans mandshurica var. sachali
         ITOH "; " INSIDEWOOD);
 
 static const sozai_value values_makaba[] = {
-    NUMBER("ring_width", 1.8),           NUMBER("ring_variation", 0.22),
-    NUMBER("latewood_fraction", 0.1),    NUMBER("latewood_abruptness", 0.5),
+    NUMBER("ring_width", 1.8),
+    NUMBER("ring_variation", 0.22),
+    NUMBER("latewood_fraction", 0.1),
+    NUMBER("latewood_abruptness", 0.5),
     NUMBER("undulation", 0.7),
-    CHOICE("porosity", "diffuse"),       NUMBER("vessel_density", 32.0),
-    NUMBER("vessel_diameter", 92.0),     NUMBER("vessel_diameter_spread", 0.2),
+    CHOICE("porosity", "diffuse"),
+    NUMBER("vessel_density", 32.0),
+    NUMBER("vessel_diameter", 92.0),
+    NUMBER("vessel_diameter_spread", 0.2),
+    NUMBER("slope_noise", 0.03),
+    NUMBER("slope_noise_length", 45.0),
     NUMBER("fibre_brightness", 0.09),
-    SRGB("earlywood_colour", 214, 170, 130), SRGB("latewood_colour", 186, 138, 99),
+    SRGB("earlywood_colour", 214, 170, 130),
+    SRGB("latewood_colour", 186, 138, 99),
     SRGB("vessel_colour", 197, 154, 116),
     NUMBER("specular", 0.09),
 };
@@ -64,13 +87,20 @@ SPECIES(makaba, "Makaba, monarch birch (Betula maximowicziana)",
         ITOH "; " INSIDEWOOD);
 
 static const sozai_value values_yamazakura[] = {
-    NUMBER("ring_width", 2.2),           NUMBER("ring_variation", 0.25),
-    NUMBER("latewood_fraction", 0.14),   NUMBER("latewood_abruptness", 0.4),
+    NUMBER("ring_width", 2.2),
+    NUMBER("ring_variation", 0.25),
+    NUMBER("latewood_fraction", 0.14),
+    NUMBER("latewood_abruptness", 0.4),
     NUMBER("undulation", 0.9),
-    CHOICE("porosity", "diffuse"),       NUMBER("vessel_density", 120.0),
-    NUMBER("vessel_diameter", 46.0),     NUMBER("vessel_diameter_spread", 0.2),
+    CHOICE("porosity", "diffuse"),
+    NUMBER("vessel_density", 120.0),
+    NUMBER("vessel_diameter", 46.0),
+    NUMBER("vessel_diameter_spread", 0.2),
+    NUMBER("slope_noise", 0.035),
+    NUMBER("slope_noise_length", 45.0),
     NUMBER("fibre_brightness", 0.1),
-    SRGB("earlywood_colour", 200, 146, 102), SRGB("latewood_colour", 164, 108, 70),
+    SRGB("earlywood_colour", 200, 146, 102),
+    SRGB("latewood_colour", 164, 108, 70),
     SRGB("vessel_colour", 178, 127, 88),
     NUMBER("specular", 0.08),
 };
@@ -79,34 +109,51 @@ SPECIES(yamazakura, "Yamazakura, Japanese cherry (Cerasus jamasakura)",
         ITOH "; " INSIDEWOOD);
 
 static const sozai_value values_mizunara[] = {
-    NUMBER("ring_width", 2.0),           NUMBER("ring_variation", 0.28),
-    NUMBER("latewood_fraction", 0.5),    NUMBER("latewood_abruptness", 0.35),
+    NUMBER("ring_width", 2.0),
+    NUMBER("ring_variation", 0.28),
+    NUMBER("latewood_fraction", 0.5),
+    NUMBER("latewood_abruptness", 0.35),
     NUMBER("undulation", 0.9),
-    CHOICE("porosity", "ring"),          NUMBER("vessel_density", 14.0),
-    NUMBER("vessel_diameter", 50.0),     NUMBER("vessel_diameter_spread", 0.25),
-    WHOLE("earlywood_rows", 2),          NUMBER("earlywood_density", 2.4),
-    NUMBER("earlywood_diameter", 270.0), NUMBER("earlywood_diameter_spread", 0.16),
+    CHOICE("porosity", "ring"),
+    NUMBER("vessel_density", 14.0),
+    NUMBER("vessel_diameter", 50.0),
+    NUMBER("vessel_diameter_spread", 0.25),
+    WHOLE("earlywood_rows", 2),
+    NUMBER("earlywood_density", 2.4),
+    NUMBER("earlywood_diameter", 270.0),
+    NUMBER("earlywood_diameter_spread", 0.16),
     NUMBER("earlywood_jitter", 0.6),
+    NUMBER("slope_noise", 0.045),
+    NUMBER("slope_noise_length", 45.0),
     NUMBER("fibre_brightness", 0.12),
-    SRGB("earlywood_colour", 203, 171, 128), SRGB("latewood_colour", 180, 144, 100),
+    SRGB("earlywood_colour", 203, 171, 128),
+    SRGB("latewood_colour", 180, 144, 100),
     SRGB("vessel_colour", 168, 137, 99),
     NUMBER("specular", 0.06),
 };
 SPECIES(mizunara, "Mizunara, Japanese oak (Quercus crispula)",
-        "Light brown; one to three rows of very large earlywood vessels.",
-        ITOH "; " INSIDEWOOD);
+        "Light brown; one to three rows of very large earlywood vessels.", ITOH "; " INSIDEWOOD);
 
 static const sozai_value values_harunire[] = {
-    NUMBER("ring_width", 2.4),           NUMBER("ring_variation", 0.3),
-    NUMBER("latewood_fraction", 0.45),   NUMBER("latewood_abruptness", 0.4),
-    NUMBER("undulation", 1.2),           NUMBER("slope_noise", 0.03),
-    CHOICE("porosity", "ring"),          NUMBER("vessel_density", 45.0),
-    NUMBER("vessel_diameter", 48.0),     NUMBER("vessel_diameter_spread", 0.25),
-    WHOLE("earlywood_rows", 2),          NUMBER("earlywood_density", 2.9),
-    NUMBER("earlywood_diameter", 220.0), NUMBER("earlywood_diameter_spread", 0.18),
+    NUMBER("ring_width", 2.4),
+    NUMBER("ring_variation", 0.3),
+    NUMBER("latewood_fraction", 0.45),
+    NUMBER("latewood_abruptness", 0.4),
+    NUMBER("undulation", 1.2),
+    CHOICE("porosity", "ring"),
+    NUMBER("vessel_density", 45.0),
+    NUMBER("vessel_diameter", 48.0),
+    NUMBER("vessel_diameter_spread", 0.25),
+    WHOLE("earlywood_rows", 2),
+    NUMBER("earlywood_density", 2.9),
+    NUMBER("earlywood_diameter", 220.0),
+    NUMBER("earlywood_diameter_spread", 0.18),
     NUMBER("earlywood_jitter", 0.7),
+    NUMBER("slope_noise", 0.05),
+    NUMBER("slope_noise_length", 45.0),
     NUMBER("fibre_brightness", 0.14),
-    SRGB("earlywood_colour", 196, 158, 116), SRGB("latewood_colour", 160, 118, 78),
+    SRGB("earlywood_colour", 196, 158, 116),
+    SRGB("latewood_colour", 160, 118, 78),
     SRGB("vessel_colour", 150, 116, 82),
     NUMBER("specular", 0.06),
 };
@@ -115,16 +162,25 @@ SPECIES(harunire, "Harunire, Japanese elm (Ulmus davidiana var. japonica)",
         ITOH "; " INSIDEWOOD);
 
 static const sozai_value values_keyaki[] = {
-    NUMBER("ring_width", 2.8),           NUMBER("ring_variation", 0.3),
-    NUMBER("latewood_fraction", 0.4),    NUMBER("latewood_abruptness", 0.5),
+    NUMBER("ring_width", 2.8),
+    NUMBER("ring_variation", 0.3),
+    NUMBER("latewood_fraction", 0.4),
+    NUMBER("latewood_abruptness", 0.5),
     NUMBER("undulation", 1.1),
-    CHOICE("porosity", "ring"),          NUMBER("vessel_density", 30.0),
-    NUMBER("vessel_diameter", 42.0),     NUMBER("vessel_diameter_spread", 0.25),
-    WHOLE("earlywood_rows", 1),          NUMBER("earlywood_density", 3.0),
-    NUMBER("earlywood_diameter", 230.0), NUMBER("earlywood_diameter_spread", 0.15),
+    CHOICE("porosity", "ring"),
+    NUMBER("vessel_density", 30.0),
+    NUMBER("vessel_diameter", 42.0),
+    NUMBER("vessel_diameter_spread", 0.25),
+    WHOLE("earlywood_rows", 1),
+    NUMBER("earlywood_density", 3.0),
+    NUMBER("earlywood_diameter", 230.0),
+    NUMBER("earlywood_diameter_spread", 0.15),
     NUMBER("earlywood_jitter", 0.5),
+    NUMBER("slope_noise", 0.045),
+    NUMBER("slope_noise_length", 45.0),
     NUMBER("fibre_brightness", 0.12),
-    SRGB("earlywood_colour", 212, 160, 100), SRGB("latewood_colour", 172, 112, 60),
+    SRGB("earlywood_colour", 212, 160, 100),
+    SRGB("latewood_colour", 172, 112, 60),
     SRGB("vessel_colour", 158, 112, 67),
     NUMBER("specular", 0.08),
 };
@@ -133,24 +189,36 @@ SPECIES(keyaki, "Keyaki, Japanese zelkova (Zelkova serrata)",
         ITOH "; " INSIDEWOOD);
 
 static const sozai_value values_sugi[] = {
-    NUMBER("ring_width", 3.4),           NUMBER("ring_variation", 0.32),
-    NUMBER("latewood_fraction", 0.2),    NUMBER("latewood_abruptness", 0.72),
-    NUMBER("latewood_variation", 0.35),  NUMBER("undulation", 0.9),
-    CHOICE("porosity", "none"),          NUMBER("slope_noise", 0.012),
-    NUMBER("fibre_brightness", 0.09),    NUMBER("fibre_width", 0.05),
-    SRGB("earlywood_colour", 226, 176, 138), SRGB("latewood_colour", 152, 86, 56),
+    NUMBER("ring_width", 3.4),
+    NUMBER("ring_variation", 0.32),
+    NUMBER("latewood_fraction", 0.2),
+    NUMBER("latewood_abruptness", 0.72),
+    NUMBER("latewood_variation", 0.35),
+    NUMBER("undulation", 0.9),
+    CHOICE("porosity", "none"),
+    NUMBER("slope_noise", 0.012),
+    NUMBER("fibre_brightness", 0.09),
+    NUMBER("fibre_width", 0.05),
+    SRGB("earlywood_colour", 226, 176, 138),
+    SRGB("latewood_colour", 152, 86, 56),
     NUMBER("specular", 0.05),
 };
 SPECIES(sugi, "Sugi, Japanese cedar (Cryptomeria japonica)",
         "A conifer: pinkish earlywood and dark, abrupt latewood.", FFPRI "; " INSIDEWOOD);
 
 static const sozai_value values_hinoki[] = {
-    NUMBER("ring_width", 1.9),           NUMBER("ring_variation", 0.25),
-    NUMBER("latewood_fraction", 0.15),   NUMBER("latewood_abruptness", 0.45),
-    NUMBER("latewood_variation", 0.35),  NUMBER("undulation", 0.6),
-    CHOICE("porosity", "none"),          NUMBER("slope_noise", 0.01),
-    NUMBER("fibre_brightness", 0.06),    NUMBER("fibre_width", 0.05),
-    SRGB("earlywood_colour", 236, 203, 156), SRGB("latewood_colour", 206, 150, 98),
+    NUMBER("ring_width", 1.9),
+    NUMBER("ring_variation", 0.25),
+    NUMBER("latewood_fraction", 0.15),
+    NUMBER("latewood_abruptness", 0.45),
+    NUMBER("latewood_variation", 0.35),
+    NUMBER("undulation", 0.6),
+    CHOICE("porosity", "none"),
+    NUMBER("slope_noise", 0.01),
+    NUMBER("fibre_brightness", 0.06),
+    NUMBER("fibre_width", 0.05),
+    SRGB("earlywood_colour", 236, 203, 156),
+    SRGB("latewood_colour", 206, 150, 98),
     NUMBER("specular", 0.09),
 };
 SPECIES(hinoki, "Hinoki, Japanese cypress (Chamaecyparis obtusa)",
@@ -158,17 +226,25 @@ SPECIES(hinoki, "Hinoki, Japanese cypress (Chamaecyparis obtusa)",
         FFPRI "; " INSIDEWOOD);
 
 static const sozai_value values_itayakaede[] = {
-    NUMBER("ring_width", 1.9),           NUMBER("ring_variation", 0.22),
-    NUMBER("latewood_fraction", 0.06),   NUMBER("latewood_abruptness", 0.8),
+    NUMBER("ring_width", 1.9),
+    NUMBER("ring_variation", 0.22),
+    NUMBER("latewood_fraction", 0.06),
+    NUMBER("latewood_abruptness", 0.8),
     NUMBER("undulation", 0.8),
-    CHOICE("grain", "wavy"),             NUMBER("wave_slope", 0.17),
-    NUMBER("wave_length", 11.0),         NUMBER("wave_irregularity", 0.75),
-    CHOICE("porosity", "diffuse"),       NUMBER("vessel_density", 42.0),
-    NUMBER("vessel_diameter", 66.0),     NUMBER("vessel_diameter_spread", 0.2),
+    CHOICE("grain", "wavy"),
+    NUMBER("wave_slope", 0.17),
+    NUMBER("wave_length", 11.0),
+    NUMBER("wave_irregularity", 0.75),
+    CHOICE("porosity", "diffuse"),
+    NUMBER("vessel_density", 42.0),
+    NUMBER("vessel_diameter", 66.0),
+    NUMBER("vessel_diameter_spread", 0.2),
     NUMBER("fibre_brightness", 0.07),
-    SRGB("earlywood_colour", 232, 202, 160), SRGB("latewood_colour", 198, 156, 110),
+    SRGB("earlywood_colour", 232, 202, 160),
+    SRGB("latewood_colour", 198, 156, 110),
     SRGB("vessel_colour", 214, 182, 140),
-    NUMBER("diffuse", 0.8),              NUMBER("specular", 0.35),
+    NUMBER("diffuse", 0.8),
+    NUMBER("specular", 0.35),
     NUMBER("shininess", 12.0),
 };
 SPECIES(itayakaede, "Itayakaede, painted maple with wavy grain (Acer pictum)",
@@ -176,7 +252,8 @@ SPECIES(itayakaede, "Itayakaede, painted maple with wavy grain (Acer pictum)",
         ITOH "; " INSIDEWOOD);
 
 const sozai_preset *const wood_species[] = {
-    &species_onigurumi, &species_makaba, &species_yamazakura, &species_mizunara, &species_harunire,
-    &species_keyaki,    &species_sugi,   &species_hinoki,     &species_itayakaede,
+    &species_onigurumi, &species_makaba,   &species_yamazakura,
+    &species_mizunara,  &species_harunire, &species_keyaki,
+    &species_sugi,      &species_hinoki,   &species_itayakaede,
 };
 const uint32_t wood_species_count = COUNT(wood_species);

@@ -57,11 +57,11 @@ INLINE vf undulation_at(const wood_constants *w, vf x, vf y, vf z, vf r, vf c, v
                         vf d[3], vf *lost) {
   vf n = splat(0.0f), nx = n, ny = n, nz = n;
   *lost = n;
-  vf fy = splat(w->undulation_frequency_axis);
-  noise_stem ay = noise_split_axial(y * fy, HASH_Y);
   for (int o = 0; o < 2; o++) {
     if (w->undulation[o] == 0.0f) continue;
     vf f = splat(w->undulation_frequency_section[o]);
+    vf fy = splat(w->undulation_frequency_axis[o]);
+    noise_stem ay = noise_split_axial(y * fy, HASH_Y);
     /* the second octave is turned by atan(3/4), so that lattices do not line up */
     vf px = x, pz = z;
     if (o == 1) {
@@ -100,7 +100,7 @@ INLINE vf undulation_at(const wood_constants *w, vf x, vf y, vf z, vf r, vf c, v
 
 typedef struct {
   stem_pith pith;
-  vf r, c, s;      /* distance from the pith and direction */
+  vf r, c, s; /* distance from the pith and direction */
   vf inverse_r;
   vf rho;          /* mm */
   vf rho_x, rho_z; /* derivatives about the pith at a fixed height */

@@ -4,10 +4,10 @@
  *
  * Pores of the field (diffuse-porous wood, and the latewood of the others)
  * stand in square cells of the reference section, one to a cell on average;
- * each cell holds 0 to 3 of them at uniform places, with the mean and the variance of a Poisson count,
- * so that counts over an area are those of Kawai's uniform distribution.
- * Earlywood vessels stand along the ring boundary, 2 pi R P to a ring, evenly
- * spaced with jitter. Radii are normally distributed, truncated above zero.
+ * each cell holds 0 to 3 of them at uniform places, with the mean and the variance of a Poisson
+ * count, so that counts over an area are those of Kawai's uniform distribution. Earlywood vessels
+ * stand along the ring boundary, 2 pi R P to a ring, evenly spaced with jitter. Radii are normally
+ * distributed, truncated above zero.
  *
  * Filtering. A vessel is a ramp in q = (distance / radius)^2, from 1.25 where
  * it is 0 to 0.75 where it is 1: its area and its half level are the disc's.
@@ -112,11 +112,11 @@ INLINE vf pores_cover(const wood_constants *w, vf x, vf z, const disc *d) {
 
 /* The earlywood band nearest to a point, and the point's place along it. */
 typedef struct {
-  vm near;   /* close enough to matter */
-  vf count;  /* vessels to the ring */
-  vi n;      /* the same */
-  vf start;  /* mm: rho of the ring's start */
-  vf turn;   /* theta' / 2 pi, 0..1 */
+  vm near;    /* close enough to matter */
+  vf count;   /* vessels to the ring */
+  vi n;       /* the same */
+  vf start;   /* mm: rho of the ring's start */
+  vf turn;    /* theta' / 2 pi, 0..1 */
   vf per_arc; /* vessels to a mm of arc at the point */
   vf arc;     /* its inverse */
   vu seed;
@@ -180,9 +180,9 @@ INLINE vf rows_cover(const wood_constants *w, const row_place *p, vf rho, vf da,
 
 /* Where a point's vessels are looked up. */
 typedef struct {
-  vf x, z;   /* mm: in the reference section */
-  vf c, s;   /* direction of (x, z) */
-  vf rho;    /* mm: of the point's year */
+  vf x, z; /* mm: in the reference section */
+  vf c, s; /* direction of (x, z) */
+  vf rho;  /* mm: of the point's year */
   ring_place ring;
   footprint2 f; /* over (arc, rho) */
 } vessel_place;
@@ -211,10 +211,10 @@ INLINE footprint_axes footprint_split(const footprint2 *f) {
 /* How a footprint is cut into parts, lane by lane: `along` of its longest
  * direction (1, 2, 4 or 8), `beside` of what is left (1 or 2). */
 typedef struct {
-  vm cut, most;       /* into more than one; into as many as there are */
-  vf along, beside;   /* inverses of the numbers */
-  vf aa, ab, bb;      /* of one part */
-  int taps;           /* of the lane that has the most */
+  vm cut, most;     /* into more than one; into as many as there are */
+  vf along, beside; /* inverses of the numbers */
+  vf aa, ab, bb;    /* of one part */
+  int taps;         /* of the lane that has the most */
 } footprint_parts;
 
 INLINE vf square_of(vf x) { return x * x; }
@@ -240,10 +240,7 @@ INLINE footprint_parts footprint_cut(const footprint2 *f, const footprint_axes *
   p.aa = sel(cut, square_of(l->arc) * k + square_of(l->rest_arc) * r, f->aa);
   p.bb = sel(cut, square_of(l->rho) * k + square_of(l->rest_rho) * r, f->bb);
   p.ab = sel(cut, l->arc * l->rho * k, f->ab);
-  p.taps = any(p.most) ? 8
-           : any(and_(cut, or_(four, wide))) ? 4
-           : any(cut) ? 2
-                      : 1;
+  p.taps = any(p.most) ? 8 : any(and_(cut, or_(four, wide))) ? 4 : any(cut) ? 2 : 1;
   return p;
 }
 
@@ -258,8 +255,8 @@ INLINE matrix2 to_section(vf aa, vf ab, vf bb, vf c, vf s) {
 }
 
 typedef struct {
-  vf pores, rows;               /* coverage, where it could be looked up */
-  vf pores_faded, rows_faded;   /* 1: the expected coverage is to be used */
+  vf pores, rows;             /* coverage, where it could be looked up */
+  vf pores_faded, rows_faded; /* 1: the expected coverage is to be used */
 } vessel_cover_t;
 
 /* 0 while sqrt(e2) is below 0.6 of the reach, 1 from the whole of it on. */
@@ -269,8 +266,7 @@ INLINE vf fade_beyond(vf e2, float reach) {
 
 /* One tap, `da` along the arc and `dr` along rho off the centre. */
 INLINE void vessels_tap(const wood_constants *w, const vessel_place *p, const row_place *row,
-                        const footprint_parts *part, vf da, vf dr, vf weight,
-                        vessel_cover_t *sum) {
+                        const footprint_parts *part, vf da, vf dr, vf weight, vessel_cover_t *sum) {
   vf twelfth = splat(1.0f / 12.0f);
   vf aa = part->aa * twelfth, ab = part->ab * twelfth, bb = part->bb * twelfth;
   if (w->has_pores) {

@@ -19,10 +19,10 @@
 
 #include "../../api/sozai.h"
 
-#define WOOD_RINGS 256       /* rings before the table repeats */
-#define WOOD_BINS_MAX 16384  /* bins of the look-up from rho to ring */
-#define WOOD_HARMONICS 3     /* of the section's outline */
-#define WOOD_RADII 32        /* steps of the table of vessel radii */
+#define WOOD_RINGS 256      /* rings before the table repeats */
+#define WOOD_BINS_MAX 16384 /* bins of the look-up from rho to ring */
+#define WOOD_HARMONICS 3    /* of the section's outline */
+#define WOOD_RADII 32       /* steps of the table of vessel radii */
 #define WOOD_FIBRE_OCTAVES 3
 
 /* The seeds of the noises, kept apart. */
@@ -41,13 +41,13 @@ enum {
 /* A layer of vessels of normally distributed radius. inverse_square[i] is
  * (mean radius / radius)^2 for the i-th of WOOD_RADII equally likely radii. */
 typedef struct {
-  float radius;      /* mm, the mean */
-  float cell;        /* mm: side of a lattice cell, or spacing along the arc */
+  float radius;             /* mm, the mean */
+  float cell;               /* mm: side of a lattice cell, or spacing along the arc */
   float inverse_cell, step; /* 1/mm; mm: cell / 2048 */
-  float reach;       /* mm: the longest footprint that one look-up answers */
-  float farthest;    /* q, in units of the mean radius, at which the largest vessel ends */
-  float coverage;    /* expected area fraction where the layer is at full size */
-  float overlap;     /* share of the discs' areas that lies under another disc */
+  float reach;              /* mm: the longest footprint that one look-up answers */
+  float farthest;           /* q, in units of the mean radius, at which the largest vessel ends */
+  float coverage;           /* expected area fraction where the layer is at full size */
+  float overlap;            /* share of the discs' areas that lies under another disc */
   float inverse_square[WOOD_RADII];
 } wood_vessels;
 
@@ -61,30 +61,30 @@ typedef struct {
   float pith_amplitude, pith_frequency; /* mm, 1/mm */
   float taper;                          /* 1/mm: s(y) = 1 + taper y, |taper y| <= 0.9 */
   float outline_cos[WOOD_HARMONICS], outline_sin[WOOD_HARMONICS];
-  float undulation[2];                  /* mm, per octave */
-  float undulation_frequency_section[2], undulation_frequency_axis; /* 1/mm */
-  float undulation_size[2];                                         /* mm */
+  float undulation[2];                                                 /* mm, per octave */
+  float undulation_frequency_section[2], undulation_frequency_axis[2]; /* 1/mm */
+  float undulation_size[2];                                            /* mm */
   float undulation_core; /* 1/mm: within its inverse of the pith the undulation dies out */
 
   /* rings */
   float ring_period, inverse_ring_period; /* mm: the table's whole radius */
   float bin_scale;                        /* bins per mm */
   int32_t bin_last;
-  float ring_width; /* mm, the mean */
-  float late_start, late_middle;    /* phase: the rise begins; it is half way */
-  float inverse_late_before;        /* 1 / (middle - start) */
+  float ring_width;                     /* mm, the mean */
+  float late_start, late_middle;        /* phase: the rise begins; it is half way */
+  float inverse_late_before;            /* 1 / (middle - start) */
   float late_after, inverse_late_after; /* from the middle to the whole, and its inverse */
-  float late_sixth;                 /* (middle - start) / 6 */
-  float late_period; /* integral over the table */
-  float blur;        /* mm: no ring edge is sharper */
-  float safe;        /* mm: footprints this small never span a ring's rise and an edge */
+  float late_sixth;                     /* (middle - start) / 6 */
+  float late_period;                    /* integral over the table */
+  float blur;                           /* mm: no ring edge is sharper */
+  float safe; /* mm: footprints this small never span a ring's rise and an edge */
 
   /* grain; slopes are r dtheta/dy */
   float spiral;
-  float wave_slope, wave_displacement; /* A, A lambda / 2 pi */
-  float wave_number, wave_frequency;   /* 2 pi / lambda, 1 / lambda */
-  float wave_irregularity;             /* radians of phase */
-  float wave_irregularity_frequency;   /* 1/mm */
+  float wave_slope, wave_displacement;            /* A, A lambda / 2 pi */
+  float wave_number, wave_frequency;              /* 2 pi / lambda, 1 / lambda */
+  float wave_irregularity;                        /* radians of phase */
+  float wave_irregularity_frequency;              /* 1/mm */
   float interlocked_slope, interlocked_frequency; /* 1/years */
   float interlocked_length;                       /* mm */
   float slope_noise[2], slope_noise_frequency[2]; /* mm of displacement; 1/mm */
@@ -93,18 +93,18 @@ typedef struct {
   int32_t has_wave, has_wave_irregularity, has_interlocked, has_slope_noise;
 
   /* vessels */
-  wood_vessels pores; /* of the field: cells of the reference section */
+  wood_vessels pores;            /* of the field: cells of the reference section */
   float pore_early, pore_growth; /* size at phase f, over the mean: early + growth f */
   float pore_ring_mean;          /* mean over the ring of size^2 */
   wood_vessels row;              /* of the earlywood: rows at the ring's start */
   int32_t has_pores, rows;
   float vessel_reach; /* mm: the lesser of the layers' reach */
-  float row_density;   /* 1/mm of arc */
-  float row_spacing;   /* mm, radially */
-  float row_start;     /* mm, of the first row's centres after the ring's start */
+  float row_density;  /* 1/mm of arc */
+  float row_spacing;  /* mm, radially */
+  float row_start;    /* mm, of the first row's centres after the ring's start */
   float row_jitter_arc, row_jitter_radial; /* of the spacing; mm */
-  float band;          /* mm: the rows' band for the expected coverage */
-  float late_vessel;   /* expected vessel coverage of latewood tissue */
+  float band;                              /* mm: the rows' band for the expected coverage */
+  float late_vessel;                       /* expected vessel coverage of latewood tissue */
 
   /* shifted brightness */
   float fibre_amplitude[WOOD_FIBRE_OCTAVES];
@@ -123,7 +123,7 @@ typedef struct {
   uint32_t seeds[WOOD_SEEDS]; /* one for each noise */
 
   /* tables: ring j = 0 .. WOOD_RINGS - 1; the last entry closes the period */
-  float start[WOOD_RINGS + 1];       /* mm: rho of the ring's start */
+  float start[WOOD_RINGS + 1]; /* mm: rho of the ring's start */
   float inverse_width[WOOD_RINGS];
   float late_weight[WOOD_RINGS + 1]; /* how dark the latewood of ring j - 1 grows */
   float late_before[WOOD_RINGS + 1]; /* integral of the profile up to the ring */

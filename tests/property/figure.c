@@ -84,8 +84,8 @@ static void equation_4(void **state) {
       const double w[3] = {n[1] * u[2] - n[2] * u[1], n[2] * u[0] - n[0] * u[2],
                            n[0] * u[1] - n[1] * u[0]};
       for (int c = 0; c < 3; c++) {
-        light[c] = (n[c] * cos(delta[i]) + u[c] / l * sin(delta[i])) * cos(aside) +
-                   w[c] / l * sin(aside);
+        light[c] =
+            (n[c] * cos(delta[i]) + u[c] / l * sin(delta[i])) * cos(aside) + w[c] / l * sin(aside);
         colour[c][i] = (float)uniform();
       }
       if (i % 3 == 0) delta[i] = 1e9; /* out of the plane: judged as a solid angle below */
@@ -125,8 +125,10 @@ static void equation_4(void **state) {
         double want = (double)colour[c][i] *
                       (0.7 * (double)p.out[ALBEDO + c][i] * cosine + 0.3 * pow(lobe, exponents[k]));
         double error = fabs((double)p.out[RADIANCE + c][i] - want);
-        if (delta[i] < 1e8) worst = fmax(worst, error);
-        else worst_solid = fmax(worst_solid, error);
+        if (delta[i] < 1e8)
+          worst = fmax(worst, error);
+        else
+          worst_solid = fmax(worst_solid, error);
         asked++;
       }
     }

@@ -76,7 +76,9 @@ static void detail_fades(void **state) {
       uniform_seed(52);
       for (int i = 0; i < 4000; i++) {
         points_add(&p, 100 * (uniform() - 0.5), 600 * (uniform() - 0.5), 0,
-                   f == 0 ? 0 : f == 1 ? 2 : 50);
+                   f == 0   ? 0
+                   : f == 1 ? 2
+                            : 50);
       }
       points_ask(&p, t);
       double mean = 0, square = 0;

@@ -185,8 +185,9 @@ static void a_walk_stays_on_its_fibre(void **state) {
       worst = fmax(worst, walk(t, 0.5));
       textures->destroy(t);
     }
-    CHECK(worst < 1e-3, "grain=%s: 1 m on %u fibres of %u species: reference drifts %.2g mm (1e-3)\n",
-          grains[g], WALKERS * wood_presets(), wood_presets(), worst);
+    CHECK(worst < 1e-3,
+          "grain=%s: 1 m on %u fibres of %u species: reference drifts %.2g mm (1e-3)\n", grains[g],
+          WALKERS * wood_presets(), wood_presets(), worst);
   }
 }
 

@@ -175,8 +175,8 @@ static void no_seam(void **state) {
   for (unsigned i = 0; i < p.count; i += 2) {
     time = fmax(time, fabs((double)(p.out[TIME][i] - p.out[TIME][i + 1])));
     for (int c = 0; c < 2; c++) {
-      reference = fmax(reference,
-                       fabs((double)(p.out[REFERENCE + c][i] - p.out[REFERENCE + c][i + 1])));
+      reference =
+          fmax(reference, fabs((double)(p.out[REFERENCE + c][i] - p.out[REFERENCE + c][i + 1])));
     }
     for (int c = 0; c < 3; c++) {
       fibre = fmax(fibre, fabs((double)(p.out[FIBER + c][i] - p.out[FIBER + c][i + 1])));
@@ -191,8 +191,10 @@ static void no_seam(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(rings_never_cross),        cmocka_unit_test(radius_is_the_inverse_of_time),
-      cmocka_unit_test(widths_vary_by_year),      cmocka_unit_test(measured_widths_are_used),
+      cmocka_unit_test(rings_never_cross),
+      cmocka_unit_test(radius_is_the_inverse_of_time),
+      cmocka_unit_test(widths_vary_by_year),
+      cmocka_unit_test(measured_widths_are_used),
       cmocka_unit_test(no_seam),
   };
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);

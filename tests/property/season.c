@@ -12,10 +12,11 @@
 enum { STEPS = 1000 };
 static void profile(const char *parameters, double *late) {
   char text[512];
-  snprintf(text, sizeof text,
-           "section_wobble=0; pith_wander=0; ring_variation=0; latewood_variation=0; ring_width=10; "
-           "porosity=none; %s",
-           parameters);
+  snprintf(
+      text, sizeof text,
+      "section_wobble=0; pith_wander=0; ring_variation=0; latewood_variation=0; ring_width=10; "
+      "porosity=none; %s",
+      parameters);
   sozai_texture *t = wood_make(NULL, text);
   points p = {0};
   for (int i = 0; i < STEPS; i++) points_add(&p, 50 + 10 * (i + 0.5) / STEPS, 0, 0, 0);
@@ -44,7 +45,8 @@ static void fraction_and_abruptness(void **state) {
   for (int a = 0; a <= 4; a++) {
     for (int f = 1; f <= 7; f += 3) {
       char text[128];
-      snprintf(text, sizeof text, "latewood_fraction=%g; latewood_abruptness=%g", 0.1 * f, 0.25 * a);
+      snprintf(text, sizeof text, "latewood_fraction=%g; latewood_abruptness=%g", 0.1 * f,
+               0.25 * a);
       double late[STEPS], share = 0, rise = 0;
       profile(text, late);
       for (int i = 0; i < STEPS; i++) {

@@ -15,8 +15,8 @@
 #define PI 3.14159265358979
 
 typedef struct {
-  double area;       /* in samples */
-  double x, z;       /* centre of gravity, in samples */
+  double area;        /* in samples */
+  double x, z;        /* centre of gravity, in samples */
   int x0, x1, z0, z1; /* bounds */
 } spot;
 
