@@ -54,14 +54,18 @@ INLINE vf filter_keep_square(vf e2, float size) {
 
 /* The mean of sin or cos of 2 pi y / wavelength over a box of side e is its
  * value at the centre times this: sin(x)/x, x = pi e / wavelength, taken as
- * zero from its first zero on. */
+ * zero from its first zero on, and as 1 below a fiftieth of the wave, which is
+ * off by less than 7e-4. */
 INLINE vf filter_wave(vf e, float inverse_wavelength) {
-  if (!any(gt(e, splat(0.0f)))) return splat(1.0f);
   vf x = vmin(e * splat(inverse_wavelength), splat(1.0f));
+  vm some = gt(x, splat(0.02f));
+  if (!any(some)) return splat(1.0f);
   vf z = x * x;
   /* sin(pi x)/(pi x) on 0..1 to 2e-4, and exactly zero at 1 */
-  return (splat(1.0f) - z) *
-         (splat(1.0f) + z * (splat(-0.6449341f) + z * (splat(0.1663f) + z * splat(-0.0213659f))));
+  vf keep =
+      (splat(1.0f) - z) *
+      (splat(1.0f) + z * (splat(-0.6449341f) + z * (splat(0.1663f) + z * splat(-0.0213659f))));
+  return sel(some, keep, splat(1.0f));
 }
 
 #endif

@@ -153,17 +153,25 @@ static int32_t check_count(const sozai_parameter *p, const char *what, uint64_t 
   return SOZAI_OK;
 }
 
-/* Elements of a buffer's four arrays. */
+/* Elements of a buffer's four arrays; more than BUFFER_MAX stands for any
+ * product that does not fit. */
+static uint64_t product(uint64_t a, uint64_t b) {
+  uint64_t r;
+  return __builtin_mul_overflow(a, b, &r) || r > BUFFER_MAX ? BUFFER_MAX + 1 : r;
+}
+
 static void buffer_counts(const sozai_buffer *b, uint64_t n[4]) {
   memset(n, 0, 4 * sizeof *n);
   if (b->kind == SOZAI_BUFFER_TABLE) {
-    n[0] = b->dims[0] * b->dims[1];
+    n[0] = product(b->dims[0], b->dims[1]);
   } else if (b->kind == SOZAI_BUFFER_IMAGE) {
-    n[0] = b->dims[0] * b->dims[1] * b->dims[2];
+    n[0] = product(product(b->dims[0], b->dims[1]), b->dims[2]);
+    /* nothing of too much is still too much */
+    if (product(b->dims[0], b->dims[1]) > BUFFER_MAX) n[0] = BUFFER_MAX + 1;
   } else {
-    n[1] = 3 * b->dims[0];
+    n[1] = product(3, b->dims[0]);
     n[2] = b->normals ? n[1] : 0;
-    n[3] = b->kind == SOZAI_BUFFER_MESH ? 3 * b->dims[1] : 0;
+    n[3] = b->kind == SOZAI_BUFFER_MESH ? product(3, b->dims[1]) : 0;
   }
 }
 
@@ -181,9 +189,6 @@ static int32_t check_buffer(const sozai_parameter *p, const sozai_buffer *given,
       return fail(SOZAI_ERROR_RANGE, "%s: a buffer of dimension %llu is larger than %u", p->id,
                   (unsigned long long)b->dims[i], 1u << 30);
     }
-  }
-  if (b->kind == SOZAI_BUFFER_IMAGE && b->dims[0] * b->dims[1] > (1ull << 40)) {
-    return fail(SOZAI_ERROR_RANGE, "%s: the image is too large", p->id);
   }
   uint64_t n[4];
   buffer_counts(b, n);

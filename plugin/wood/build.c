@@ -146,7 +146,7 @@ static int32_t ring_widths(const wood_constants *w, const settings *s, double *w
     double n = normal(w->seed, STREAM_RINGS, (uint32_t)j);
     before = j ? 0.4 * before + 0.9165 * n : n;
     double f = scalar_exp(sd * before - 0.5 * sd * sd);
-    width[j] = f < 0.25 ? 0.25 : f > 3.0 ? 3.0 : f;
+    width[j] = f < 0.4 ? 0.4 : f > 3.0 ? 3.0 : f;
     sum += width[j];
   }
   for (int j = 0; j < WOOD_RINGS; j++) width[j] *= mean * WOOD_RINGS / sum;

@@ -279,7 +279,7 @@ INLINE void stage_tissue(const wood_constants *w, const wood_io *io, const wood_
     vf expected = rings_across(w, MEAN_ROW, stem, &k->ring, k->b, k->nrm, ball, k->s);
     rows = mix(rows, splat(w->row.coverage) * expected, v.rows_faded);
   }
-  vf cover = vmin(pores + rows, one);
+  vf cover = pores + rows - pores * rows; /* they stand where they like */
   store_lanes(io, WOOD_VESSEL, k->i, k->n, cover);
   if (!want->colour) return;
   /* earlywood rows stand where there is no latewood; pores everywhere */

@@ -45,7 +45,7 @@ static const sozai_parameter cut_height = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "cut_height", .label = "Height in the stem", .group = "cut", .unit = "mm",
    .doc = "Of the object's origin above the section y = 0; not for cut = log.",
-   .hard_min = -100000, .hard_max = 100000, .soft_min = 0, .soft_max = 4000, .default_number = {700}};
+   .hard_min = -100000, .hard_max = 100000, .soft_min = 0, .soft_max = 4000, .default_number = {250}};
 
 static const sozai_parameter cut_rotation = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -177,14 +177,14 @@ static const sozai_parameter interlocked_years = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "interlocked_years", .label = "Interlocked period", .group = "grain", .unit = "years",
    .doc = "Years from one side to the other and back.",
-   .hard_min = 1, .hard_max = 500, .soft_min = 4, .soft_max = 40, .default_number = {12}};
+   .hard_min = 1, .hard_max = 500, .soft_min = 4, .soft_max = 40, .default_number = {20}};
 
 static const sozai_parameter interlocked_length = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "interlocked_length", .label = "Interlocked length", .group = "grain", .unit = "mm",
    .doc = "Along the stem: the slopes also change sides slowly, over this length, which bounds "
    "the shear between years.",
-   .hard_min = 100, .hard_max = 100000, .soft_min = 500, .soft_max = 5000, .default_number = {1000}};
+   .hard_min = 100, .hard_max = 100000, .soft_min = 500, .soft_max = 5000, .default_number = {600}};
 
 static const sozai_parameter slope_noise = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * cycles ROUNDS: load, use and unload the plugin that many times. Memory stays
+ * cycles [ROUNDS [PLUGIN]]: load, use and unload the plugin that many times. Memory stays
  * as it was; valgrind and the leak sanitizer see the same program.
  */
 #include <setjmp.h>
@@ -16,6 +16,7 @@
 #include "batch.h"
 
 static uint32_t rounds = 1000;
+static const char *path = SOZAI_TEST_PLUGIN;
 static full_batch b;
 
 static long resident_pages(void) {
@@ -50,7 +51,7 @@ static void cycles(void **unused) {
   long early = 0;
   for (uint32_t i = 0; i < rounds; i++) {
     plugin p;
-    assert_int_equal(plugin_start(&p, SOZAI_TEST_PLUGIN), 0);
+    assert_int_equal(plugin_start(&p, path), 0);
     use(&p, i);
     plugin_stop(&p);
     if (i == rounds / 10) early = resident_pages();
@@ -65,6 +66,7 @@ static void cycles(void **unused) {
 
 int main(int argc, char **argv) {
   if (argc > 1) rounds = (uint32_t)strtoul(argv[1], NULL, 10);
+  if (argc > 2) path = argv[2];
   const struct CMUnitTest tests[] = {cmocka_unit_test(cycles)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

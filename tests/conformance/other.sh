@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# other.sh SOURCE BUILD TEST COMPILER [CMake option...] [-- RUNNER...]: build
-# the plugin once more with COMPILER, and ask TEST whether it answers with the
-# same bits as the one built here. RUNNER: what runs programs of another
+# other.sh SOURCE PLUGIN BUILD TEST COMPILER [CMake option...] [-- RUNNER...]:
+# build the plugin once more with COMPILER, and ask TEST whether it answers with
+# the same bits as PLUGIN, the one built here. RUNNER: what runs programs of another
 # processor. Exits 77 without the compiler or the runner.
 #
 # Built here and not with everything else: only this test wants it, and a
 # second compiler must not stand in the way of the first one's build.
 set -euo pipefail
-source=$1 build=$2 test=$3 compiler=$4
-shift 4
+source=$1 plugin=$2 build=$3 test=$4 compiler=$5
+shift 5
 options=() runner=()
 while (($#)) && [[ $1 != -- ]]; do
   options+=("$1")
@@ -26,6 +26,11 @@ for program in "$compiler" "${runner[0]:-true}"; do
   }
 done
 
+newer=$(find -L "$source/plugin" "$source/api" -name '*.[ch]' -newer "$plugin")
+if [[ -n $newer ]]; then
+  printf 'the plugin is older than its sources, build it first:\n%s\n' "$newer"
+  exit 1
+fi
 mkdir -p "$build"
 {
   cmake -S "$source/tests/conformance/other" -B "$build" -DSOZAI_SOURCE="$source" \

@@ -94,6 +94,13 @@ static void failing_calls(const sozai_textures_1 *t, sozai_texture *wood, watche
   sozai_batch empty = {.size = 3};
   t->evaluate(wood, &empty);
   watch("evaluate, refused");
+  batch_make(&b, t->info(0), 8);
+  b.batch.light[2] = NULL;
+  t->evaluate(wood, &b.batch);
+  watch("evaluate, refused for an input");
+  t->create(NULL, "wood", "no such preset", NULL, 0, &none);
+  t->create(NULL, "no such texture", NULL, NULL, 0, &none);
+  watch("create of nothing known");
 }
 
 static void every_call(const sozai_host *host, watcher *watch) {

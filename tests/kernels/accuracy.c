@@ -241,7 +241,7 @@ static void test_filter_wave(void **unused) {
     }
     assert_true(r[0] == 1.0f && r[1] == 0.0f && r[2] == 0.0f);
   }
-  assert_int_equal(report("filter_wave against sin(x)/x", w, 2e-4), 0);
+  assert_int_equal(report("filter_wave against sin(x)/x", w, 7e-4), 0);
 }
 
 /* 1 to half the size, 0 from twice the size, falling between. */
