@@ -57,7 +57,7 @@ static const sozai_value values_onigurumi[] = {
     NUMBER("fibre_brightness", 0.15),
     SRGB("earlywood_colour", 168, 128, 88),
     SRGB("latewood_colour", 132, 95, 63),
-    SRGB("vessel_colour", 129, 98, 68),
+    SRGB("vessel_colour", 122, 92, 63),
     NUMBER("specular", 0.06),
 };
 SPECIES(onigurumi, "Onigurumi, Japanese walnut (Juglans mandshurica var. sachalinensis)",
@@ -128,7 +128,7 @@ static const sozai_value values_mizunara[] = {
     NUMBER("fibre_brightness", 0.12),
     SRGB("earlywood_colour", 203, 171, 128),
     SRGB("latewood_colour", 180, 144, 100),
-    SRGB("vessel_colour", 168, 137, 99),
+    SRGB("vessel_colour", 162, 131, 93),
     NUMBER("specular", 0.06),
 };
 SPECIES(mizunara, "Mizunara, Japanese oak (Quercus crispula)",
@@ -181,7 +181,7 @@ static const sozai_value values_keyaki[] = {
     NUMBER("fibre_brightness", 0.12),
     SRGB("earlywood_colour", 212, 160, 100),
     SRGB("latewood_colour", 172, 112, 60),
-    SRGB("vessel_colour", 158, 112, 67),
+    SRGB("vessel_colour", 152, 107, 63),
     NUMBER("specular", 0.08),
 };
 SPECIES(keyaki, "Keyaki, Japanese zelkova (Zelkova serrata)",

@@ -101,6 +101,9 @@ uint32_t core_available(const core_kernels *out[8]);
 
 /* A deterministic stream of 32 random bits. */
 uint32_t core_random(uint64_t *state);
+/* A number as the kernels meet them: no denormals, which take many times as
+ * long and would be all that a bench measures. */
+float core_ordinary(int domain, uint64_t *state);
 /* The k-th number for a domain: its edges first, then random ones. */
 float core_input(int domain, uint32_t k, uint64_t *state);
 

@@ -138,17 +138,23 @@ static int within(int domain, float x) {
   }
 }
 
-/* Half of them with every size alike, half of them where the work is done. */
-static float attempt(int domain, uint64_t *state) {
-  uint32_t r = core_random(state), s = core_random(state);
-  float unit = (float)(r >> 8) * 0x1p-24f, sign = s & 1 ? -1.0f : 1.0f;
-  if (s & 2) return core_float(r);
-  if (s & 4) return sign * ldexpf(1.0f + unit, (int)((s >> 8) % 32) - 12);
+float core_ordinary(int domain, uint64_t *state) {
+  uint32_t r = core_random(state);
+  float unit = (float)(r >> 8) * 0x1p-24f, sign = core_random(state) & 1u ? -1.0f : 1.0f;
   switch (domain) {
+  case DOMAIN_BITS:
+    return core_float(r);
+  case DOMAIN_INDEX:
+    return core_float(r & 31u);
+  case DOMAIN_POSITIVE:
+  case DOMAIN_EXTENT:
+    return unit + 0.001f;
+  case DOMAIN_POWER:
+    return 1.0f + 49.0f * unit;
   case DOMAIN_ANGLE:
     return sign * unit * 20.0f;
   case DOMAIN_EXPONENT:
-    return sign * unit * 127.0f;
+    return sign * unit * 120.0f;
   case DOMAIN_LATTICE:
     return sign * unit * 50.0f;
   case DOMAIN_TURNS:
@@ -158,6 +164,16 @@ static float attempt(int domain, uint64_t *state) {
   default:
     return sign * unit;
   }
+}
+
+/* Half of them with every size alike, half of them where the work is done. */
+static float attempt(int domain, uint64_t *state) {
+  uint32_t r = core_random(state), s = core_random(state);
+  if (s & 2u) return core_float(r);
+  if (s & 4u)
+    return ldexpf((s & 1u ? -1.0f : 1.0f) * (1.0f + (float)(r >> 8) * 0x1p-24f),
+                  (int)((s >> 8) % 32u) - 12);
+  return core_ordinary(domain, state);
 }
 
 float core_input(int domain, uint32_t k, uint64_t *state) {
