@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# The printed catalogue of parameters and species is the plugin's own, and the
+# figures can be drawn, each with its numbers.
+# shellcheck source=tests/cli/lib.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh" "$@"
+readonly json_check=$4
+printed=$(dirname -- "${BASH_SOURCE[0]}")/../../docs/catalogue-wood.txt
+
+works describe wood
+check "docs/catalogue-wood.txt is current (renew it: sozai describe wood > docs/catalogue-wood.txt)" \
+  cmp "$scratch/out" "$printed"
+
+works figures -o "$scratch/figures"
+for figure in wood-05 wood-06 wood-07 wood-09; do
+  check "$figure.png" test -s "$scratch/figures/$figure.png"
+  check "$figure.json" "$json_check" "$scratch/figures/$figure.json"
+done
+# the highlights lie where the dive angle is the light's, to a tenth of a mm
+check "figure 9's highlights" awk -F'[:,]' \
+  '/mean_distance_mm/ { n++; if ($2 < 0 || $2 > 0.1) bad = 1 } END { exit !(n == 3 && !bad) }' \
+  "$scratch/figures/wood-09.json"
+finish
