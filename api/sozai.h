@@ -259,7 +259,8 @@ typedef struct sozai_textures_1 {
    * Checked before any output is written: ARGUMENT if a wanted channel needs
    * an input that is NULL. An input that a channel only `uses` may be NULL:
    * without a normal the footprint is a ball, not a square.
-   * Every written number is finite. [thread-safe] */
+   * Every written number is finite. Where the calling thread flushes denormals
+   * to zero, numbers below 1.2e-38 are zero. [thread-safe] */
   int32_t (*evaluate)(const sozai_texture *texture, const sozai_batch *batch);
 
   /* The value of one parameter as the texture was made with, after preset

@@ -122,7 +122,7 @@ static int32_t read_text(const sozai_parameter *p, const char *text, sozai_value
 static int32_t check_range(const sozai_parameter *p, double x) {
   /* written so that NaN fails */
   if (x >= p->hard_min && x <= p->hard_max) return SOZAI_OK;
-  return fail(SOZAI_ERROR_RANGE, "%s: %.9g is outside %.9g to %.9g%s%s", p->id, x, p->hard_min,
+  return fail(SOZAI_ERROR_RANGE, "%s: %.12g is outside %.12g to %.12g%s%s", p->id, x, p->hard_min,
               p->hard_max, p->unit[0] ? " " : "", p->unit);
 }
 
@@ -150,6 +150,15 @@ static int32_t check_count(const sozai_parameter *p, const char *what, uint64_t 
                 (unsigned long long)n, what, (unsigned long long)(BUFFER_MAX / each));
   }
   if (n && !data) return fail(SOZAI_ERROR_ARGUMENT, "%s: the buffer's %s are NULL", p->id, what);
+  return SOZAI_OK;
+}
+
+static int32_t check_text(const sozai_parameter *p, const char *text) {
+  if (!text) return fail(SOZAI_ERROR_ARGUMENT, "%s: its text is NULL", p->id);
+  if (strlen(text) > TEXT_MAX) {
+    return fail(SOZAI_ERROR_RANGE, "%s: text of %zu bytes is longer than %u", p->id, strlen(text),
+                TEXT_MAX);
+  }
   return SOZAI_OK;
 }
 
@@ -196,6 +205,7 @@ static int32_t check_buffer(const sozai_parameter *p, const sozai_buffer *given,
   if (!r) r = check_count(p, "points", n[1], 4, b->points);
   if (!r) r = check_count(p, "normals", n[2], 4, b->normals);
   if (!r) r = check_count(p, "indices", n[3], 4, b->indices);
+  if (!r && b->colour_space) r = check_text(p, b->colour_space);
   for (uint64_t i = 0; !r && i < n[3]; i++) {
     if (b->indices[i] >= b->dims[0]) {
       return fail(SOZAI_ERROR_RANGE, "%s: index %u is not below the %llu points", p->id,
@@ -203,15 +213,6 @@ static int32_t check_buffer(const sozai_parameter *p, const sozai_buffer *given,
     }
   }
   return r;
-}
-
-static int32_t check_text(const sozai_parameter *p, const char *text) {
-  if (!text) return fail(SOZAI_ERROR_ARGUMENT, "%s: its text is NULL", p->id);
-  if (strlen(text) > TEXT_MAX) {
-    return fail(SOZAI_ERROR_RANGE, "%s: text of %zu bytes is longer than %u", p->id, strlen(text),
-                TEXT_MAX);
-  }
-  return SOZAI_OK;
 }
 
 /* One value into one setting; text and buffer still the host's own. */

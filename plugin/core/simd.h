@@ -194,7 +194,7 @@ INLINE vf vmax(vf a, vf b) { return (vf)_mm_max_ps((__m128)a, (__m128)b); }
 INLINE vf vsqrt(vf a) { return (vf)_mm_sqrt_ps((__m128)a); }
 #else
 INLINE vf vmin(vf a, vf b) { return sel(lt(a, b), a, b); }
-INLINE vf vmax(vf a, vf b) { return sel(gt(a, b), a, b); }
+INLINE vf vmax(vf a, vf b) { return sel(lt(b, a), a, b); }
 INLINE vf vsqrt(vf a) {
   vf r = a;
   for (int i = 0; i < LANES; i++) r[i] = __builtin_sqrtf(a[i]);

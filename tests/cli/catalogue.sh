@@ -17,6 +17,7 @@ for figure in wood-05 wood-06 wood-07 wood-09; do
   check "$figure.json" "$json_check" "$scratch/figures/$figure.json"
 done
 # the highlights lie where the dive angle is the light's, to a tenth of a mm
+# shellcheck disable=SC2016 # awk's own $2
 check "figure 9's highlights" awk -F'[:,]' \
   '/mean_distance_mm/ { n++; if ($2 < 0 || $2 > 0.1) bad = 1 } END { exit !(n == 3 && !bad) }' \
   "$scratch/figures/wood-09.json"
