@@ -6,6 +6,7 @@
 #ifndef SOZAI_CORE_HASH_H
 #define SOZAI_CORE_HASH_H
 
+#include "hash1.h"
 #include "simd.h"
 
 /* Odd constants that spread lattice coordinates over 32 bits: the fractional
@@ -44,16 +45,6 @@ INLINE vf hash_signed(vu h) {
   h ^= h >> 15;
   h *= splatu(0x2c1b3c6du);
   return to_float((vi)h);
-}
-
-/* The same mixing for one number, at creation. */
-static inline uint32_t hash1(uint32_t h) {
-  h ^= h >> 16;
-  h *= 0x7feb352du;
-  h ^= h >> 15;
-  h *= 0x846ca68bu;
-  h ^= h >> 16;
-  return h;
 }
 
 #endif

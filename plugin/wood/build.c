@@ -6,21 +6,12 @@
 
 #include <string.h>
 
+#include "../core/hash1.h"
 #include "../core/scalar.h"
 #include "../core/status.h"
 #include "parameters.h"
 
 #define TWO_PI 6.28318530717958647692
-
-/* hash.h is of the kernels; creation needs one number at a time. */
-static uint32_t hash1(uint32_t h) {
-  h ^= h >> 16;
-  h *= 0x7feb352du;
-  h ^= h >> 15;
-  h *= 0x846ca68bu;
-  h ^= h >> 16;
-  return h;
-}
 
 /* Uniform in 0..1 for the k-th number of a stream. */
 static double uniform(uint32_t seed, uint32_t stream, uint32_t k) {
