@@ -3,9 +3,9 @@
  * The species, as data. A new species is one more entry here: its values, its
  * label and the literature its figures come from.
  *
- * Anatomy (vessel diameters and densities, rows, ring structure) follows the
- * ranges in the sources named; colours are the finished, planed wood's as seen,
- * in sRGB. Where a source gives a range, the value is its middle.
+ * Anatomy (vessel diameters and densities, rows, ring structure) is typical
+ * of the ranges that the literature named gives for the species, and not the
+ * measurement of one tree; colours are the planed wood's as seen, in sRGB.
  */
 #include "species.h"
 
