@@ -1,0 +1,217 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Where palettes are converted: by the host's own colour service, by the one
+ * beside the plugin, or, with neither, by sRGB's formula.
+ */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+
+#include <dlfcn.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "sozai_colour.h"
+
+/* One tissue, nothing on it: albedo is the colour as converted. */
+static const sozai_value plain[] = {
+    {.id = "porosity", .kind = SOZAI_KIND_CHOICE, .text = "none"},
+    {.id = "fibre_brightness", .kind = SOZAI_KIND_FLOAT},
+    {.id = "latewood_colour", .kind = SOZAI_KIND_COLOUR, .number = {0.5, 0.25, 0.75}},
+    {.id = "earlywood_colour", .kind = SOZAI_KIND_COLOUR, .number = {0.5, 0.25, 0.75}},
+};
+enum { PLAIN = sizeof plain / sizeof *plain };
+
+typedef struct {
+  void *library;
+  const sozai_entry_v1 *entry;
+  const sozai_textures_1 *textures;
+} loaded;
+
+static loaded load(const char *path) {
+  loaded l;
+  l.library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+  if (!l.library) fail_msg("%s", dlerror());
+  l.entry = dlsym(l.library, SOZAI_ENTRY_SYMBOL);
+  assert_non_null(l.entry);
+  assert_int_equal(l.entry->init(path), SOZAI_OK);
+  l.textures = l.entry->get_factory(SOZAI_TEXTURES_1);
+  return l;
+}
+
+static void unload(loaded *l) {
+  l->entry->deinit();
+  dlclose(l->library);
+}
+
+static int32_t albedo(const loaded *l, const sozai_host *host, const char *space, float out[3]) {
+  sozai_value values[PLAIN];
+  memcpy(values, plain, sizeof values);
+  values[2].text = values[3].text = space;
+  sozai_texture *t;
+  int32_t r = l->textures->create(host, "wood", NULL, values, PLAIN, &t);
+  if (r) return r;
+  const float p[3] = {40, 50, 3};
+  float *const channels[3] = {&out[0], &out[1], &out[2]};
+  sozai_batch b = {.size = sizeof b,
+                   .count = 1,
+                   .point = {&p[0], &p[1], &p[2]},
+                   .out = channels,
+                   .out_count = 3};
+  r = l->textures->evaluate(t, &b);
+  l->textures->destroy(t);
+  return r;
+}
+
+static void assert_srgb(const float rgb[3]) {
+  static const double in[3] = {0.5, 0.25, 0.75};
+  for (int c = 0; c < 3; c++) {
+    double want = pow((in[c] + 0.055) / 1.055, 2.4);
+    if (fabs((double)rgb[c] - want) > 1e-5) {
+      fail_msg("channel %d is %.7f, not %.7f", c, (double)rgb[c], want);
+    }
+  }
+}
+
+static int warnings;
+static void count_warnings(void *user, int32_t severity, const char *text) {
+  (void)user, (void)text;
+  warnings += severity == SOZAI_LOG_WARNING;
+}
+
+static void neither(void **state) {
+  (void)state;
+  char folder[] = "/tmp/sozai-alone-XXXXXX", path[64], command[4200];
+  assert_non_null(mkdtemp(folder));
+  snprintf(path, sizeof path, "%s/sozai.so", folder);
+  snprintf(command, sizeof command, "cp '%s' '%s'", SOZAI_TEST_PLUGIN, path);
+  assert_int_equal(system(command), 0);
+  loaded l = load(path);
+  sozai_host host = {.size = sizeof host, .log = count_warnings};
+  float rgb[3];
+  warnings = 0;
+  assert_int_equal(albedo(&l, &host, NULL, rgb), SOZAI_OK);
+  assert_srgb(rgb);
+  assert_int_equal(albedo(&l, &host, "lin_rec709", rgb), SOZAI_OK);
+  for (int c = 0; c < 3; c++) assert_true(fabs((double)rgb[c] - plain[2].number[c]) < 1e-6);
+  assert_int_equal(warnings, 1);
+  assert_int_equal(albedo(&l, &host, "ACEScg", rgb), SOZAI_ERROR_COLOUR);
+  const char *why = l.textures->last_error();
+  if (!strstr(why, "ACEScg") || !strstr(why, "colour")) fail_msg("says: %s", why);
+  unload(&l);
+  unlink(path);
+  rmdir(folder);
+}
+
+static void beside(void **state) {
+  (void)state;
+  char path[4096];
+  snprintf(path, sizeof path, "%s", SOZAI_TEST_PLUGIN);
+  char *slash = strrchr(path, '/');
+  assert_non_null(slash);
+  snprintf(slash + 1, sizeof path - (size_t)(slash + 1 - path), "sozai-colour.so");
+  if (access(path, R_OK) != 0) skip();
+  unsetenv("OCIO");
+  loaded l = load(SOZAI_TEST_PLUGIN);
+  sozai_host host = {.size = sizeof host, .log = count_warnings};
+  float rgb[3], wide[3];
+  warnings = 0;
+  assert_int_equal(albedo(&l, &host, NULL, rgb), SOZAI_OK);
+  assert_srgb(rgb);
+  assert_int_equal(albedo(&l, &host, "ACEScg", wide), SOZAI_OK);
+  assert_true(fabsf(wide[0] - rgb[0]) > 0.01f);
+  assert_int_equal(warnings, 0);
+  assert_int_equal(albedo(&l, &host, "no such space", rgb), SOZAI_ERROR_COLOUR);
+  if (!strstr(l.textures->last_error(), "no such space")) fail_msg("%s", l.textures->last_error());
+  host.colour_config = "/nowhere/none.ocio";
+  assert_int_equal(albedo(&l, &host, NULL, rgb), SOZAI_ERROR_FILE);
+  if (!strstr(l.textures->last_error(), "none.ocio")) fail_msg("%s", l.textures->last_error());
+  unload(&l);
+}
+
+/* A host's own: it knows one space, which swaps red and blue. */
+static int calls;
+static const char *own_name(void *self) { return self ? "own" : "?"; }
+static int32_t own_has(void *self, const char *space) {
+  (void)self;
+  return strcmp(space, "swapped") == 0;
+}
+static int32_t own_to_working(void *self, const char *space, float *rgb, uint64_t count,
+                              char *message, size_t size) {
+  calls++;
+  if (!own_has(self, space)) {
+    snprintf(message, size, "not one of ours");
+    return SOZAI_ERROR_COLOUR;
+  }
+  for (uint64_t i = 0; i < count; i++) {
+    float red = rgb[3 * i];
+    rgb[3 * i] = rgb[3 * i + 2];
+    rgb[3 * i + 2] = red;
+  }
+  return SOZAI_OK;
+}
+static int32_t own_to_display(void *self, const char *display, const char *view, float *rgb,
+                              uint64_t count, char *message, size_t size) {
+  (void)self, (void)display, (void)view, (void)rgb, (void)count, (void)message, (void)size;
+  return SOZAI_ERROR_UNSUPPORTED;
+}
+static int own_self;
+static const sozai_colour_1 own = {.size = sizeof own,
+                                   .self = &own_self,
+                                   .config_name = own_name,
+                                   .working_space = own_name,
+                                   .has_space = own_has,
+                                   .to_working = own_to_working,
+                                   .from_working = own_to_working,
+                                   .to_display = own_to_display};
+static const void *give_own(void *user, const char *id) {
+  (void)user;
+  return strcmp(id, SOZAI_COLOUR_1) == 0 ? &own : NULL;
+}
+
+static void the_hosts_own(void **state) {
+  (void)state;
+  loaded l = load(SOZAI_TEST_PLUGIN);
+  sozai_host host = {.size = sizeof host, .get_service = give_own};
+  sozai_value values[PLAIN + 1];
+  memcpy(values, plain, sizeof plain);
+  values[2].text = values[3].text = "swapped";
+  values[PLAIN] = (sozai_value){.id = "vessel_colour",
+                                .kind = SOZAI_KIND_COLOUR,
+                                .number = {0.1, 0.1, 0.1},
+                                .text = "swapped"};
+  sozai_texture *t;
+  calls = 0;
+  assert_int_equal(l.textures->create(&host, "wood", NULL, values, PLAIN + 1, &t), SOZAI_OK);
+  assert_int_equal(calls, 3);
+  const float p[3] = {40, 50, 3};
+  float rgb[3], *const channels[3] = {&rgb[0], &rgb[1], &rgb[2]};
+  sozai_batch b = {.size = sizeof b,
+                   .count = 1,
+                   .point = {&p[0], &p[1], &p[2]},
+                   .out = channels,
+                   .out_count = 3};
+  assert_int_equal(l.textures->evaluate(t, &b), SOZAI_OK);
+  assert_int_equal(calls, 3); /* none for a point */
+  assert_true(fabs((double)rgb[0] - 0.75) < 1e-6 && fabs((double)rgb[2] - 0.5) < 1e-6);
+  l.textures->destroy(t);
+  float unused[3];
+  assert_int_equal(albedo(&l, &host, "unheard-of", unused), SOZAI_ERROR_COLOUR);
+  if (!strstr(l.textures->last_error(), "not one of ours"))
+    fail_msg("%s", l.textures->last_error());
+  unload(&l);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(neither),
+      cmocka_unit_test(beside),
+      cmocka_unit_test(the_hosts_own),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
