@@ -162,6 +162,14 @@ static int32_t check_text(const sozai_parameter *p, const char *text) {
   return SOZAI_OK;
 }
 
+/* A buffer of any size, its members past that size zero. */
+static sozai_buffer whole_buffer(const sozai_buffer *given) {
+  sozai_buffer b;
+  memset(&b, 0, sizeof b);
+  memcpy(&b, given, given->size < sizeof b ? given->size : sizeof b);
+  return b;
+}
+
 /* Elements of a buffer's four arrays; more than BUFFER_MAX stands for any
  * product that does not fit. */
 static uint64_t product(uint64_t a, uint64_t b) {
@@ -184,32 +192,31 @@ static void buffer_counts(const sozai_buffer *b, uint64_t n[4]) {
   }
 }
 
-static int32_t check_buffer(const sozai_parameter *p, const sozai_buffer *given, sozai_buffer *b) {
-  memset(b, 0, sizeof *b);
+static int32_t check_buffer(const sozai_parameter *p, const sozai_buffer *given) {
   if (!given) return SOZAI_OK; /* none */
   if (given->size < 8) return fail(SOZAI_ERROR_ARGUMENT, "%s: the buffer's size is not set", p->id);
-  memcpy(b, given, given->size < sizeof *b ? given->size : sizeof *b);
-  if (b->kind != p->buffer_kind) {
+  sozai_buffer b = whole_buffer(given);
+  if (b.kind != p->buffer_kind) {
     return fail(SOZAI_ERROR_KIND, "%s: takes a buffer of kind %u, not %u", p->id, p->buffer_kind,
-                b->kind);
+                b.kind);
   }
   for (int i = 0; i < 3; i++) {
-    if (b->dims[i] > (1u << 30)) {
+    if (b.dims[i] > (1u << 30)) {
       return fail(SOZAI_ERROR_RANGE, "%s: a buffer of dimension %llu is larger than %u", p->id,
-                  (unsigned long long)b->dims[i], 1u << 30);
+                  (unsigned long long)b.dims[i], 1u << 30);
     }
   }
   uint64_t n[4];
-  buffer_counts(b, n);
-  int32_t r = check_count(p, "numbers", n[0], 4, b->data);
-  if (!r) r = check_count(p, "points", n[1], 4, b->points);
-  if (!r) r = check_count(p, "normals", n[2], 4, b->normals);
-  if (!r) r = check_count(p, "indices", n[3], 4, b->indices);
-  if (!r && b->colour_space) r = check_text(p, b->colour_space);
+  buffer_counts(&b, n);
+  int32_t r = check_count(p, "numbers", n[0], 4, b.data);
+  if (!r) r = check_count(p, "points", n[1], 4, b.points);
+  if (!r) r = check_count(p, "normals", n[2], 4, b.normals);
+  if (!r) r = check_count(p, "indices", n[3], 4, b.indices);
+  if (!r && b.colour_space) r = check_text(p, b.colour_space);
   for (uint64_t i = 0; !r && i < n[3]; i++) {
-    if (b->indices[i] >= b->dims[0]) {
+    if (b.indices[i] >= b.dims[0]) {
       return fail(SOZAI_ERROR_RANGE, "%s: index %u is not below the %llu points", p->id,
-                  b->indices[i], (unsigned long long)b->dims[0]);
+                  b.indices[i], (unsigned long long)b.dims[0]);
     }
   }
   return r;
@@ -241,8 +248,7 @@ static int32_t read_value(const sozai_parameter *p, const sozai_value *given, se
     if (p->kind == SOZAI_KIND_COLOUR) s->text = v.text && v.text[0] ? v.text : p->default_text;
     if (!r && s->text) r = check_text(p, s->text);
   } else if (p->kind == SOZAI_KIND_BUFFER) {
-    sozai_buffer b;
-    r = check_buffer(p, v.buffer, &b);
+    r = check_buffer(p, v.buffer);
     s->buffer = v.buffer;
   } else {
     r = check_text(p, v.text);
@@ -288,9 +294,7 @@ static size_t copied_bytes(const setting *s) {
   size_t n = 0;
   if (s->text) n += round_up(strlen(s->text) + 1);
   if (s->buffer) {
-    sozai_buffer b;
-    memset(&b, 0, sizeof b);
-    memcpy(&b, s->buffer, s->buffer->size < sizeof b ? s->buffer->size : sizeof b);
+    sozai_buffer b = whole_buffer(s->buffer);
     uint64_t c[4];
     buffer_counts(&b, c);
     n += round_up(sizeof(sozai_buffer));
@@ -311,9 +315,7 @@ static void *copy_into(char **at, const void *from, size_t bytes) {
 static void copy_owned(setting *s, char **at) {
   if (s->text) s->text = copy_into(at, s->text, strlen(s->text) + 1);
   if (s->buffer) {
-    sozai_buffer b;
-    memset(&b, 0, sizeof b);
-    memcpy(&b, s->buffer, s->buffer->size < sizeof b ? s->buffer->size : sizeof b);
+    sozai_buffer b = whole_buffer(s->buffer);
     b.size = sizeof b;
     sozai_buffer *own = copy_into(at, &b, sizeof b);
     uint64_t c[4];

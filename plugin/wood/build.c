@@ -333,10 +333,10 @@ static void build_vessels(wood_constants *w, const settings *s) {
   double late = porosity == POROSITY_SEMI_RING ? num(s, P_PORE_DIAMETER_LATE) / d : 1.0;
   double square = build_radii(&w->pores, d, spread);
   double largest = (double)w->pores.radius * (1.0 + 2.5 * spread) * (late > 1.0 ? late : 1.0);
-  w->pores.cell = (float)(1.0 / __builtin_sqrt(density));
-  w->pores.inverse_cell = 1.0f / w->pores.cell;
-  w->pores.step = w->pores.cell / 2048.0f;
-  w->pores.reach = longest_footprint(0.5 * (double)w->pores.cell, largest);
+  w->pore_cell = (float)(1.0 / __builtin_sqrt(density));
+  w->inverse_pore_cell = 1.0f / w->pore_cell;
+  w->pore_step = w->pore_cell / 2048.0f;
+  w->pores.reach = longest_footprint(0.5 * (double)w->pore_cell, largest);
   w->pores.coverage =
       (float)(0.5 * TWO_PI * (double)w->pores.radius * (double)w->pores.radius * square * density);
   if (!w->has_pores) w->pores.coverage = 0.0f;
@@ -350,9 +350,7 @@ static void build_vessels(wood_constants *w, const settings *s) {
   double row_square = build_radii(&w->row, row_d, num(s, P_ROW_SPREAD));
   double row_radius = (double)w->row.radius, row_spacing = 1.05e-3 * row_d;
   double row_largest = row_radius * (1.0 + 2.5 * num(s, P_ROW_SPREAD));
-  w->row.cell = (float)(1.0 / row_density);
   w->row.reach = longest_footprint((1.0 - 0.5 * num(s, P_ROW_JITTER)) / row_density, row_largest);
-  w->row.inverse_cell = (float)row_density;
   w->vessel_reach = w->has_pores ? w->pores.reach : w->row.reach;
   if (w->rows && w->row.reach < w->vessel_reach) w->vessel_reach = w->row.reach;
   w->row_density = (float)row_density;

@@ -38,8 +38,8 @@ INLINE ring_place ring_at(const wood_constants *w, vf rho) {
 }
 
 /* Integral from 0 to f of the latewood profile: 0 up to late_start, rising by
- * a parabola to 1/2 where the latewood begins, by another to 1 after late_end
- * more, and 1 to the ring's end. */
+ * a parabola to 1/2 at late_middle, by another to 1 late_after further on, and
+ * 1 to the ring's end. */
 INLINE vf late_integral(const wood_constants *w, vf f) {
   vf one = splat(1.0f), past = f - splat(w->late_middle);
   vf a = clamp01((f - splat(w->late_start)) * splat(w->inverse_late_before));

@@ -3,11 +3,11 @@
  * Vessels, looked up where they are and never listed.
  *
  * Pores of the field (diffuse-porous wood, and the latewood of the others)
- * stand in square cells of the reference section, one to a cell on average;
- * each cell holds 0 to 3 of them at uniform places, with the mean and the variance of a Poisson
- * count, so that counts over an area are those of Kawai's uniform distribution. Earlywood vessels
- * stand along the ring boundary, 2 pi R P to a ring, evenly spaced with jitter. Radii are normally
- * distributed, truncated above zero.
+ * stand in square cells of the reference section, two in every other cell at
+ * uniform places: mean, variance and pair density are those of Kawai's uniform
+ * distribution. Earlywood vessels stand along the ring boundary, 2 pi R P to a
+ * ring, evenly spaced with jitter. Radii are normally distributed, truncated
+ * above zero.
  *
  * Filtering. A vessel is a ramp in q = (distance / radius)^2, from 1.25 where
  * it is 0 to 0.75 where it is 1: its area and its half level are the disc's.
@@ -17,8 +17,8 @@
  * area is kept by moving the half level to q = x, and the ramp widens; below,
  * it is a cone in q whose height falls with x. The area is exact throughout,
  * the shape approximate. A footprint longer than the cells looked at is cut
- * into 2, 4 or 8 along its longest direction; beyond that the expected
- * coverage takes over. tests/property prints the errors.
+ * into up to 8, along its longest direction and, where it is broad, once across
+ * that; beyond, the expected coverage takes over. tests/property prints the errors.
  */
 #ifndef SOZAI_WOOD_VESSELS_H
 #define SOZAI_WOOD_VESSELS_H
@@ -80,7 +80,7 @@ INLINE vf vessel_overlap(const wood_vessels *v, const disc *d, vf sum) {
  * nearest cells hold everything within half a cell. */
 INLINE vf pores_cover(const wood_constants *w, vf x, vf z, const disc *d) {
   const wood_vessels *v = &w->pores;
-  vf inverse_cell = splat(v->inverse_cell), cell = splat(v->cell);
+  vf inverse_cell = splat(w->inverse_pore_cell), cell = splat(w->pore_cell);
   vi ix, iz;
   vf fx = x * inverse_cell - splat(0.5f), fz = z * inverse_cell - splat(0.5f);
   fx = fx - vfloor(fx, &ix) + splat(0.5f);
@@ -99,8 +99,8 @@ INLINE vf pores_cover(const wood_constants *w, vf x, vf z, const disc *d) {
     vu h = base << 1;
     UNROLL(2)
     for (int k = 0; k < 2; k++) {
-      vf x1 = ox - to_float((vi)(h >> 21)) * splat(v->step);
-      vf z1 = oz - to_float((vi)((h >> 10) & splatu(2047))) * splat(v->step);
+      vf x1 = ox - to_float((vi)(h >> 21)) * splat(w->pore_step);
+      vf z1 = oz - to_float((vi)((h >> 10) & splatu(2047))) * splat(w->pore_step);
       vf q = disc_distance(d, x1, z1);
       /* past `farthest` the cover is exactly 0: passing over it changes nothing */
       if (!idle(lt(q, splat(v->farthest)))) sum = sum + vessel_cover(v, d, h, q);
@@ -211,7 +211,7 @@ INLINE footprint_axes footprint_split(const footprint2 *f) {
 /* How a footprint is cut into parts, lane by lane: `along` of its longest
  * direction (1, 2, 4 or 8), `beside` of what is left (1 or 2). */
 typedef struct {
-  vm cut, most;     /* into more than one; into as many as there are */
+  vm most;          /* into as many as there are */
   vf along, beside; /* inverses of the numbers */
   vf aa, ab, bb;    /* of one part */
   int taps;         /* of the lane that has the most */
@@ -226,7 +226,6 @@ INLINE footprint_parts footprint_cut(const footprint2 *f, const footprint_axes *
   vf long2 = square_of(l->arc) + square_of(l->rho);
   vf rest2 = square_of(l->rest_arc) + square_of(l->rest_rho);
   vm wide = and_(cut, gt(rest2, splat(0.36f) * reach2));
-  p.cut = cut;
   p.beside = sel(wide, half, one);
   rest2 = rest2 * square_of(p.beside);
   vm two = gt(long2 + rest2, reach2), four = gt(long2 * splat(0.25f) + rest2, reach2);
@@ -296,7 +295,7 @@ INLINE vessel_cover_t vessels_at(const wood_constants *w, const vessel_place *p)
   if (w->rows) row = row_at(w, &p->ring, p->rho, p->c, p->s, vsqrt(p->f.bb));
   vm cut = gt(p->f.aa + p->f.bb, splat(w->vessel_reach * w->vessel_reach));
   if (!any(cut)) {
-    footprint_parts whole = {cut, cut, one, one, p->f.aa, p->f.ab, p->f.bb, 1};
+    footprint_parts whole = {cut, one, one, p->f.aa, p->f.ab, p->f.bb, 1};
     vessels_tap(w, p, &row, &whole, zero, zero, one, &v);
     return v;
   }

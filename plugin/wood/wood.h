@@ -41,13 +41,11 @@ enum {
 /* A layer of vessels of normally distributed radius. inverse_square[i] is
  * (mean radius / radius)^2 for the i-th of WOOD_RADII equally likely radii. */
 typedef struct {
-  float radius;             /* mm, the mean */
-  float cell;               /* mm: side of a lattice cell, or spacing along the arc */
-  float inverse_cell, step; /* 1/mm; mm: cell / 2048 */
-  float reach;              /* mm: the longest footprint that one look-up answers */
-  float farthest;           /* q, in units of the mean radius, at which the largest vessel ends */
-  float coverage;           /* expected area fraction where the layer is at full size */
-  float overlap;            /* share of the discs' areas that lies under another disc */
+  float radius;   /* mm, the mean */
+  float reach;    /* mm: the longest footprint that one look-up answers */
+  float farthest; /* q, in units of the mean radius, at which the largest vessel ends */
+  float coverage; /* expected area fraction where the layer is at full size */
+  float overlap;  /* share of the discs' areas that lies under another disc */
   float inverse_square[WOOD_RADII];
 } wood_vessels;
 
@@ -93,7 +91,8 @@ typedef struct {
   int32_t has_wave, has_wave_irregularity, has_interlocked, has_slope_noise;
 
   /* vessels */
-  wood_vessels pores;            /* of the field: cells of the reference section */
+  float pore_cell, inverse_pore_cell, pore_step; /* mm: side of a lattice cell; 1/mm; mm, / 2048 */
+  wood_vessels pores;                            /* of the field: cells of the reference section */
   float pore_early, pore_growth; /* size at phase f, over the mean: early + growth f */
   float pore_ring_mean;          /* mean over the ring of size^2 */
   wood_vessels row;              /* of the earlywood: rows at the ring's start */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
  * Writing JSON: commas, escapes and indentation. */
-#ifndef SOZAI_CLI_JSON_H
-#define SOZAI_CLI_JSON_H
+#ifndef SOZAI_HOSTS_JSON_H
+#define SOZAI_HOSTS_JSON_H
 
 #include <stdbool.h>
 #include <stdio.h>
