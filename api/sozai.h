@@ -81,7 +81,8 @@ typedef struct sozai_entry_v1 {
 /* Kinds. A value's kind must be its parameter's, with two exceptions: an INT
  * is taken for a FLOAT, and SOZAI_KIND_STRING, whose text is read as the
  * parameter's kind: "1.5", "12", "true", "ring", "1 2 3", "#c08040",
- * "0.2 0.1 0.05 @ ACEScg". Text is read and written in the C locale. */
+ * "0.2 0.1 0.05 @ ACEScg", "end grain.tif @ sRGB, wrap=mirror, channel=0".
+ * Text is read and written in the C locale. */
 #define SOZAI_KIND_STRING 0u /* never a parameter's kind */
 #define SOZAI_KIND_FLOAT 1u  /* number[0] */
 #define SOZAI_KIND_INT 2u    /* number[0], a whole number, |n| < 2^53 */
@@ -92,12 +93,20 @@ typedef struct sozai_entry_v1 {
 #define SOZAI_KIND_TEXT 7u   /* text */
 #define SOZAI_KIND_PATH 8u   /* text: a file's path */
 #define SOZAI_KIND_BUFFER 9u /* buffer: memory of the host's */
+#define SOZAI_KIND_IMAGE 10u /* buffer of kind IMAGE; or text: a file's path, "" for none */
 
 /* What a buffer holds. */
 #define SOZAI_BUFFER_TABLE 1u  /* rows x columns of float, row by row */
 #define SOZAI_BUFFER_IMAGE 2u  /* height x width x channels of float, top row first */
 #define SOZAI_BUFFER_MESH 3u   /* triangles: see points, normals and indices */
 #define SOZAI_BUFFER_POINTS 4u /* a point cloud: points, and normals or NULL */
+
+/* What a picture shows beyond its edges. */
+#define SOZAI_WRAP_DEFAULT 0u /* the parameter's own */
+#define SOZAI_WRAP_BLACK 1u
+#define SOZAI_WRAP_CLAMP 2u
+#define SOZAI_WRAP_PERIODIC 3u
+#define SOZAI_WRAP_MIRROR 4u
 
 /* Memory handed in by the host. Read during create() only, and copied. */
 typedef struct sozai_buffer {
@@ -109,7 +118,11 @@ typedef struct sozai_buffer {
   const float *points;      /* MESH, POINTS: x y z each, mm */
   const float *normals;     /* MESH, POINTS: x y z each, or NULL */
   const uint32_t *indices;  /* MESH: three to a triangle, counter-clockwise seen from outside */
-  const char *colour_space; /* IMAGE: the name of its space, or NULL for data */
+  const char *colour_space; /* IMAGE: the name of its space, or NULL: a buffer is data, a
+                               file's space follows the config's file rules */
+  const char *path;         /* IMAGE: a file's path in place of data */
+  uint32_t wrap;            /* IMAGE: SOZAI_WRAP_* */
+  uint32_t first_channel;   /* IMAGE: where the picture has more than are wanted */
 } sozai_buffer;
 
 /* One value for one parameter. This struct never grows. */
@@ -137,12 +150,12 @@ typedef struct sozai_parameter {
   double soft_min; /* where a slider should end */
   double soft_max;
   double default_number[3];       /* CHOICE: the index of the default in choices */
-  const char *default_text;       /* TEXT, PATH: the default. COLOUR: the space its numbers are in.
+  const char *default_text;       /* TEXT, PATH, IMAGE: the default. COLOUR: the space its numbers are in.
                                      Other kinds: NULL. */
   const char *const *choices;     /* CHOICE: ids; else NULL */
   const char *const *choice_docs; /* CHOICE: a phrase each; else NULL */
   uint32_t choice_count;
-  uint32_t buffer_kind; /* BUFFER: the SOZAI_BUFFER_* it takes; else 0 */
+  uint32_t buffer_kind; /* BUFFER, IMAGE: the SOZAI_BUFFER_* it takes; else 0 */
 } sozai_parameter;
 
 /* A named set of values: a species of wood, a kind of stone. Values that a
@@ -243,7 +256,8 @@ typedef struct sozai_textures_1 {
    *   preset  a preset's id, or NULL for the parameters' own defaults.
    *   values  value_count of them; of two for one parameter the later counts.
    *   out     the texture; NULL when anything failed, and then nothing is kept.
-   * Colours are converted into the working space here, once. The host's
+   * Colours are converted into the working space here, once; pictures are
+   * opened here. The host's
    * callbacks are called on this thread, or through its thread pool.
    * Errors: ARGUMENT, UNKNOWN, KIND, RANGE, MEMORY, FILE, COLOUR, CANCELLED,
    * STATE, and UNSUPPORTED for an instruction set that SOZAI_CPU asks for and
@@ -255,7 +269,8 @@ typedef struct sozai_textures_1 {
 
   /* Answer a batch. Any size, any thread, any number at once; allocates
    * nothing, locks nothing, and the answer to a point depends on nothing but
-   * that point: same bits whatever the batch, thread or machine.
+   * that point: same bits whatever the batch, thread or machine. (Of a texture
+   * with a picture, as far as the image service keeps to that.)
    * Checked before any output is written: ARGUMENT if a wanted channel needs
    * an input that is NULL. An input that a channel only `uses` may be NULL:
    * without a normal the footprint is a ball, not a square.
@@ -333,6 +348,9 @@ typedef struct sozai_host {
   /* An OpenColorIO config for the colour service: a path. NULL: $OCIO, else
    * the shipped one. */
   const char *colour_config;
+  /* Bytes of pictures that the image service beside the plugin may hold at
+   * most; 0: 1 GiB. What the first texture that opens it asks for counts. */
+  uint64_t image_memory;
 } sozai_host;
 
 #ifdef __cplusplus

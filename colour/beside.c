@@ -28,7 +28,7 @@ char *sozai_colour_beside(const char *plugin_path, const char *file_name) {
   }
   /* Not told, or told wrongly: the dynamic linker knows. */
   Dl_info info;
-  if (dladdr(&sozai_colour_factory, &info) && info.dli_fname)
+  if (dladdr(&sozai_colour_services, &info) && info.dli_fname)
     return in_folder_of(info.dli_fname, file_name);
   return in_folder_of("", file_name);
 }

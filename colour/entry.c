@@ -42,8 +42,8 @@ const char *sozai_colour_shipped_config(void) {
 }
 
 static const void *get_factory(const char *factory_id) {
-  if (!factory_id || strcmp(factory_id, SOZAI_COLOUR_FACTORY_1) != 0) return NULL;
-  return sozai_colour_shipped_config() ? &sozai_colour_factory : NULL;
+  if (!factory_id || strcmp(factory_id, SOZAI_SERVICES_1) != 0) return NULL;
+  return sozai_colour_shipped_config() ? &sozai_colour_services : NULL;
 }
 
 extern const sozai_entry_v1 sozai_colour_entry;

@@ -19,7 +19,7 @@ const char *sozai_colour_shipped_config(void);
  * plugin_path: where the library is said to lie, or NULL. */
 char *sozai_colour_beside(const char *plugin_path, const char *file_name);
 
-extern const sozai_colour_factory_1 sozai_colour_factory;
+extern const sozai_services_1 sozai_colour_services;
 
 #ifdef __cplusplus
 }

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "core/colour.h"
+#include "core/services.h"
 #include "core/status.h"
 #include "material.h"
 #include "wood/material.h"
@@ -21,7 +22,7 @@ static int32_t init(const char *plugin_path) {
   pthread_mutex_lock(&lock);
   if (atomic_load(&inits) == 0) {
     if (!status_open()) r = SOZAI_ERROR_MEMORY;
-    colour_plugin_path(plugin_path);
+    services_plugin_path(plugin_path);
     for (uint32_t i = 0; i < registry_count; i++) registry[i]->describe();
   }
   if (r == SOZAI_OK) atomic_fetch_add(&inits, 1);
@@ -33,6 +34,7 @@ static void deinit(void) {
   pthread_mutex_lock(&lock);
   if (atomic_load(&inits) && atomic_fetch_sub(&inits, 1) == 1) {
     colour_close();
+    services_close();
     status_close();
   }
   pthread_mutex_unlock(&lock);

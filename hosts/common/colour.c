@@ -3,6 +3,7 @@
 
 #include <dlfcn.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -22,15 +23,18 @@ static char *beside(const char *plugin_path) {
 
 static bool open_service(colour *c, const char *path, const char *config, failure *why) {
   if (!plugin_load(path, SOZAI_COLOUR_ENTRY_SYMBOL, &c->library, &c->entry, why)) return false;
-  c->factory = c->entry->get_factory(SOZAI_COLOUR_FACTORY_1);
-  if (!c->factory)
-    return fail(why, EXIT_FAILURE, "%s has no factory %s", path, SOZAI_COLOUR_FACTORY_1);
+  c->table = c->entry->get_factory(SOZAI_SERVICES_1);
+  if (!c->table) return fail(why, EXIT_FAILURE, "%s has no factory %s", path, SOZAI_SERVICES_1);
   char message[512] = "";
-  if (c->factory->open(config, &c->service, message, sizeof message) != SOZAI_OK) {
-    c->service = NULL;
+  sozai_services_options options = {.size = sizeof options, .config = config};
+  if (c->table->open(&options, &c->services, message, sizeof message) != SOZAI_OK) {
     /* which names the config */
     return fail(why, EXIT_BAD_INPUT, "%s", *message ? message : "the colour config did not open");
   }
+  if (*message) fprintf(stderr, "sozai: %s\n", message);
+  c->service = c->table->get(c->services, SOZAI_COLOUR_1);
+  c->display = c->table->get(c->services, SOZAI_DISPLAY_1);
+  c->images = c->table->get(c->services, SOZAI_IMAGES_1);
   return true;
 }
 
@@ -49,7 +53,7 @@ bool colour_open(colour *c, const char *plugin_path, const char *config, failure
 }
 
 void colour_close(colour *c) {
-  if (c->service) c->factory->close(c->service);
+  if (c->services) c->table->close(c->services);
   if (c->entry) c->entry->deinit();
   if (c->library) dlclose(c->library);
   memset(c, 0, sizeof *c);
@@ -63,7 +67,7 @@ static float srgb_encode(float linear) {
 
 bool colour_to_display(const colour *c, const char *display, const char *view, float *rgb,
                        size_t count, failure *why) {
-  if (!c->service) {
+  if (!c->display) {
     if (display || view)
       return fail(why, EXIT_FAILURE, "there is no colour service to look up view '%s' in",
                   view ? view : display);
@@ -71,7 +75,7 @@ bool colour_to_display(const colour *c, const char *display, const char *view, f
     return true;
   }
   char message[512] = "";
-  if (c->service->to_display(c->service->self, display, view, rgb, count, message,
+  if (c->display->to_display(c->display->self, display, view, NULL, rgb, count, message,
                              sizeof message) != SOZAI_OK)
     return fail(why, display || view ? EXIT_BAD_INPUT : EXIT_FAILURE, "display transform: %s",
                 message);

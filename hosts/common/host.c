@@ -31,8 +31,8 @@ static int32_t show_progress(void *user, float fraction, const char *what) {
 
 static const void *get_service(void *user, const char *service_id) {
   const host *h = user;
-  if (h->colour && service_id && strcmp(service_id, SOZAI_COLOUR_1) == 0) return h->colour->service;
-  return NULL;
+  const colour *c = h->colour;
+  return c && c->services && service_id ? c->table->get(c->services, service_id) : NULL;
 }
 
 void host_init(host *h, uint32_t threads, bool verbose, const colour *colour, const char *config) {

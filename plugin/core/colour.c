@@ -1,130 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#define _GNU_SOURCE
 #include "colour.h"
 
-#include <dlfcn.h>
-#include <pthread.h>
-#include <stdlib.h>
+#include <stdatomic.h>
 #include <string.h>
 
 #include "../../api/sozai_colour.h"
 #include "scalar.h"
+#include "services.h"
 #include "status.h"
-
-/* ---- sozai-colour.so beside us ---------------------------------------- */
-
-/* Services stay open until the last deinit: opening a config takes
- * milliseconds, and a scene creates many textures with the same one. */
-typedef struct opened {
-  struct opened *next;
-  const sozai_colour_1 *service;
-  char *config; /* NULL: the default */
-} opened;
-
-static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
-static char *beside; /* path of sozai-colour.so */
-static void *library;
-static const sozai_entry_v1 *entry;
-static const sozai_colour_factory_1 *factory;
-static opened *services;
-static int tried, warned;
-
-void colour_plugin_path(const char *path) {
-  Dl_info where;
-  if (!path || !strchr(path, '/')) {
-    path = dladdr((void *)(uintptr_t)&colour_plugin_path, &where) ? where.dli_fname : "";
-  }
-  const char *slash = strrchr(path, '/');
-  size_t n = slash ? (size_t)(slash - path) + 1 : 0;
-  static const char name[] = "sozai-colour.so";
-  char *joined = malloc(n + sizeof name);
-  if (!joined) return;
-  memcpy(joined, path, n);
-  memcpy(joined + n, name, sizeof name);
-  pthread_mutex_lock(&lock);
-  free(beside);
-  beside = joined;
-  pthread_mutex_unlock(&lock);
-}
-
-void colour_close(void) {
-  pthread_mutex_lock(&lock);
-  while (services) {
-    opened *next = services->next;
-    if (factory) factory->close(services->service);
-    free(services->config);
-    free(services);
-    services = next;
-  }
-  if (entry) entry->deinit();
-  if (library) dlclose(library);
-  free(beside);
-  beside = NULL;
-  library = NULL;
-  entry = NULL;
-  factory = NULL;
-  tried = warned = 0;
-  pthread_mutex_unlock(&lock);
-}
-
-/* With the lock held. NULL: there is none, or it does not load. */
-static const sozai_colour_factory_1 *load_beside(const sozai_host *host) {
-  if (tried) return factory;
-  tried = 1;
-  if (!beside) return NULL;
-  library = dlopen(beside, RTLD_NOW | RTLD_LOCAL);
-  if (!library) {
-    host_log(host, SOZAI_LOG_INFO, "no colour service: %s", dlerror());
-    return NULL;
-  }
-  entry = dlsym(library, SOZAI_COLOUR_ENTRY_SYMBOL);
-  if (!entry || entry->abi_major != SOZAI_ABI_MAJOR || entry->init(beside) != SOZAI_OK) {
-    host_log(host, SOZAI_LOG_WARNING, "%s is no colour service of ABI %u", beside, SOZAI_ABI_MAJOR);
-    entry = NULL;
-    dlclose(library);
-    library = NULL;
-    return NULL;
-  }
-  factory = entry->get_factory(SOZAI_COLOUR_FACTORY_1);
-  return factory;
-}
-
-static int same(const char *a, const char *b) { return a == b || (a && b && strcmp(a, b) == 0); }
-
-/* The service for a config, opened if it is not yet. *out NULL: there is none. */
-static int32_t open_beside(const sozai_host *host, const sozai_colour_1 **out) {
-  int32_t r = SOZAI_OK;
-  *out = NULL;
-  pthread_mutex_lock(&lock);
-  const sozai_colour_factory_1 *make = load_beside(host);
-  if (make) {
-    for (opened *o = services; o && !*out; o = o->next) {
-      if (same(o->config, host->colour_config)) *out = o->service;
-    }
-    if (!*out) {
-      char message[512] = "";
-      opened *o = calloc(1, sizeof *o);
-      char *config = host->colour_config ? strdup(host->colour_config) : NULL;
-      if (!o || (host->colour_config && !config)) {
-        r = fail(SOZAI_ERROR_MEMORY, "out of memory: opening a colour config");
-      } else {
-        r = make->open(host->colour_config, &o->service, message, sizeof message);
-        if (r != SOZAI_OK) fail(r, "colour config: %s", message);
-      }
-      if (r == SOZAI_OK) {
-        o->config = config;
-        o->next = services;
-        services = o;
-        *out = o->service;
-      } else {
-        free(o);
-        free(config);
-      }
-    }
-  }
-  pthread_mutex_unlock(&lock);
-  return r;
-}
 
 /* ---- names of sRGB ---------------------------------------------------- */
 
@@ -176,12 +59,12 @@ static int32_t convert_by_formula(const char *id, const char *space, float rgb[3
   return SOZAI_OK;
 }
 
+static atomic_int warned;
+
+void colour_close(void) { atomic_store(&warned, 0); }
+
 static void warn_once(const sozai_host *host) {
-  pthread_mutex_lock(&lock);
-  int first = !warned;
-  warned = 1;
-  pthread_mutex_unlock(&lock);
-  if (first) {
+  if (!atomic_exchange(&warned, 1)) {
     host_log(host, SOZAI_LOG_WARNING,
              "no colour service: sRGB is linearised by its formula, and the working space is "
              "taken to be linear Rec.709");
@@ -192,15 +75,13 @@ static void warn_once(const sozai_host *host) {
 
 int32_t colour_convert(const sozai_host *host, const sozai_texture_info *info, const settings *s,
                        float (*out)[3]) {
-  const sozai_colour_1 *service = NULL;
-  if (host->get_service) service = host->get_service(host->user, SOZAI_COLOUR_1);
+  const void *found;
+  int32_t r = services_find(host, SOZAI_COLOUR_1, &found);
+  if (r) return r;
+  const sozai_colour_1 *service = found;
   if (service && service->size < sizeof *service) {
-    return fail(SOZAI_ERROR_COLOUR, "the host's colour service is of %u bytes, not %zu",
+    return fail(SOZAI_ERROR_COLOUR, "the colour service is of %u bytes, not %zu",
                 service->size, sizeof *service);
-  }
-  if (!service) {
-    int32_t r = open_beside(host, &service);
-    if (r) return r;
   }
   if (!service) warn_once(host);
   for (uint32_t i = 0; i < info->parameter_count; i++) {
@@ -208,7 +89,6 @@ int32_t colour_convert(const sozai_host *host, const sozai_texture_info *info, c
     if (p->kind != SOZAI_KIND_COLOUR) continue;
     const char *space = s->list[i].text ? s->list[i].text : "sRGB";
     for (int c = 0; c < 3; c++) out[i][c] = (float)s->list[i].number[c];
-    int32_t r;
     if (service) {
       char message[512] = "";
       r = service->to_working(service->self, known_name(service, space), out[i], 1, message,

@@ -7,9 +7,7 @@
 
 #include "params.h"
 
-/* Where sozai.so was loaded from, for sozai-colour.so beside it. */
-void colour_plugin_path(const char *path);
-/* Closes what was opened; at the last deinit. */
+/* At the last deinit: the next warning is the first again. */
 void colour_close(void);
 
 /* Convert the numbers of every COLOUR setting into the working space: out has

@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#define _GNU_SOURCE
+#include "services.h"
+
+#include <dlfcn.h>
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../../api/sozai_colour.h"
+#include "status.h"
+
+/* Services stay open until the last deinit: opening a config takes
+ * milliseconds, and a scene creates many textures with the same one. */
+typedef struct opened {
+  struct opened *next;
+  sozai_services *services;
+  char *config; /* NULL: the default */
+} opened;
+
+static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
+static char *beside; /* path of sozai-colour.so */
+static void *library;
+static const sozai_entry_v1 *entry;
+static const sozai_services_1 *factory;
+static opened *list;
+static int tried;
+
+void services_plugin_path(const char *path) {
+  Dl_info where;
+  if (!path || !strchr(path, '/')) {
+    path = dladdr((void *)(uintptr_t)&services_plugin_path, &where) ? where.dli_fname : "";
+  }
+  const char *slash = strrchr(path, '/');
+  size_t n = slash ? (size_t)(slash - path) + 1 : 0;
+  static const char name[] = "sozai-colour.so";
+  char *joined = malloc(n + sizeof name);
+  if (!joined) return;
+  memcpy(joined, path, n);
+  memcpy(joined + n, name, sizeof name);
+  pthread_mutex_lock(&lock);
+  free(beside);
+  beside = joined;
+  pthread_mutex_unlock(&lock);
+}
+
+void services_close(void) {
+  pthread_mutex_lock(&lock);
+  while (list) {
+    opened *next = list->next;
+    if (factory) factory->close(list->services);
+    free(list->config);
+    free(list);
+    list = next;
+  }
+  if (entry) entry->deinit();
+  if (library) dlclose(library);
+  free(beside);
+  beside = NULL;
+  library = NULL;
+  entry = NULL;
+  factory = NULL;
+  tried = 0;
+  pthread_mutex_unlock(&lock);
+}
+
+/* With the lock held. NULL: there is none, or it does not load. */
+static const sozai_services_1 *load_beside(const sozai_host *host) {
+  if (tried) return factory;
+  tried = 1;
+  if (!beside) return NULL;
+  library = dlopen(beside, RTLD_NOW | RTLD_LOCAL);
+  if (!library) {
+    host_log(host, SOZAI_LOG_INFO, "no services for colour and images: %s", dlerror());
+    return NULL;
+  }
+  entry = dlsym(library, SOZAI_COLOUR_ENTRY_SYMBOL);
+  if (!entry || entry->abi_major != SOZAI_ABI_MAJOR || entry->init(beside) != SOZAI_OK) {
+    host_log(host, SOZAI_LOG_WARNING, "%s has no services of ABI %u", beside, SOZAI_ABI_MAJOR);
+    entry = NULL;
+    dlclose(library);
+    library = NULL;
+    return NULL;
+  }
+  factory = entry->get_factory(SOZAI_SERVICES_1);
+  return factory;
+}
+
+static int same(const char *a, const char *b) { return a == b || (a && b && strcmp(a, b) == 0); }
+
+static int32_t open_services(const sozai_host *host, opened **out) {
+  char message[512] = "";
+  opened *o = calloc(1, sizeof *o);
+  if (!o) return fail(SOZAI_ERROR_MEMORY, "out of memory: opening a colour config");
+  int32_t r = SOZAI_OK;
+  if (host->colour_config && !(o->config = strdup(host->colour_config))) {
+    r = fail(SOZAI_ERROR_MEMORY, "out of memory: opening a colour config");
+  } else {
+    sozai_services_options options = {.size = sizeof options,
+                                      .config = host->colour_config,
+                                      .image_memory = host->image_memory};
+    r = factory->open(&options, &o->services, message, sizeof message);
+    if (r != SOZAI_OK) fail(r, "colour config: %s", message);
+  }
+  if (r != SOZAI_OK) {
+    free(o->config);
+    free(o);
+    return r;
+  }
+  if (*message) host_log(host, SOZAI_LOG_WARNING, "%s", message);
+  *out = o;
+  return SOZAI_OK;
+}
+
+/* The services of the host's config, opened if they are not yet. *out NULL:
+ * there are none. */
+static int32_t beside_services(const sozai_host *host, sozai_services **out) {
+  int32_t r = SOZAI_OK;
+  *out = NULL;
+  pthread_mutex_lock(&lock);
+  if (load_beside(host)) {
+    opened *o = list;
+    while (o && !same(o->config, host->colour_config)) o = o->next;
+    if (!o) {
+      r = open_services(host, &o);
+      if (r == SOZAI_OK) {
+        o->next = list;
+        list = o;
+      }
+    }
+    if (r == SOZAI_OK) *out = o->services;
+  }
+  pthread_mutex_unlock(&lock);
+  return r;
+}
+
+int32_t services_find(const sozai_host *host, const char *id, const void **out) {
+  *out = host->get_service ? host->get_service(host->user, id) : NULL;
+  if (*out) return SOZAI_OK;
+  sozai_services *services;
+  int32_t r = beside_services(host, &services);
+  if (services) *out = factory->get(services, id);
+  return r;
+}
