@@ -11,7 +11,7 @@ typedef struct colour {
   void *library;
   const sozai_entry_v1 *entry;
   const sozai_services_1 *table;
-  sozai_services *services;       /* NULL: there are none, and the rest is NULL too */
+  sozai_services *services; /* NULL: there are none, and the rest is NULL too */
   const sozai_colour_1 *service;
   const sozai_display_1 *display;
   const sozai_images_1 *images;
