@@ -10,8 +10,9 @@
 #include <memory>
 
 sozai_services::sozai_services(const sozai_services_options &options)
-    : config(sozai::colour::open_config(options.config)),
-      colour(sozai::colour::colour_table(this)), display(sozai::colour::display_table(this)) {}
+    : config(sozai::colour::open_config(options.config)), colour(sozai::colour::colour_table(this)),
+      display(sozai::colour::display_table(this)), images(sozai::colour::images_table(this)),
+      image_library(config, processors, options.image_memory) {}
 
 sozai_services::~sozai_services() = default;
 
@@ -43,6 +44,7 @@ static const void *get_service(sozai_services *services, const char *id) {
   if (!services || !id) return nullptr;
   if (std::strcmp(id, SOZAI_COLOUR_1) == 0) return &services->colour;
   if (std::strcmp(id, SOZAI_DISPLAY_1) == 0) return &services->display;
+  if (std::strcmp(id, SOZAI_IMAGES_1) == 0) return &services->images;
   return nullptr;
 }
 
@@ -52,6 +54,5 @@ static void close_services(sozai_services *services) { delete services; }
 } // namespace
 } // namespace sozai::colour
 
-const sozai_services_1 sozai_colour_services = {sozai::colour::open_services,
-                                                sozai::colour::get_service,
-                                                sozai::colour::close_services};
+const sozai_services_1 sozai_colour_services = {
+    sozai::colour::open_services, sozai::colour::get_service, sozai::colour::close_services};
