@@ -2,6 +2,7 @@
 //
 // A picture in a file.
 #include "boundary.hpp"
+#include "png.hpp"
 #include "source.hpp"
 
 #include <OpenImageIO/imageio.h>
@@ -38,10 +39,8 @@ void must_be_a_file(const std::string &path) {
   close(file);
 }
 
-std::string without_end(std::string text) {
-  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
-  return text;
-}
+// Readers pile up a line for each attempt; the first says why.
+std::string first_line(const std::string &text) { return text.substr(0, text.find('\n')); }
 
 bool is_cmyk(const OIIO::ImageSpec &spec) {
   for (const char *key : {"jpeg:ColorSpace", "tiff:ColorSpace", "oiio:ColorSpace"}) {
@@ -55,13 +54,14 @@ class FileSource final : public Source {
 public:
   FileSource(const char *path, const Choice &choice) : name(path) {
     must_be_a_file(name);
+    if (const char *why = png_damage(name.c_str())) refuse(why);
     OIIO::ImageSpec hints;
     // As it is: OpenImageIO would multiply by alpha before the colour is linear, and
     // round to 8 bits.
     hints.attribute("oiio:UnassociatedAlpha", 1);
     input = OIIO::ImageInput::open(name, &hints);
     if (!input) {
-      const std::string why = without_end(OIIO::geterror());
+      const std::string why = first_line(OIIO::geterror());
       refuse(why.empty() ? "no kind of picture that OpenImageIO knows" : why);
     }
     try {
@@ -168,7 +168,7 @@ private:
               : input->read_scanlines(0, 0, begin, stop, spec.z, low, high, OIIO::TypeDesc::FLOAT,
                                       block.data());
     if (ok) return;
-    const std::string why = without_end(input->geterror());
+    const std::string why = first_line(input->geterror());
     refuse("cannot be read to its end" + (why.empty() ? why : ": " + why));
   }
 
@@ -187,7 +187,7 @@ private:
 
   // Some readers fill up what is missing and leave no more than a message.
   void must_have_been_whole() {
-    const std::string left = without_end(input->geterror());
+    const std::string left = first_line(input->geterror());
     if (left.empty()) return;
     // libjpeg also remarks on what does no harm, such as a stray byte.
     if (std::strcmp(input->format_name(), "jpeg") == 0 &&
