@@ -17,8 +17,8 @@
 typedef struct kind {
   const char *file;
   plain_picture picture;
-  const char *space;     /* asked for; NULL: by the file rules */
-  const char *from;      /* what that is to oiiotool; NULL: nothing is converted */
+  const char *space; /* asked for; NULL: by the file rules */
+  const char *from;  /* what that is to oiiotool; NULL: nothing is converted */
   uint32_t first, channels;
   double tolerance;
 } kind;
@@ -81,7 +81,13 @@ static void as_oiiotool(void **state) {
       {"tiled16.tif", {512, 512, 3, "uint16", .tile = 64}, "sRGB", "sRGB", 0, 3, TOLERANCE},
       {"half.exr", {256, 512, 3, "half", .tile = 0}, NULL, NULL, 0, 3, 1e-6},
       {"tiled.exr", {256, 256, 3, "half", .tile = 32}, "ACEScg", "ACEScg", 0, 3, TOLERANCE},
-      {"float.exr", {512, 256, 3, "float", .tile = 0}, "Linear P3-D65", "Linear P3-D65", 0, 3, TOLERANCE},
+      {"float.exr",
+       {512, 256, 3, "float", .tile = 0},
+       "Linear P3-D65",
+       "Linear P3-D65",
+       0,
+       3,
+       TOLERANCE},
       {"log.tif", {256, 256, 3, "float", .tile = 0}, "acescct_ap1", "ACEScct", 0, 3, 3e-2},
       {"rgba.exr", {256, 256, 4, "half", .tile = 0}, "ACEScg", "ACEScg", 0, 4, TOLERANCE},
       {"six.exr", {256, 256, 6, "half", .tile = 0}, "sRGB", "sRGB", 2, 3, TOLERANCE},

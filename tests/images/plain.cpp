@@ -75,8 +75,8 @@ double plain_time(plain *p, uint32_t count, const float *s, const float *t, floa
   float sum = 0;
   for (uint32_t i = 0; i < count; i++) {
     float out[4];
-    p->system->texture(p->handle, thread, options, s[i], t[i], footprint, 0, 0, footprint,
-                       channels, out);
+    p->system->texture(p->handle, thread, options, s[i], t[i], footprint, 0, 0, footprint, channels,
+                       out);
     sum += out[0];
   }
   sink = sum;

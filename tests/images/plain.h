@@ -15,12 +15,12 @@ extern "C" {
 
 typedef struct plain_picture {
   int width, height, channels;
-  const char *format;   /* "uint8", "uint16", "half", "float" */
-  int tile;             /* side, 0: rows */
-  int orientation;      /* 0: none */
-  bool unassociated;    /* the numbers are not multiplied by alpha */
-  bool windowed;        /* the next four count */
-  int x, y;             /* of the pixels in the window to be seen */
+  const char *format; /* "uint8", "uint16", "half", "float" */
+  int tile;           /* side, 0: rows */
+  int orientation;    /* 0: none */
+  bool unassociated;  /* the numbers are not multiplied by alpha */
+  bool windowed;      /* the next four count */
+  int x, y;           /* of the pixels in the window to be seen */
   int full_width, full_height;
 } plain_picture;
 
