@@ -107,3 +107,31 @@ int32_t colour_convert(const sozai_host *host, const sozai_texture_info *info, c
   }
   return SOZAI_OK;
 }
+
+/* ---- strength --------------------------------------------------------- */
+
+/* Into one of a list of spaces, the first that the service has. */
+static int into_one_of(const sozai_colour_1 *c, const char *const *list, size_t n, float rgb[3]) {
+  for (size_t i = 0; i < n; i++) {
+    if (c->has_space(c->self, list[i]))
+      return c->from_working(c->self, list[i], rgb, 1, NULL, 0) == SOZAI_OK;
+  }
+  return 0;
+}
+
+double colour_peak(const sozai_host *host, const float rgb[3]) {
+  double c[3] = {(double)rgb[0], (double)rgb[1], (double)rgb[2]};
+  float there[3] = {rgb[0], rgb[1], rgb[2]};
+  const void *service = NULL;
+  /* the first of the linear names is the working space, whatever that is */
+  if (services_find(host, SOZAI_COLOUR_1, &service) == SOZAI_OK && service) {
+    if (into_one_of(service, linear_names + 1, sizeof linear_names / sizeof *linear_names - 1,
+                    there)) {
+      for (int i = 0; i < 3; i++) c[i] = (double)there[i];
+    } else if (into_one_of(service, srgb_names, sizeof srgb_names / sizeof *srgb_names, there)) {
+      for (int i = 0; i < 3; i++) c[i] = srgb_to_linear((double)there[i]);
+    }
+  }
+  double most = c[0] > c[1] ? c[0] : c[1];
+  return most > c[2] ? most : c[2];
+}

@@ -15,4 +15,10 @@ void colour_close(void);
 int32_t colour_convert(const sozai_host *host, const sozai_texture_info *info, const settings *s,
                        float (*out)[3]);
 
+/* How strong a colour of the working space is: the largest of its linear
+ * Rec.709 numbers, and so the same whatever the working space. Where the colour
+ * service knows neither linear Rec.709 nor sRGB, the largest of its own. After
+ * colour_convert. */
+double colour_peak(const sozai_host *host, const float rgb[3]);
+
 #endif

@@ -6,6 +6,7 @@
 
 #include <string.h>
 
+#include "../core/colour.h"
 #include "../core/hash1.h"
 #include "../core/scalar.h"
 #include "../core/status.h"
@@ -399,7 +400,8 @@ static void build_fibres(wood_constants *w, const settings *s) {
   }
 }
 
-static void build_colour(wood_constants *w, const settings *s, const float (*colours)[3]) {
+static void build_colour(wood_constants *w, const sozai_host *host, const settings *s,
+                         const float (*colours)[3]) {
   memcpy(w->early, colours[P_EARLY_COLOUR], sizeof w->early);
   memcpy(w->late, colours[P_LATE_COLOUR], sizeof w->late);
   memcpy(w->vessel, colours[P_VESSEL_COLOUR], sizeof w->vessel);
@@ -408,10 +410,9 @@ static void build_colour(wood_constants *w, const settings *s, const float (*col
   w->shininess = (float)num(s, P_SHININESS);
   /* the kernel's own operations, in its own precision */
   w->roughness = __builtin_sqrtf(2.0f / (w->shininess + 2.0f));
-  double tint = num(s, P_TINT), most = 1e-6;
-  for (int c = 0; c < 3; c++) {
-    if ((double)w->early[c] > most) most = (double)w->early[c];
-  }
+  /* not the largest of the working space's numbers: the tint would depend on it */
+  double tint = num(s, P_TINT), most = colour_peak(host, w->early);
+  if (most < 1e-6) most = 1e-6;
   for (int c = 0; c < 3; c++) {
     w->tint_colour[c] = (float)(1.0 + tint * ((double)w->early[c] / most - 1.0));
   }
@@ -425,7 +426,8 @@ static uint32_t seed_of(const settings *s) {
   return h;
 }
 
-int32_t wood_build(wood_constants *w, const settings *s, const float (*colours)[3]) {
+int32_t wood_build(wood_constants *w, const sozai_host *host, const settings *s,
+                   const float (*colours)[3]) {
   w->seed = seed_of(s);
   for (uint32_t i = 0; i < WOOD_SEEDS; i++) w->seeds[i] = hash1(w->seed + 0x9e3779b9u * (i + 1));
   build_cut(w, s);
@@ -436,6 +438,6 @@ int32_t wood_build(wood_constants *w, const settings *s, const float (*colours)[
   build_grain(w, s);
   build_vessels(w, s);
   build_fibres(w, s);
-  build_colour(w, s, colours);
+  build_colour(w, host, s, colours);
   return SOZAI_OK;
 }

@@ -6,7 +6,8 @@
 #include "wood.h"
 
 /* From settings to what the kernel reads. colours: in the working space. */
-int32_t wood_build(wood_constants *w, const settings *s, const float (*colours)[3]);
+int32_t wood_build(wood_constants *w, const sozai_host *host, const settings *s,
+                   const float (*colours)[3]);
 
 /* The table that vessel radii are drawn from; once, at init. */
 void wood_build_prepare(void);
