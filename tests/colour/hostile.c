@@ -132,8 +132,8 @@ static void cut_off(void **state) {
   for (size_t length = 0; length < size; length += 13) {
     sozai_services *services = NULL;
     char message[512] = "";
-    int32_t result = library_open(file("cut.ocio", whole, length), &services, message,
-                                  sizeof message);
+    int32_t result =
+        library_open(file("cut.ocio", whole, length), &services, message, sizeof message);
     assert_true(result == SOZAI_OK || result == SOZAI_ERROR_FILE || result == SOZAI_ERROR_COLOUR);
     assert_true((result == SOZAI_OK) == (services != NULL));
     assert_true(result == SOZAI_OK || *message);

@@ -130,9 +130,8 @@ static void names_work(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(shipped),           cmocka_unit_test(acescg),
-      cmocka_unit_test(blender),           cmocka_unit_test(what_there_is_not),
-      cmocka_unit_test(names_work),
+      cmocka_unit_test(shipped),           cmocka_unit_test(acescg),     cmocka_unit_test(blender),
+      cmocka_unit_test(what_there_is_not), cmocka_unit_test(names_work),
   };
   return cmocka_run_group_tests(tests, shipped_setup, shipped_teardown);
 }
