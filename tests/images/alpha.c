@@ -8,15 +8,16 @@
 
 #include <math.h>
 
-static double linear(double v) {
-  return v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4);
-}
+static double linear(double v) { return v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4); }
 
 static void write_flat(const char *path, const char *format, bool unassociated, int channels,
                        const float *colour) {
   float data[16 * 4];
   for (int i = 0; i < 16 * channels; i++) data[i] = colour[i % channels];
-  plain_picture picture = {.width = 4, .height = 4, .channels = channels, .format = format,
+  plain_picture picture = {.width = 4,
+                           .height = 4,
+                           .channels = channels,
+                           .format = format,
                            .unassociated = unassociated};
   assert_true(plain_write(path, &picture, data));
 }

@@ -11,8 +11,11 @@
 enum { W = 16, H = 8 };
 
 static sozai_buffer buffer_of(const float *data, uint64_t channels, const char *space) {
-  return (sozai_buffer){.size = sizeof(sozai_buffer), .kind = SOZAI_BUFFER_IMAGE,
-                        .dims = {H, W, channels}, .data = data, .colour_space = space};
+  return (sozai_buffer){.size = sizeof(sozai_buffer),
+                        .kind = SOZAI_BUFFER_IMAGE,
+                        .dims = {H, W, channels},
+                        .data = data,
+                        .colour_space = space};
 }
 
 static sozai_image_request request_of(const sozai_buffer *buffer, uint32_t channels) {

@@ -9,18 +9,15 @@
 
 #include <math.h>
 
-static double linear(double v) {
-  return v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4);
-}
+static double linear(double v) { return v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4); }
 
 /* Black and white pixels in turn. Encoded, their mean is 0.5; linear 0.5 is 0.735 encoded, and
  * whoever filters before the curve gets 0.214. */
 static void write_checker(const char *path, int side, int tile) {
   float *data = malloc((size_t)(side * side) * 3 * sizeof *data);
-  for (int i = 0; i < side * side * 3; i++)
-    data[i] = (float)((i / 3 % side + i / 3 / side) % 2);
-  plain_picture picture = {.width = side, .height = side, .channels = 3, .format = "uint8",
-                           .tile = tile};
+  for (int i = 0; i < side * side * 3; i++) data[i] = (float)((i / 3 % side + i / 3 / side) % 2);
+  plain_picture picture = {
+      .width = side, .height = side, .channels = 3, .format = "uint8", .tile = tile};
   assert_true(plain_write(path, &picture, data));
   free(data);
 }
@@ -58,7 +55,7 @@ static void own_levels_unused(void **state) {
 
 /* The whole picture in one look-up is its mean, whatever its size. */
 static void mean_at_any_size(void **state) {
-  static const int sizes[][2] = {{1, 1},   {2, 2},   {3, 3},    {5, 7},      {64, 64},   {100, 75},
+  static const int sizes[][2] = {{1, 1},   {2, 2},     {3, 3},    {5, 7},     {64, 64},   {100, 75},
                                  {65, 63}, {301, 257}, {1, 1000}, {16384, 1}, {1023, 511}};
   for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
     int w = sizes[i][0], h = sizes[i][1];

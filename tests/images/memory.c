@@ -65,11 +65,11 @@ static void limited(void **state) {
     s.images->memory(s.images->self, &used, &limit);
     if (used > most) most = used;
   }
-  print_message("%.0f MiB of pictures, limit %.1f MiB: %.1f MiB used at most, process %ld MiB more; "
-                "%.1f us a look-up\n",
-                PICTURES * 4.0 / 3 * SIDE * SIDE * 3 * sizeof(float) / MB,
-                (double)limit / MB, (double)most / MB, resident_mb() - before,
-                (seconds() - begin) / (6 * PLACES) * 1e6);
+  print_message(
+      "%.0f MiB of pictures, limit %.1f MiB: %.1f MiB used at most, process %ld MiB more; "
+      "%.1f us a look-up\n",
+      PICTURES * 4.0 / 3 * SIDE * SIDE * 3 * sizeof(float) / MB, (double)limit / MB,
+      (double)most / MB, resident_mb() - before, (seconds() - begin) / (6 * PLACES) * 1e6);
   assert_int_equal(limit, 16 * MB);
   assert_true(most > 8 * MB);
   assert_true(most <= 17 * MB); /* a tile more may be on its way */

@@ -37,7 +37,10 @@ static void as_seen(void **state) {
     float data[W * H * 64];
     for (int i = 0; i < W * H * 64; i++)
       data[i] = (float)(i / (W * 64) * W + i % (W * 8) / 8) / (W * H);
-    plain_picture picture = {.width = W * 8, .height = H * 8, .channels = 1, .format = "float",
+    plain_picture picture = {.width = W * 8,
+                             .height = H * 8,
+                             .channels = 1,
+                             .format = "float",
                              .orientation = orientation};
     assert_true(plain_write(temp_path("turned.tif"), &picture, data));
     sozai_image *image = open_file(s, temp_path("turned.tif"), 1);
@@ -61,8 +64,8 @@ static void as_seen(void **state) {
     assert_int_equal(s->images->sample(s->images->self, image, 1, &at_s, &at_t, &across, &none,
                                        &none, &none, to),
                      SOZAI_OK);
-    print_message("orientation %d: a row's mean %.4f, looked up %.4f\n", orientation,
-                  (double)row, (double)found);
+    print_message("orientation %d: a row's mean %.4f, looked up %.4f\n", orientation, (double)row,
+                  (double)found);
     assert_float_equal(found, row, 0.06f);
     close_image(s, image);
   }
@@ -73,8 +76,14 @@ static void windows(void **state) {
   const services *s = *state;
   float data[64 * 64 * 3];
   for (size_t i = 0; i < sizeof data / sizeof data[0]; i++) data[i] = 1;
-  plain_picture picture = {.width = 64, .height = 64, .channels = 3, .format = "half",
-                           .windowed = true, .x = 32, .y = 64, .full_width = 128,
+  plain_picture picture = {.width = 64,
+                           .height = 64,
+                           .channels = 3,
+                           .format = "half",
+                           .windowed = true,
+                           .x = 32,
+                           .y = 64,
+                           .full_width = 128,
                            .full_height = 256};
   assert_true(plain_write(temp_path("window.exr"), &picture, data));
   sozai_image *image = open_file(s, temp_path("window.exr"), 3);

@@ -31,8 +31,8 @@ static double ours(const services *s, const sozai_image *image, const places *p,
 static void beside_openimageio(void **state) {
   const services *s = *state;
   float *data = random_pixels((size_t)SIDE * SIDE * 3, 1);
-  plain_picture picture = {.width = SIDE, .height = SIDE, .channels = 3, .format = "float",
-                           .tile = 64};
+  plain_picture picture = {
+      .width = SIDE, .height = SIDE, .channels = 3, .format = "float", .tile = 64};
   assert_true(plain_write(temp_path("speed.tif"), &picture, data));
   free(data);
   sozai_image_request request = file_request(temp_path("speed.tif"), 3);

@@ -40,7 +40,6 @@ static void *hammer(void *argument) {
   return NULL;
 }
 
-
 static void *open_and_close(void *argument) {
   worker *w = argument;
   float(*out)[PLACES] = malloc(sizeof(float[3][PLACES]));
@@ -85,8 +84,8 @@ static int setup(void **state) {
   services s = services_open(0);
   for (unsigned i = 0; i < PICTURES; i++) {
     float *data = random_pixels((size_t)SIDE * SIDE * 3, i);
-    plain_picture picture = {.width = SIDE, .height = SIDE, .channels = 3,
-                             .format = i % 2 ? "uint8" : "half"};
+    plain_picture picture = {
+        .width = SIDE, .height = SIDE, .channels = 3, .format = i % 2 ? "uint8" : "half"};
     char name[32];
     snprintf(name, sizeof name, "picture%u.%s", i, i % 2 ? "png" : "exr");
     snprintf(names[i], sizeof names[i], "%s", temp_path(name));

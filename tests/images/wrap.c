@@ -82,7 +82,7 @@ static void by_definition(void **state) {
 
 /* Any numbers at all: finite answers, alone as in a batch. */
 static void any_numbers(void **state) {
-  static const float odd[] = {0,        -0.0f,    1,         NAN,   INFINITY, -INFINITY, FLT_MAX,
+  static const float odd[] = {0,        -0.0f,   1,         NAN,   INFINITY, -INFINITY, FLT_MAX,
                               -FLT_MAX, FLT_MIN, 0x1p-149f, 1e10f, -1e10f,   1e20f,     65536};
   enum { ODD = sizeof odd / sizeof odd[0] };
   const services *s = *state;
