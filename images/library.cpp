@@ -61,10 +61,10 @@ std::shared_ptr<const Picture> Library::open_file(const char *path,
   if (stat(path, &status) != 0)
     throw Failure(SOZAI_ERROR_FILE, std::string("picture ") + path + ": " + std::strerror(errno));
   const sozai_image_conversion conversion = conversion_of(request.colour_space, path);
-  const auto entry = entry_for({uint64_t(status.st_dev), uint64_t(status.st_ino),
-                                uint64_t(status.st_size), nanoseconds(status.st_mtim),
-                                nanoseconds(status.st_ctim), request.first_channel,
-                                request.channels, conversion.colour, conversion.how});
+  const auto entry =
+      entry_for({uint64_t(status.st_dev), uint64_t(status.st_ino), uint64_t(status.st_size),
+                 nanoseconds(status.st_mtim), nanoseconds(status.st_ctim), request.first_channel,
+                 request.channels, conversion.colour, conversion.how});
   const std::lock_guard<std::mutex> guard(entry->lock);
   if (auto already = entry->picture.lock()) return already;
   const auto source =
@@ -84,8 +84,8 @@ std::shared_ptr<const Picture> Library::open(const sozai_image_request &request)
     return open_file(buffer.path, file);
   }
   const sozai_image_conversion conversion = conversion_of(space, nullptr);
-  const auto source = buffer_source(
-      buffer, {request.first_channel, request.channels, conversion.colour != 0});
+  const auto source =
+      buffer_source(buffer, {request.first_channel, request.channels, conversion.colour != 0});
   return read(*source, request, conversion);
 }
 

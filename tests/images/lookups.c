@@ -56,7 +56,7 @@ static void compare(const services *s, const kind *k) {
   static float found[4][PLACES];
   places_make(&at, 7, p->width, 0, 1);
   assert_int_equal(places_look(s, image, &at, 0, PLACES, found, k->channels), SOZAI_OK);
-  double worst = 0, sum = 0;
+  double worst = 0, sum = 0, low = 1e9, high = -1e9;
   for (int i = 0; i < PLACES; i++) {
     float want[4] = {0};
     assert_true(plain_look(other, at.s[i], at.t[i], at.dsdx[i], at.dtdx[i], at.dsdy[i], at.dtdy[i],
@@ -64,13 +64,16 @@ static void compare(const services *s, const kind *k) {
     for (uint32_t c = 0; c < k->channels; c++) {
       double difference = fabs((double)found[c][i] - (double)want[c]);
       worst = fmax(worst, difference);
+      low = fmin(low, (double)want[c]), high = fmax(high, (double)want[c]);
       sum += difference;
     }
   }
-  print_message("%-12s %4dx%-4d %-6s channels %u+%u of %d: worst %.2g, mean %.2g\n", k->file,
-                p->width, p->height, p->format, k->first, k->channels, p->channels, worst,
-                sum / PLACES / k->channels);
+  print_message("%-12s %4dx%-4d %-6s channels %u+%u of %d: numbers %.3f to %.3f, worst %.2g, "
+                "mean %.2g\n",
+                k->file, p->width, p->height, p->format, k->first, k->channels, p->channels, low,
+                high, worst, sum / PLACES / k->channels);
   assert_true(worst <= k->tolerance);
+  assert_true(high > low + 0.5);
   close_image(s, image);
   plain_close(other);
 }

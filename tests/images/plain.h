@@ -27,6 +27,8 @@ typedef struct plain_picture {
 /* Whether it worked; else it says why on standard error. */
 bool plain_write(const char *path, const plain_picture *picture, const float *data);
 
+bool plain_write_deep(const char *path); /* several numbers at a pixel */
+
 typedef struct plain plain;
 plain *plain_open(const char *path, uint32_t wrap); /* wrap: SOZAI_WRAP_* */
 void plain_close(plain *p);
