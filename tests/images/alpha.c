@@ -1,6 +1,3 @@
-<<<<<<< HEAD
-int main(void) { return 0; }
-=======
 /* SPDX-License-Identifier: Apache-2.0
  *
  * Alpha: colours are converted without it, and filtered and handed out with it.
@@ -92,4 +89,3 @@ int main(void) {
                                      cmocka_unit_test(no_alpha), cmocka_unit_test(fewer_channels)};
   return cmocka_run_group_tests(tests, services_setup, services_teardown);
 }
->>>>>>> img

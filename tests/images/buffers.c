@@ -1,6 +1,3 @@
-<<<<<<< HEAD
-int main(void) { return 0; }
-=======
 /* SPDX-License-Identifier: Apache-2.0
  *
  * Pictures in the host's memory, and requests that make no sense.
@@ -177,4 +174,3 @@ int main(void) {
                                      cmocka_unit_test(not_finite), cmocka_unit_test(senseless)};
   return cmocka_run_group_tests(tests, services_setup, services_teardown);
 }
->>>>>>> img

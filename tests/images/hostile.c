@@ -1,6 +1,3 @@
-<<<<<<< HEAD
-int main(void) { return 0; }
-=======
 /* SPDX-License-Identifier: Apache-2.0
  *
  * What is no picture gives a message that names it, and leaves the process as it was.
@@ -268,4 +265,3 @@ int main(void) {
                                      cmocka_unit_test(odd_pictures), cmocka_unit_test(odd_names)};
   return cmocka_run_group_tests(tests, setup, services_teardown);
 }
->>>>>>> img

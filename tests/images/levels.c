@@ -1,6 +1,3 @@
-<<<<<<< HEAD
-int main(void) { return 0; }
-=======
 /* SPDX-License-Identifier: Apache-2.0
  *
  * Coarser levels: of linear numbers, and with the picture's mean at every size.
@@ -108,4 +105,3 @@ int main(void) {
       cmocka_unit_test(mean_at_any_size), cmocka_unit_test(finest_level)};
   return cmocka_run_group_tests(tests, services_setup, services_teardown);
 }
->>>>>>> img

@@ -1,6 +1,3 @@
-<<<<<<< HEAD
-int main(void) { return 0; }
-=======
 /* SPDX-License-Identifier: Apache-2.0
  *
  * No more memory than the limit, however much is looked at.
@@ -101,4 +98,3 @@ int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(limited), cmocka_unit_test(defaults)};
   return cmocka_run_group_tests(tests, library_setup, library_teardown);
 }
->>>>>>> img

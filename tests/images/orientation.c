@@ -1,6 +1,3 @@
-<<<<<<< HEAD
-int main(void) { return 0; }
-=======
 /* SPDX-License-Identifier: Apache-2.0
  *
  * A picture is looked up as it is seen: turned as its file says, and in its window.
@@ -123,4 +120,3 @@ int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(as_seen), cmocka_unit_test(windows)};
   return cmocka_run_group_tests(tests, services_setup, services_teardown);
 }
->>>>>>> img

@@ -1,6 +1,3 @@
-<<<<<<< HEAD
-int main(void) { return 0; }
-=======
 /* SPDX-License-Identifier: Apache-2.0
  *
  * Loaded, used and unloaded again and again: nothing is left behind, also by a thread
@@ -101,4 +98,3 @@ int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(rounds)};
   return cmocka_run_group_tests(tests, setup, teardown);
 }
->>>>>>> img

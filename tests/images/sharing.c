@@ -1,6 +1,3 @@
-<<<<<<< HEAD
-int main(void) { return 0; }
-=======
 /* SPDX-License-Identifier: Apache-2.0
  *
  * A picture that is open twice is there once; one that changed is another.
@@ -121,4 +118,3 @@ int main(void) {
                                      cmocka_unit_test(again_and_again)};
   return cmocka_run_group_tests(tests, services_setup, services_teardown);
 }
->>>>>>> img

@@ -1,6 +1,3 @@
-<<<<<<< HEAD
-int main(void) { return 0; }
-=======
 /* SPDX-License-Identifier: Apache-2.0
  *
  * What a look-up costs beside OpenImageIO's own in the converted picture. Told, and
@@ -72,4 +69,3 @@ int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(beside_openimageio)};
   return cmocka_run_group_tests(tests, services_setup, services_teardown);
 }
->>>>>>> img

@@ -1,6 +1,3 @@
-<<<<<<< HEAD
-int main(void) { return 0; }
-=======
 /* SPDX-License-Identifier: Apache-2.0
  *
  * Many threads get what one gets, to the bit.
@@ -128,4 +125,3 @@ int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(many_pictures), cmocka_unit_test(opening)};
   return cmocka_run_group_tests(tests, setup, library_teardown);
 }
->>>>>>> img

@@ -1,6 +1,3 @@
-<<<<<<< HEAD
-int main(void) { return 0; }
-=======
 /* SPDX-License-Identifier: Apache-2.0
  *
  * Beyond the edges.
@@ -120,4 +117,3 @@ int main(void) {
                                      cmocka_unit_test(any_numbers)};
   return cmocka_run_group_tests(tests, setup, services_teardown);
 }
->>>>>>> img
