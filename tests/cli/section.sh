@@ -9,7 +9,8 @@ readonly points=$'px,py,pz\n40,0,0\n-40,0,0\n0,0,40\n0,0,-40'
 # Red to the left, green to the right, over the whole height; 8 bits, sRGB.
 mkdir -p "$scratch/logs @ home"
 oiiotool --create 64x64 3 --fill:color=1,0,0 32x64+0+0 --fill:color=0,1,0 32x64+32+0 -d uint8 \
-  -o "$scratch/logs @ home/halves.png"
+  -o "$scratch/halves.png"
+mv "$scratch/halves.png" "$scratch/logs @ home/" # which oiiotool would not write to
 oiiotool --pattern constant:color=0.5,0.5,0.5 16x16 3 -d uint8 -o "$scratch/grey.png"
 cat >"$scratch/logs @ home/log.sozai" <<'YAML'
 material: wood
