@@ -14,7 +14,7 @@
 #include <unistd.h>
 
 #define CONFIG(name) SOZAI_TEST_DATA "/configs/" name ".ocio"
-#define BLENDER "/usr/share/blender/datafiles/colormanagement/config.ocio"
+#define BLENDER blender_config()
 #define LIMIT 0.5
 
 static float here[PIXELS * 3], there[PIXELS * 3];

@@ -128,7 +128,7 @@ static void endless(void **state) {
   assert_int_equal(s.colour->to_working(s.colour->self, "s49", rgb, 1, NULL, 0), SOZAI_OK);
   assert_true(rgb[0] == 0.1f);
   service_close(s);
-  refused(chain(5000, 0), SOZAI_ERROR_COLOUR, "too many");
+  refused(chain(1000, 0), SOZAI_ERROR_COLOUR, "too many");
   refused(chain(60, 1), SOZAI_ERROR_COLOUR, "too many");
 }
 
@@ -148,7 +148,7 @@ static void no_yaml(void **state) {
   static const char each[] = "[{&*!-:\"'#%\0";
   for (size_t i = 0; i + 1 < sizeof each; i++) {
     memset(noise, each[i], size);
-    refused(file("same.ocio", noise, size), SOZAI_ERROR_FILE, "same.ocio");
+    refused(file("same.ocio", noise, size / 16), SOZAI_ERROR_FILE, "same.ocio");
   }
   refused(file("empty.ocio", noise, 0), SOZAI_ERROR_FILE, "empty.ocio");
   static const char archive[] = "PK\3\4 no archive";

@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #define CONFIG(name) SOZAI_TEST_DATA "/configs/" name ".ocio"
-#define BLENDER "/usr/share/blender/datafiles/colormanagement/config.ocio"
+#define BLENDER blender_config()
 
 /* "name=detail|" of each. */
 static const char *listed(const sozai_display_1 *d, uint32_t list, const char *display) {

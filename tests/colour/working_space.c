@@ -210,8 +210,19 @@ static void blender(void **state) {
   compare(BLENDER, &rec709);
 }
 
+/* A config that says nothing of colours: linear Rec.709 by formula, and a warning. */
+static void raw(void **state) {
+  (void)state;
+  warned = 0;
+  errors e = {0};
+  add(CONFIG("created_raw"), &rec709, "keyaki", 0, &e);
+  assert_int_equal(warned, 1);
+  warned = 0;
+  judge(CONFIG("created_raw"), "keyaki", &e);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(acescg), cmocka_unit_test(p3d65),
-                                     cmocka_unit_test(blender)};
+                                     cmocka_unit_test(blender), cmocka_unit_test(raw)};
   return cmocka_run_group_tests(tests, setup, teardown);
 }
