@@ -10,6 +10,7 @@
 #include "../core/hash1.h"
 #include "../core/scalar.h"
 #include "../core/status.h"
+#include "cone_table.h"
 #include "parameters.h"
 #include "section.h"
 
@@ -430,6 +431,21 @@ static int32_t build_colour(wood_constants *w, const sozai_host *host, const set
   return SOZAI_OK;
 }
 
+static void build_cone(wood_constants *w, const settings *s) {
+  w->cone = choice(s, P_REFLECTION) == REFLECTION_CONE;
+  w->ior = (float)num(s, P_IOR);
+  w->inverse_ior = 1.0f / w->ior;
+  w->cone_width = (float)(num(s, P_CONE_WIDTH) * TWO_PI / 360.0);
+  w->coat = (float)num(s, P_COAT);
+  double a = num(s, P_COAT_ROUGHNESS);
+  w->coat_alpha = (float)(a * a);
+  for (int c = 0; c < 3; c++) {
+    double k = num(s, P_FIBRE_REFLECTANCE) * (double)w->tint_colour[c];
+    w->fibre_colour[c] = (float)(k > 0.0 ? k : 0.0);
+  }
+  if (w->cone) cone_table_build(w);
+}
+
 static uint32_t seed_of(const settings *s) {
   uint32_t h = hash1((uint32_t)num(s, P_SEED) + 0x51ed270bu);
   for (const char *t = s->list[P_OBJECT].text; t && *t; t++) {
@@ -452,6 +468,7 @@ int32_t wood_build(wood_constants *w, const sozai_host *host, const settings *s,
   build_fibres(w, s);
   r = build_colour(w, host, s, colours);
   if (r) return r;
+  build_cone(w, s);
   return images->service && images->list[P_SECTION]
              ? section_build(w, host, s, images->service, images->list[P_SECTION])
              : SOZAI_OK;

@@ -2,6 +2,7 @@
  *
  * Wood's evaluate: compiled once for each instruction set and width.
  */
+#include "cone.h"
 #include "fibre.h"
 #include "grain.h"
 #include "heart.h"
@@ -83,7 +84,7 @@ INLINE void to_log(const wood_constants *w, const vf p[3], vf out[3]) {
 /* What has been asked for, and the stages that it takes. */
 typedef struct {
   int radiance, colour, fibre, dive;
-  int late, vessel, lobe, direction, section, picture;
+  int late, vessel, lobe, direction, section, picture, cone;
 } wood_wants;
 
 static int wanted(const wood_io *io, int first, int count) {
@@ -101,8 +102,10 @@ static wood_wants wants_of(const wood_constants *w, const wood_io *io) {
   q.picture = w->picture && q.late;
   if (w->picture) q.late = q.vessel = 0;
   q.lobe = wanted(io, WOOD_SPECULAR, 2) || q.radiance;
-  q.direction = q.fibre || q.dive || q.radiance;
-  q.section = q.direction || q.vessel || q.picture || q.lobe || wanted(io, WOOD_REFERENCE, 2);
+  q.cone = wanted(io, WOOD_CONE_COLOUR, 5);
+  q.direction = q.fibre || q.dive || q.radiance || q.cone;
+  q.section =
+      q.direction || q.vessel || q.picture || q.lobe || q.cone || wanted(io, WOOD_REFERENCE, 2);
   return q;
 }
 
@@ -164,6 +167,7 @@ typedef struct {
   vf years, divisor, phase;
   grain_place grain;
   vf c, sn, x, z; /* reference section: direction and place */
+  vf fibre[3];    /* unit, log space */
   vf sine;        /* of the dive angle */
   vf b[3];        /* row of the map from surface to rho */
   vf late, albedo[3];
@@ -226,6 +230,7 @@ INLINE void stage_fibre(const wood_constants *w, const wood_io *io, const wood_w
   f[1] = inverse_root(f[0] * f[0] + one + f[2] * f[2]);
   f[0] = f[0] * f[1];
   f[2] = f[2] * f[1];
+  for (int c = 0; c < 3; c++) k->fibre[c] = f[c];
   k->sine = zero - (f[0] * k->nrm[0] + f[1] * k->nrm[1] + f[2] * k->nrm[2]);
   if (want->fibre) {
     for (int c = 0; c < 3; c++) {
@@ -334,6 +339,43 @@ INLINE void stage_picture(const wood_constants *w, const wood_io *io, block *k) 
   }
 }
 
+/* Radiance of a channel, under the light's colour. */
+INLINE void store_lit(const wood_io *io, const block *k, int c, vf r) {
+  if (io->in->light_colour[c]) {
+    vf e = load_lanes(io->in->light_colour[c], k->i, k->n);
+    r = r * sel(lt(vabs(e), splat(1e30f)), e, splat(0.0f));
+  }
+  store_lanes(io, WOOD_RADIANCE + c, k->i, k->n, r);
+}
+
+/* Towards the eye, log space; the normal where no view is given, or none that
+ * is a direction. */
+INLINE void view_of(const wood_constants *w, const wood_io *io, const block *k, vf out[3]) {
+  for (int c = 0; c < 3; c++) out[c] = k->nrm[c];
+  if (!io->in->view[0]) return;
+  vf v[3], turned[3], size = splat(0.0f);
+  for (int c = 0; c < 3; c++) {
+    v[c] = load_lanes(io->in->view[c], k->i, k->n);
+    size = size + vabs(v[c]);
+  }
+  vm given = and_(gt(size, splat(0.0f)), lt(size, splat(1e38f)));
+  unit_direction(v);
+  to_log(w, v, turned);
+  for (int c = 0; c < 3; c++) out[c] = sel(given, turned[c], k->nrm[c]);
+}
+
+/* What a host needs to build the cone itself. */
+INLINE void stage_cone(const wood_constants *w, const wood_io *io, block *k) {
+  cone_dive dive = cone_dive_of(k->sine);
+  vf scale = w->cone ? cone_along(w->cone_scale, &dive) : splat(1.0f);
+  for (int c = 0; c < 3; c++) {
+    store_lanes(io, WOOD_CONE_COLOUR + c, k->i, k->n, splat(w->fibre_colour[c]) * scale);
+  }
+  vf width2 = splat(w->cone_width * w->cone_width) + splat(4.0f) * k->grain.variance;
+  store_lanes(io, WOOD_CONE_WIDTH, k->i, k->n, vsqrt(width2));
+  store_lanes(io, WOOD_COAT, k->i, k->n, splat(w->coat));
+}
+
 /* Figure, Kawai's equation (4): the lobe's normal dives with the fibre; slopes
  * that the footprint averages widen it instead. */
 INLINE void stage_figure(const wood_constants *w, const wood_io *io, const wood_wants *want,
@@ -358,6 +400,13 @@ INLINE void stage_figure(const wood_constants *w, const wood_io *io, const wood_
   for (int c = 0; c < 3; c++) light[c] = load_lanes(io->in->light[c], k->i, k->n);
   unit_direction(light);
   to_log(w, light, l);
+  if (w->cone) {
+    vf r[3], v[3];
+    view_of(w, io, k, v);
+    cone_radiance(w, l, v, k->nrm, k->fibre, k->sine, k->grain.variance, k->albedo, r);
+    for (int c = 0; c < 3; c++) store_lit(io, k, c, r[c]);
+    return;
+  }
   vf incident = l[0] * k->nrm[0] + l[1] * k->nrm[1] + l[2] * k->nrm[2];
   /* up the stem within the surface */
   vf rise = (l[1] - k->nrm[1] * incident) * k->inverse_up;
@@ -367,12 +416,7 @@ INLINE void stage_figure(const wood_constants *w, const wood_io *io, const wood_
   vf gloss = strength * power01(tilted, exponent);
   vf diffuse = splat(w->diffuse) * vmax(incident, zero);
   for (int c = 0; c < 3; c++) {
-    vf r = diffuse * k->albedo[c] + gloss * splat(w->tint_colour[c]);
-    if (io->in->light_colour[c]) {
-      vf e = load_lanes(io->in->light_colour[c], k->i, k->n);
-      r = r * sel(lt(vabs(e), splat(1e30f)), e, zero);
-    }
-    store_lanes(io, WOOD_RADIANCE + c, k->i, k->n, r);
+    store_lit(io, k, c, diffuse * k->albedo[c] + gloss * splat(w->tint_colour[c]));
   }
 }
 
@@ -403,6 +447,9 @@ static void evaluate(const wood_constants *w, const wood_io *io, uint32_t from, 
     }
     if (want.picture) {
       for (uint32_t k = 0; k < count; k++) stage_picture(w, io, &blocks[k]);
+    }
+    if (want.cone) {
+      for (uint32_t k = 0; k < count; k++) stage_cone(w, io, &blocks[k]);
     }
     if (want.lobe) {
       for (uint32_t k = 0; k < count; k++) stage_figure(w, io, &want, &blocks[k]);

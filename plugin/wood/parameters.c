@@ -422,6 +422,46 @@ static const sozai_parameter tint = {
    .doc = "Colour of that lobe: 0 the light's, 1 the earlywood's hue.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.6}};
 
+static const char *const reflection_choices[] = {"kawai", "fibre_cone"};
+static const char *const reflection_docs[] = {
+   "equation (4) as printed, which does not depend on the view",
+   "the cone of Marschner and others (2005) about the fibre, below a coat"};
+static const sozai_parameter reflection = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_CHOICE,
+   .id = "reflection", .label = "Reflection", .group = "figure", .unit = "",
+   .doc = "How radiance follows from albedo and fibre direction.",
+   .choices = reflection_choices, .choice_docs = reflection_docs, .choice_count = COUNT(reflection_choices), .default_number = {0}};
+
+static const sozai_parameter fibre_reflectance = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "fibre_reflectance", .label = "Fibre reflectance", .group = "figure", .unit = "",
+   .doc = "fibre_cone: strength of the fibres' lobe in its brightest channel; its hue is that of specular_tint. Lessened at dive angles at which the lobe would reflect more than it receives.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 0.3, .default_number = {0.12}};
+
+static const sozai_parameter cone_width = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "cone_width", .label = "Cone width", .group = "figure", .unit = "deg",
+   .doc = "fibre_cone: standard deviation of the lobe about the cone.",
+   .hard_min = 1, .hard_max = 45, .soft_min = 4, .soft_max = 25, .default_number = {11}};
+
+static const sozai_parameter ior = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "ior", .label = "Index of refraction", .group = "figure", .unit = "",
+   .doc = "fibre_cone: of the surface, through which light enters and leaves.",
+   .hard_min = 1.01, .hard_max = 3, .soft_min = 1.3, .soft_max = 1.7, .default_number = {1.55}};
+
+static const sozai_parameter coat = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "coat", .label = "Coat", .group = "figure", .unit = "",
+   .doc = "fibre_cone: share of the surface's own reflection: 0 raw wood, 1 a film of varnish.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
+
+static const sozai_parameter coat_roughness = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "coat_roughness", .label = "Coat roughness", .group = "figure", .unit = "",
+   .doc = "fibre_cone: of the coat; its square is the width of the facets' distribution (GGX).",
+   .hard_min = 0.03, .hard_max = 1, .soft_min = 0.05, .soft_max = 0.6, .default_number = {0.25}};
+
 const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_SEED] = &seed,
    [P_OBJECT] = &object,
@@ -483,7 +523,13 @@ const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_DIFFUSE] = &diffuse,
    [P_SPECULAR] = &specular,
    [P_SHININESS] = &shininess,
-   [P_TINT] = &tint};
+   [P_TINT] = &tint,
+   [P_REFLECTION] = &reflection,
+   [P_FIBRE_REFLECTANCE] = &fibre_reflectance,
+   [P_CONE_WIDTH] = &cone_width,
+   [P_IOR] = &ior,
+   [P_COAT] = &coat,
+   [P_COAT_ROUGHNESS] = &coat_roughness};
 
 static const sozai_channel channel_albedo = {
    .size = sizeof(sozai_channel), .first = WOOD_ALBEDO, .components = 3,
@@ -495,10 +541,11 @@ static const sozai_channel channel_albedo = {
 static const sozai_channel channel_radiance = {
    .size = sizeof(sozai_channel), .first = WOOD_RADIANCE, .components = 3,
    .needs = SOZAI_INPUT_POINT | SOZAI_INPUT_NORMAL | SOZAI_INPUT_LIGHT,
-   .uses = SOZAI_INPUT_LIGHT_COLOUR | SOZAI_INPUT_FOOTPRINT,
+   .uses = SOZAI_INPUT_LIGHT_COLOUR | SOZAI_INPUT_VIEW | SOZAI_INPUT_FOOTPRINT,
    .id = "radiance", .unit = "", .suffixes = "rgb",
-   .doc = "Towards the eye under the light: Kawai's equation (4), kd albedo cos(delta) + ks "
-   "cos^n(delta - alpha), cosines clamped at 0, times light_colour."};
+   .doc = "Towards the eye under the light, times light_colour, as `reflection` says: Kawai's "
+   "equation (4), kd albedo cos(delta) + ks cos^n(delta - alpha), cosines clamped at 0; or the "
+   "fibres' cone, which uses the view."};
 
 static const sozai_channel channel_fiber = {
    .size = sizeof(sozai_channel), .first = WOOD_FIBER, .components = 3,
@@ -560,7 +607,28 @@ static const sozai_channel channel_reference = {
    "y = 0. Constant along a fibre: a picture of the end grain looked up here is carried "
    "by the grain."};
 
+static const sozai_channel channel_cone_colour = {
+   .size = sizeof(sozai_channel), .first = WOOD_CONE_COLOUR, .components = 3,
+   .needs = SOZAI_INPUT_POINT | SOZAI_INPUT_NORMAL,
+   .uses = SOZAI_INPUT_FOOTPRINT,
+   .id = "cone_colour", .unit = "", .suffixes = "rgb",
+   .doc = "Colour k of the fibres' cone, for a host that builds the lobe itself: about `fiber`, "
+   "below a surface of `ior`. Scene-linear, in the working space."};
+
+static const sozai_channel channel_cone_width = {
+   .size = sizeof(sozai_channel), .first = WOOD_CONE_WIDTH, .components = 1,
+   .needs = SOZAI_INPUT_POINT | SOZAI_INPUT_NORMAL,
+   .uses = SOZAI_INPUT_FOOTPRINT,
+   .id = "cone_width", .unit = "rad", .suffixes = "",
+   .doc = "Standard deviation of that lobe, wider where the footprint averages over slopes."};
+
+static const sozai_channel channel_coat = {
+   .size = sizeof(sozai_channel), .first = WOOD_COAT, .components = 1,
+   .needs = SOZAI_INPUT_POINT,
+   .id = "coat", .unit = "", .suffixes = "",
+   .doc = "Share of the surface's own reflection over it."};
+
 const sozai_channel *const wood_channels[] = {
-   &channel_albedo, &channel_radiance, &channel_fiber, &channel_dive, &channel_specular, &channel_roughness, &channel_time, &channel_latewood, &channel_vessel, &channel_reference};
+   &channel_albedo, &channel_radiance, &channel_fiber, &channel_dive, &channel_specular, &channel_roughness, &channel_time, &channel_latewood, &channel_vessel, &channel_reference, &channel_cone_colour, &channel_cone_width, &channel_coat};
 /* clang-format on */
 const uint32_t wood_channel_count = COUNT(wood_channels);

@@ -24,7 +24,10 @@
 #define WOOD_HARMONICS 3    /* of the section's outline */
 #define WOOD_RADII 32       /* steps of the table of vessel radii */
 #define WOOD_FIBRE_OCTAVES 3
-#define WOOD_RIM 256 /* directions in which the rim of a picture is known */
+#define WOOD_CONE_PSI 65      /* steps of the sine of inclination, -1 to 1 */
+#define WOOD_CONE_DIVE 17     /* steps of the sine of the dive angle, 0 to 1 */
+#define WOOD_CONE_LEAST 0.05f /* of cos^2(psi_d / 2): where cones close, the lobe stays finite */
+#define WOOD_RIM 256          /* directions in which the rim of a picture is known */
 
 /* The seeds of the noises, kept apart. */
 enum {
@@ -134,6 +137,15 @@ typedef struct {
   float roughness; /* of the lobe where nothing widens it */
   float tint_colour[3];
 
+  /* the fibres' cone */
+  int32_t cone;                       /* radiance by it, not by equation (4) */
+  float ior, inverse_ior, cone_width; /* cone_width in radians */
+  float coat, coat_alpha;
+  float fibre_colour[3];
+  float cone_table[WOOD_CONE_DIVE * WOOD_CONE_PSI]; /* reflectance; rows by the dive's sine */
+  float cone_mean[WOOD_CONE_DIVE];                  /* of it over all directions */
+  float cone_scale[WOOD_CONE_DIVE];                 /* of the lobe */
+
   uint32_t seed;
   uint32_t seeds[WOOD_SEEDS]; /* one for each noise */
 
@@ -164,7 +176,10 @@ enum {
   WOOD_LATEWOOD = 13,
   WOOD_VESSEL = 14,
   WOOD_REFERENCE = 15,
-  WOOD_COMPONENTS = 17
+  WOOD_CONE_COLOUR = 17,
+  WOOD_CONE_WIDTH = 20,
+  WOOD_COAT = 21,
+  WOOD_COMPONENTS = 22
 };
 
 typedef void wood_evaluate(const wood_constants *w, const wood_io *io, uint32_t from, uint32_t to);

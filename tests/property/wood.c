@@ -64,9 +64,11 @@ static float **array_of(points *p, unsigned k) {
   if (k < 3) return &p->point[k];
   if (k < 6) return &p->normal[k - 3];
   if (k < 9) return &p->light[k - 6];
-  return k == 9 ? &p->footprint : &p->out[k - 10];
+  if (k < 12) return &p->view[k - 9];
+  return k == 12 ? &p->footprint : &p->out[k - 13];
 }
-#define ARRAYS 27
+#define OUTS 22
+#define ARRAYS (13 + OUTS)
 
 void points_clear(points *p) { p->count = 0; }
 
@@ -85,8 +87,8 @@ unsigned points_add(points *p, double x, double y, double z, double footprint) {
     }
   }
   unsigned i = p->count++;
-  const double v[10] = {x, y, z, 0, 0, 1, 0, 0, 1, footprint};
-  for (unsigned k = 0; k < 10; k++) (*array_of(p, k))[i] = (float)v[k];
+  const double v[13] = {x, y, z, 0, 0, 1, 0, 0, 1, 0, 0, 1, footprint};
+  for (unsigned k = 0; k < 13; k++) (*array_of(p, k))[i] = (float)v[k];
   return i;
 }
 
@@ -99,10 +101,11 @@ void points_ask(points *p, const sozai_texture *t) {
     b.point[c] = p->point[c];
     b.normal[c] = p->normal[c];
     b.light[c] = p->light[c];
+    b.view[c] = p->view[c];
   }
   b.footprint = p->footprint;
   b.out = p->out;
-  b.out_count = 17;
+  b.out_count = OUTS;
   if (textures->evaluate(t, &b)) stop("evaluate", textures->last_error());
 }
 

@@ -25,16 +25,28 @@ const char *wood_preset(unsigned i);
 /* Points to ask about. Arrays grow as needed; outputs are by component. */
 typedef struct {
   unsigned count, room;
-  float *point[3], *normal[3], *light[3], *footprint;
-  float *out[17];
+  float *point[3], *normal[3], *light[3], *view[3], *footprint;
+  float *out[22];
 } points;
 
 /* Components, as describe lists them. */
-enum { ALBEDO = 0, RADIANCE = 3, FIBER = 6, DIVE = 9, TIME = 12, LATEWOOD, VESSEL, REFERENCE };
+enum {
+  ALBEDO = 0,
+  RADIANCE = 3,
+  FIBER = 6,
+  DIVE = 9,
+  TIME = 12,
+  LATEWOOD,
+  VESSEL,
+  REFERENCE,
+  CONE_COLOUR = 17,
+  CONE_WIDTH = 20,
+  COAT
+};
 
 void points_clear(points *p);
 void points_free(points *p);
-/* Normal +z, light +z; returns the point's index. */
+/* Normal, light and view +z; returns the point's index. */
 unsigned points_add(points *p, double x, double y, double z, double footprint);
 void points_ask(points *p, const sozai_texture *t);
 

@@ -1,0 +1,139 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Fibre-cone reflection: Marschner, Westin, Arbree and Moon, "Measuring and
+ * modeling the appearance of finished wood" (SIGGRAPH 2005), equations (1) to
+ * (4). Fibres below a smooth surface reflect light on the cone about their
+ * axis that contains the refracted direction of incidence:
+ *
+ *   f = coat + Ti Tr (diffuse + k g(beta, psi_r + psi_i) / cos^2((psi_r - psi_i) / 2))
+ *
+ * with psi the inclination of a refracted direction to the plane square to the
+ * fibre, g a normalised Gaussian, T what the surface lets through, k the
+ * fibres' colour.
+ *
+ * The paper adds its parts up, which may give more light than came in. Here
+ * the diffuse part takes what the lobe leaves: with e(w) the lobe's reflectance
+ * for light from w, and k its colour, it is rho (1 - k e_i) (1 - k e_r) / (1 - k e_mean),
+ * which is reciprocal and sums with the lobe to no more than 1. e depends on
+ * psi and on the dive angle alone, and is a table.
+ */
+#ifndef SOZAI_WOOD_CONE_H
+#define SOZAI_WOOD_CONE_H
+
+#include "../core/maths.h"
+#include "wood.h"
+
+/* A direction below the surface. */
+typedef struct {
+  vf cosine;    /* to the normal, above the surface */
+  vf sine, psi; /* of the inclination to the fibre, below */
+  vf through;   /* what the surface lets through */
+} cone_ray;
+
+/* Fresnel's reflectance of a dielectric, unpolarised; cosine and the refracted
+ * one. */
+INLINE vf fresnel(vf eta, vf ci, vf ct) {
+  vf parallel = (eta * ci - ct) / (eta * ci + ct), across = (ci - eta * ct) / (ci + eta * ct);
+  return splat(0.5f) * (parallel * parallel + across * across);
+}
+
+/* d, n: unit. f: unit, the fibre's axis. */
+INLINE cone_ray cone_enter(const wood_constants *w, const vf d[3], const vf n[3], const vf f[3]) {
+  vf one = splat(1.0f), k = splat(w->inverse_ior);
+  cone_ray r;
+  r.cosine = clamp01(d[0] * n[0] + d[1] * n[1] + d[2] * n[2]);
+  vf ct = vsqrt(vmax(one - (one - r.cosine * r.cosine) * k * k, splat(0.0f)));
+  vf shift = ct - r.cosine * k;
+  vf s = splat(0.0f);
+  for (int c = 0; c < 3; c++) s = s + (d[c] * k + n[c] * shift) * f[c];
+  r.sine = clamp(s, splat(-1.0f), one);
+  r.psi = arcsin(r.sine);
+  r.through = one - splat(w->coat) * fresnel(splat(w->ior), vmax(r.cosine, splat(1e-4f)), ct);
+  return r;
+}
+
+/* A place in a table over the dive's sine. */
+typedef struct {
+  vi row;
+  vf part;
+} cone_dive;
+
+INLINE cone_dive cone_dive_of(vf sine) {
+  cone_dive d;
+  vf x = vmin(vabs(sine) * splat((float)(WOOD_CONE_DIVE - 1)), splat(WOOD_CONE_DIVE - 1.001f));
+  d.part = x - vfloor(x, &d.row);
+  return d;
+}
+
+INLINE vf cone_along(const float *table, const cone_dive *d) {
+  return mix(gather(table, d->row), gather(table + 1, d->row), d->part);
+}
+
+/* The lobe's reflectance for white fibres, at the sine of an inclination whose
+ * sign has been turned with the dive's. */
+INLINE vf cone_reflectance(const wood_constants *w, vf sine, const cone_dive *d) {
+  vf p = (sine + splat(1.0f)) * splat(0.5f * (WOOD_CONE_PSI - 1));
+  vi i;
+  vf a = p - vfloor(vmin(p, splat(WOOD_CONE_PSI - 1.001f)), &i);
+  vi at = d->row * splati(WOOD_CONE_PSI) + i;
+  const float *t = w->cone_table;
+  vf low = mix(gather(t, at), gather(t + 1, at), a);
+  vf high = mix(gather(t + WOOD_CONE_PSI, at), gather(t + WOOD_CONE_PSI + 1, at), a);
+  return mix(low, high, d->part);
+}
+
+/* The coat's own highlight: GGX with Smith's shadowing, times pi cos. */
+INLINE vf coat_highlight(const wood_constants *w, const vf l[3], const vf v[3], const vf n[3],
+                         vf ci, vf cr) {
+  vf one = splat(1.0f), tiny = splat(1e-4f);
+  vf h[3], square = splat(0.0f), nh = square, vh = square;
+  for (int c = 0; c < 3; c++) {
+    h[c] = l[c] + v[c];
+    square = square + h[c] * h[c];
+  }
+  vf k = inverse_root(vmax(square, splat(1e-12f)));
+  for (int c = 0; c < 3; c++) {
+    nh = nh + h[c] * k * n[c];
+    vh = vh + h[c] * k * v[c];
+  }
+  vf a2 = splat(w->coat_alpha * w->coat_alpha);
+  vf d = nh * nh * (a2 - one) + one;
+  vf ca = vmax(ci, tiny), cb = vmax(cr, tiny);
+  vf smith = ca * vsqrt(cb * cb * (one - a2) + a2) + cb * vsqrt(ca * ca * (one - a2) + a2);
+  vf c = clamp(vh, splat(0.0f), one), inverse = splat(w->inverse_ior);
+  vf ct = vsqrt(vmax(one - (one - c * c) * inverse * inverse, splat(0.0f)));
+  vf f = fresnel(splat(w->ior), vmax(c, tiny), ct);
+  /* pi cos times a2 / (pi d^2) F / (2 smith) */
+  vf r = splat(w->coat) * f * a2 * ca / (splat(2.0f) * d * d * smith);
+  return sel(gt(ci, splat(0.0f)), r, splat(0.0f));
+}
+
+/* Radiance towards v under l, for light_colour 1. sine: of the dive angle.
+ * variance: of the slopes that the footprint averages. */
+INLINE void cone_radiance(const wood_constants *w, const vf l[3], const vf v[3], const vf n[3],
+                          const vf f[3], vf sine, vf variance, const vf albedo[3], vf out[3]) {
+  vf one = splat(1.0f), zero = splat(0.0f);
+  cone_ray i = cone_enter(w, l, n, f), r = cone_enter(w, v, n, f);
+  vf flip = sel(lt(sine, zero), splat(-1.0f), one);
+  cone_dive dive = cone_dive_of(sine);
+  vf ei = cone_reflectance(w, i.sine * flip, &dive), er = cone_reflectance(w, r.sine * flip, &dive);
+  vf mean = cone_along(w->cone_mean, &dive), scale = cone_along(w->cone_scale, &dive);
+
+  /* a slope that the footprint averages turns both psi alike */
+  vf width2 = splat(w->cone_width * w->cone_width) + splat(4.0f) * variance;
+  vf root = inverse_root(width2), across = r.psi + i.psi;
+  vf g = splat(0.39894228f) * root * exp2_(splat(-0.72134752f) * across * across * root * root);
+  vf cd = vsqrt((one - i.sine * i.sine) * (one - r.sine * r.sine)) + i.sine * r.sine;
+  vf half = vmax((one + cd) * splat(0.5f), splat(WOOD_CONE_LEAST));
+  vf cosine = i.cosine * i.through * r.through;
+  vf lobe = splat(3.14159265f) * g / half * cosine * scale;
+  vf coat = w->coat > 0.0f ? coat_highlight(w, l, v, n, i.cosine, r.cosine) : zero;
+  vm seen = and_(gt(i.cosine, zero), gt(r.cosine, zero));
+  for (int c = 0; c < 3; c++) {
+    vf k = splat(w->fibre_colour[c]);
+    vf left = vmax(one - k * ei, zero) * vmax(one - k * er, zero) / (one - k * mean);
+    out[c] = sel(seen, coat + k * lobe + albedo[c] * left * cosine, zero);
+  }
+}
+
+#endif
