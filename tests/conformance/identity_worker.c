@@ -57,9 +57,13 @@ static int make_textures(void) {
         {.id = "grain", .kind = SOZAI_KIND_CHOICE, .text = "compound"},
         {.id = "cut", .kind = SOZAI_KIND_CHOICE, .text = cuts[i % 5u]},
         {.id = "cut_rotation", .kind = SOZAI_KIND_FLOAT, .number = {i / 5u * 33.0}},
-        {.id = "wave_irregularity", .kind = SOZAI_KIND_FLOAT, .number = {i % 3u * 0.3}}};
+        {.id = "wave_irregularity", .kind = SOZAI_KIND_FLOAT, .number = {i % 3u * 0.3}},
+        /* within reach of the points */
+        {.id = "heartwood_years", .kind = SOZAI_KIND_FLOAT, .number = {10.0 + 10.0 * (i % 4u)}},
+        {.id = "coat", .kind = SOZAI_KIND_FLOAT, .number = {i % 3u * 0.5}},
+        {.id = "reflection", .kind = SOZAI_KIND_CHOICE, .text = i % 2u ? "fibre_cone" : "kawai"}};
     const char *preset = i ? info->presets[i - 1]->id : NULL;
-    int32_t r = host.textures->create(NULL, info->id, preset, values, 4, &textures[i]);
+    int32_t r = host.textures->create(NULL, info->id, preset, values, 7, &textures[i]);
     if (r == SOZAI_ERROR_UNSUPPORTED) return 77;
     if (r != SOZAI_OK) {
       fprintf(stderr, "create: %s\n", host.textures->last_error());

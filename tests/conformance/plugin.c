@@ -37,9 +37,14 @@ void plugin_stop(plugin *p) {
 }
 
 sozai_texture *plugin_wood(const plugin *p, const char *preset, const char *grain) {
-  sozai_value value = {.id = "grain", .kind = SOZAI_KIND_CHOICE, .text = grain};
+  /* with a grain, also what else is seldom on */
+  const sozai_value values[] = {
+      {.id = "grain", .kind = SOZAI_KIND_CHOICE, .text = grain},
+      {.id = "reflection", .kind = SOZAI_KIND_CHOICE, .text = "fibre_cone"},
+      {.id = "coat", .kind = SOZAI_KIND_FLOAT, .number = {0.5}},
+      {.id = "heartwood_years", .kind = SOZAI_KIND_FLOAT, .number = {20}}};
   sozai_texture *t = NULL;
-  if (p->textures->create(NULL, "wood", preset, &value, grain ? 1 : 0, &t) != SOZAI_OK) {
+  if (p->textures->create(NULL, "wood", preset, values, grain ? 4 : 0, &t) != SOZAI_OK) {
     fprintf(stderr, "create %s: %s\n", preset ? preset : "wood", p->textures->last_error());
   }
   return t;
