@@ -56,6 +56,7 @@ int run_figures(int argc, char **argv) {
   const char *folder = NULL;
   const option options[] = {
       {"output", 'o', OPTION_TEXT, &folder, "DIR", "folder for the figures; made if need be", 0, 0},
+      SESSION_DISPLAY_OPTIONS(shared),
       SESSION_RUN_OPTIONS(shared)};
   const command_line line = {.usage = "figures -o DIR [options]",
                              .about = "Draws the figures of the papers that the materials "

@@ -25,8 +25,16 @@ OIIO::TypeDesc type_of(int type) {
   }
 }
 
+void describe(OIIO::ImageSpec &spec, const image_colour &colour) {
+  if (colour.space) spec.attribute("colorSpace", colour.space);
+  if (colour.chromaticities)
+    spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8),
+                   colour.chromaticities);
+  if (colour.srgb) spec.attribute("oiio:ColorSpace", "sRGB");
+}
+
 bool write(const char *path, uint32_t width, uint32_t height, const image_channel *channels,
-           size_t count, failure *why) {
+           size_t count, const image_colour *colour, failure *why) {
   auto output = OIIO::ImageOutput::create(path);
   if (!output)
     return fail(why, EXIT_FAILURE, "cannot write %s: %s", path, OIIO::geterror().c_str());
@@ -41,6 +49,7 @@ bool write(const char *path, uint32_t width, uint32_t height, const image_channe
   if (!mixed) spec.channelformats.clear();
   spec.attribute("Software", "sozai");
   spec.attribute("compression", "zip"); // lossless; PNG's own is the same
+  if (colour) describe(spec, *colour);
 
   size_t pixels = size_t(width) * height;
   std::vector<float> interleaved(pixels * count);
@@ -91,8 +100,8 @@ template <typename Function> bool guarded(failure *why, Function function) {
 } // namespace
 
 bool image_write(const char *path, uint32_t width, uint32_t height, const image_channel *channels,
-                 size_t count, failure *why) {
-  return guarded(why, [&] { return write(path, width, height, channels, count, why); });
+                 size_t count, const image_colour *colour, failure *why) {
+  return guarded(why, [&] { return write(path, width, height, channels, count, colour, why); });
 }
 
 bool image_read(image *picture, const char *path, failure *why) {
