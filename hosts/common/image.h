@@ -44,6 +44,9 @@ typedef struct image {
 } image;
 
 bool image_read(image *picture, const char *path, failure *why);
+/* Its size alone, and whether its numbers are integers; no pixel is read. */
+bool image_probe(const char *path, uint32_t *width, uint32_t *height, uint32_t *channels,
+                 bool *integers, failure *why);
 void image_free(image *picture);
 
 #ifdef __cplusplus
