@@ -23,6 +23,9 @@ struct Message {
   size_t size;
 };
 
+// Text into a message: one line, of UTF-8, as much as there is room for.
+void write(Message message, const char *text) noexcept;
+
 // The result that the exception being handled stands for, its reason written to
 // message. To be called in a catch block. `otherwise` is for exceptions that do
 // not say what they are.

@@ -16,7 +16,7 @@ static const char *working_space(void *self) { return self ? of(self).config.wor
 
 static int32_t has_space(void *self, const char *space) {
   bool known = false;
-  guarded({}, [&] { known = self && space && of(self).config.ocio->getColorSpace(space); });
+  guarded({}, [&] { known = self && space && of(self).processors.knows(space); });
   return known;
 }
 

@@ -4,7 +4,10 @@
 #include "config.hpp"
 
 #include "boundary.hpp"
+#include "cpu.hpp"
+#include "linear.hpp"
 #include "quiet.hpp"
+#include "references.hpp"
 
 #include <cerrno>
 #include <cstdlib>
@@ -25,9 +28,19 @@ static std::string choose(const char *path) {
   return shipped;
 }
 
+// Whether it is the name of a config built into OpenColorIO. The library's version
+// counts, not that of the header.
+static bool is_built_in(const std::string &path) {
+  if (path.rfind("ocio://", 0) != 0) return false;
+  if (ocio::GetVersionHex() >= 0x02020000) return true;
+  throw Failure(SOZAI_ERROR_FILE, "colour config " + path +
+                                      ": configs built into OpenColorIO need its version 2.2, and "
+                                      "this is " +
+                                      ocio::GetVersion());
+}
+
 // OpenColorIO says only that it could not read; the system knows why.
 static void must_be_readable(const std::string &path) {
-  if (path.rfind("ocio://", 0) == 0) return; // a config built into OpenColorIO 2.2 and later
   struct stat status;
   int error = 0;
   if (stat(path.c_str(), &status) != 0 || access(path.c_str(), R_OK) != 0)
@@ -62,8 +75,8 @@ template <class Body>
 static void naming(const std::string &path, int32_t result, const Body &body) {
   try {
     body();
-  } catch (const Failure &) {
-    throw;
+  } catch (const Failure &failure) {
+    throw Failure(failure.result, "colour config " + path + ": " + failure.what());
   } catch (const std::bad_alloc &) {
     throw;
   } catch (const std::exception &error) {
@@ -71,22 +84,55 @@ static void naming(const std::string &path, int32_t result, const Body &body) {
   }
 }
 
+// Data, or linear light as far as its numbers tell.
+static bool can_be_worked_in(const ocio::Config &config, const ocio::ColorSpace &space) {
+  if (space.isData()) return true;
+  auto transform = space.getTransform(ocio::COLORSPACE_DIR_TO_REFERENCE);
+  if (!transform) transform = space.getTransform(ocio::COLORSPACE_DIR_FROM_REFERENCE);
+  if (!transform) return true; // it is the reference
+  try {
+    return matrix_of(*cpu_of(config.getProcessor(transform))).has_value();
+  } catch (const ocio::Exception &) {
+    return false; // a missing table, say
+  }
+}
+
+static void choose_working_space(Config &config) {
+  const ocio::Config &all = *config.ocio;
+  const char *role = nullptr;
+  if (all.hasRole(ocio::ROLE_SCENE_LINEAR) && all.getColorSpace(ocio::ROLE_SCENE_LINEAR))
+    role = ocio::ROLE_SCENE_LINEAR;
+  // What is made of a config without it, in this order. A space that only bears a
+  // role's name does not do.
+  for (const char *other : {ocio::ROLE_RENDERING, ocio::ROLE_REFERENCE, ocio::ROLE_DEFAULT}) {
+    if (role) break;
+    const auto space = all.hasRole(other) ? all.getColorSpace(other) : nullptr;
+    if (space && can_be_worked_in(all, *space)) role = other;
+  }
+  if (!role)
+    throw Failure(SOZAI_ERROR_COLOUR, "it has no role scene_linear, and none of its roles "
+                                      "rendering, reference and default is linear light or data");
+  const auto space = all.getColorSpace(role);
+  config.working = space->getName();
+  config.raw = space->isData();
+  if (std::strcmp(role, ocio::ROLE_SCENE_LINEAR) != 0)
+    config.warning = "colour config " + config.name + ": no role scene_linear; the role " + role +
+                     " is taken, and the working space is \"" + config.working + "\"" +
+                     (config.raw ? ", data: its numbers are not converted" : "");
+}
+
 Config open_config(const char *path) {
   const Quiet quiet;
   Config config;
   config.name = choose(path);
-  must_be_readable(config.name);
+  if (!is_built_in(config.name)) must_be_readable(config.name);
   must_read_numbers(config.name);
   naming(config.name, SOZAI_ERROR_FILE,
          [&] { config.ocio = ocio::Config::CreateFromFile(config.name.c_str()); });
   naming(config.name, SOZAI_ERROR_COLOUR, [&] {
     config.ocio->validate();
-    const auto working = config.ocio->getColorSpace(ocio::ROLE_SCENE_LINEAR);
-    // A space may bear the role's name without the role being there.
-    if (!working || !config.ocio->hasRole(ocio::ROLE_SCENE_LINEAR))
-      throw Failure(SOZAI_ERROR_COLOUR,
-                    "colour config " + config.name + " has no role scene_linear");
-    config.working = working->getName();
+    must_end(*config.ocio);
+    choose_working_space(config);
   });
   return config;
 }

@@ -12,7 +12,9 @@ namespace ocio = OCIO_NAMESPACE;
 // A config that has been checked and has a working space.
 struct Config {
   std::string name;    // where it came from
-  std::string working; // the space of the role scene_linear
+  std::string working; // the working space's own name
+  std::string warning; // "", or what was wrong with the config
+  bool raw = false;    // the working space is data: nothing says what its colours are
   ocio::ConstConfigRcPtr ocio;
 };
 

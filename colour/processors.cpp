@@ -2,21 +2,12 @@
 #include "processors.hpp"
 
 #include "boundary.hpp"
+#include "cpu.hpp"
+#include "formula.hpp"
 #include "quiet.hpp"
-
-#include <cstdlib>
+#include "view.hpp"
 
 namespace sozai::colour {
-
-// OpenColorIO reads this variable with std::stoul, whose exception says "stoul".
-static std::string reason(const std::exception &error) {
-  const bool of_number = dynamic_cast<const std::invalid_argument *>(&error) ||
-                         dynamic_cast<const std::out_of_range *>(&error);
-  const char *flags = std::getenv(ocio::OCIO_OPTIMIZATION_FLAGS_ENVVAR);
-  if (!of_number || !flags) return error.what();
-  return std::string("the environment variable ") + ocio::OCIO_OPTIMIZATION_FLAGS_ENVVAR +
-         " is \"" + flags + "\", not a number";
-}
 
 template <class Make>
 ocio::ConstCPUProcessorRcPtr Processors::cached(const std::string &key, const std::string &what,
@@ -26,17 +17,25 @@ ocio::ConstCPUProcessorRcPtr Processors::cached(const std::string &key, const st
   if (found != made.end()) return found->second;
   const Quiet quiet;
   try {
-    // Lossless: the default replaces inverse tables and powers by approximations.
-    const ocio::ConstProcessorRcPtr processor = make();
-    auto cpu = processor->getOptimizedCPUProcessor(ocio::OPTIMIZATION_LOSSLESS);
+    auto cpu = cpu_of(make());
     made.emplace(key, cpu);
     return cpu;
   } catch (const std::bad_alloc &) {
     throw;
   } catch (const std::exception &error) {
     throw Failure(SOZAI_ERROR_COLOUR,
-                  what + " of colour config " + config.name + ": " + reason(error));
+                  what + " of colour config " + config.name + ": " + error.what());
   }
+}
+
+// Where the config says nothing of colours, and does not know the name either.
+static ocio::ConstTransformRcPtr formula(const Config &config, const char *space) {
+  if (!config.raw || config.ocio->getColorSpace(space)) return nullptr;
+  return by_formula(space);
+}
+
+bool Processors::knows(const char *space) const {
+  return config.ocio->getColorSpace(space) || formula(config, space);
 }
 
 // By its own name, so that a role or an alias shares the processor.
@@ -49,25 +48,34 @@ std::string Processors::known_space(const char *space) const {
 }
 
 ocio::ConstCPUProcessorRcPtr Processors::to_working(const char *space) {
-  const std::string name = known_space(space);
-  return cached("to " + name, "colour space \"" + name + "\"",
-                [&] { return config.ocio->getProcessor(name.c_str(), config.working.c_str()); });
+  const auto known = formula(config, space);
+  if (!known) return between(space, config.working.c_str());
+  return cached(std::string("decode\n") + space, space,
+                [&] { return config.ocio->getProcessor(known); });
 }
 
 ocio::ConstCPUProcessorRcPtr Processors::from_working(const char *space) {
-  const std::string name = known_space(space);
-  return cached("from " + name, "colour space \"" + name + "\"",
-                [&] { return config.ocio->getProcessor(config.working.c_str(), name.c_str()); });
+  const auto known = formula(config, space);
+  if (!known) return between(config.working.c_str(), space);
+  return cached(std::string("encode\n") + space, space,
+                [&] { return config.ocio->getProcessor(known, ocio::TRANSFORM_DIR_INVERSE); });
 }
 
-ocio::ConstCPUProcessorRcPtr Processors::to_display(const char *display, const char *view) {
-  const std::string display_name = display ? display : config.ocio->getDefaultDisplay();
-  const std::string view_name = view ? view : config.ocio->getDefaultView(display_name.c_str());
-  return cached("show " + display_name + '\n' + view_name,
-                "view \"" + view_name + "\" on display \"" + display_name + "\"", [&] {
-                  return config.ocio->getProcessor(config.working.c_str(), display_name.c_str(),
-                                                   view_name.c_str(), ocio::TRANSFORM_DIR_FORWARD);
-                });
+ocio::ConstCPUProcessorRcPtr Processors::between(const char *from, const char *to) {
+  const std::string a = known_space(from), b = known_space(to);
+  // To name in messages: the one that is not the working space.
+  const std::string &named = a == config.working ? b : a;
+  return cached("convert\n" + a + '\n' + b, "colour space \"" + named + "\"",
+                [&] { return config.ocio->getProcessor(a.c_str(), b.c_str()); });
+}
+
+ocio::ConstCPUProcessorRcPtr Processors::to_display(const char *display, const char *view,
+                                                    const char *look) {
+  const View shown = known_view(config, display, view, look);
+  const std::string looks = look ? std::string("\nlooks ") + look : "";
+  return cached("show\n" + shown.display + '\n' + shown.view + looks,
+                "view \"" + shown.view + "\" on display \"" + shown.display + "\"",
+                [&] { return config.ocio->getProcessor(transform_of(config, shown, look)); });
 }
 
 } // namespace sozai::colour

@@ -13,11 +13,17 @@ class Processors {
 public:
   explicit Processors(const Config &config) : config(config) {}
 
+  // Whether to_working and from_working have a meaning for it.
+  bool knows(const char *space) const;
+
   // All throw Failure.
   ocio::ConstCPUProcessorRcPtr to_working(const char *space);
   ocio::ConstCPUProcessorRcPtr from_working(const char *space);
-  // NULL for the config's own display, and the display's own view.
-  ocio::ConstCPUProcessorRcPtr to_display(const char *display, const char *view);
+  // Between two spaces of the config.
+  ocio::ConstCPUProcessorRcPtr between(const char *from, const char *to);
+  // display, view: NULL for the config's own, and the display's own. look: NULL
+  // for the view's own looks, "" for none.
+  ocio::ConstCPUProcessorRcPtr to_display(const char *display, const char *view, const char *look);
 
 private:
   std::string known_space(const char *space) const;

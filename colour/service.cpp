@@ -36,6 +36,7 @@ static int32_t open_services(const sozai_services_options *options, sozai_servic
     sozai_services_options whole = {};
     if (options) std::memcpy(&whole, options, std::min<size_t>(options->size, sizeof whole));
     *out = std::make_unique<sozai_services>(whole).release();
+    write({message, message_size}, (*out)->config.warning.c_str());
   });
 }
 

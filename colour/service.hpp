@@ -4,6 +4,7 @@
 #pragma once
 
 #include "internal.h"
+#include "lists.hpp"
 #include "processors.hpp"
 
 #include <stdexcept>
@@ -17,6 +18,7 @@ struct sozai_services {
 
   const sozai::colour::Config config;
   sozai::colour::Processors processors{config};
+  const sozai::colour::Lists lists{*config.ocio};
   sozai_colour_1 colour;
   sozai_display_1 display;
 };

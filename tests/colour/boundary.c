@@ -18,7 +18,7 @@ typedef int32_t (*conversion)(void *, const char *, float *, uint64_t, char *, s
 static const float colour[3] = {0.1f, 0.2f, 0.3f};
 
 static void unknown_space(void **state) {
-  const sozai_colour_1 *s = *state;
+  const sozai_colour_1 *s = colour_of(state);
   const conversion both[] = {s->to_working, s->from_working};
   for (int i = 0; i < 2; i++) {
     float rgb[3] = {0.1f, 0.2f, 0.3f};
@@ -32,7 +32,7 @@ static void unknown_space(void **state) {
 }
 
 static void arguments(void **state) {
-  const sozai_colour_1 *s = *state;
+  const sozai_colour_1 *s = colour_of(state);
   const conversion both[] = {s->to_working, s->from_working};
   float rgb[3] = {0.1f, 0.2f, 0.3f};
   for (int i = 0; i < 2; i++) {
@@ -43,15 +43,18 @@ static void arguments(void **state) {
     assert_int_equal(both[i](s->self, "sRGB", rgb, 0, NULL, 0), SOZAI_OK);
     assert_int_equal(both[i](s->self, "", rgb, 1, NULL, 0), SOZAI_ERROR_COLOUR);
   }
-  assert_int_equal(s->to_display(s->self, NULL, NULL, NULL, 0, NULL, 0), SOZAI_OK);
-  assert_int_equal(s->to_display(s->self, NULL, NULL, NULL, 1, NULL, 0), SOZAI_ERROR_ARGUMENT);
+  const sozai_display_1 *d = display_of(state);
+  assert_int_equal(d->to_display(d->self, NULL, NULL, NULL, NULL, 0, NULL, 0), SOZAI_OK);
+  assert_int_equal(d->to_display(d->self, NULL, NULL, NULL, NULL, 1, NULL, 0),
+                   SOZAI_ERROR_ARGUMENT);
+  assert_int_equal(d->size, sizeof *d);
   assert_memory_equal(rgb, colour, sizeof rgb);
   assert_int_equal(s->size, sizeof *s);
 }
 
 /* Any room will do; what fits is terminated, and cut between characters. */
 static void message_room(void **state) {
-  const sozai_colour_1 *s = *state;
+  const sozai_colour_1 *s = colour_of(state);
   const char *space = "\xE6\x9C\xA8\xE6\x9D\x90"; /* two characters of three bytes */
   char full[512];
   float rgb[3] = {0};
@@ -78,12 +81,14 @@ static void bad_optimisation_flags(void **state) {
   (void)state;
   static const char *const bad[] = {"banana", "99999999999999999999999"};
   for (size_t i = 0; i < 2; i++) {
-    const sozai_colour_1 *s = service_open(NULL);
+    service both = service_open(NULL);
+    const sozai_colour_1 *s = both.colour;
+    const sozai_display_1 *d = both.display;
     float rgb[3] = {0.1f, 0.2f, 0.3f};
     char message[512] = "";
     setenv("OCIO_OPTIMIZATION_FLAGS", bad[i], 1);
     int32_t result = s->to_working(s->self, "sRGB", rgb, 1, message, sizeof message);
-    int32_t display = s->to_display(s->self, NULL, NULL, rgb, 1, NULL, 0);
+    int32_t display = d->to_display(d->self, NULL, NULL, NULL, rgb, 1, NULL, 0);
     unsetenv("OCIO_OPTIMIZATION_FLAGS");
     print_message("%s\n", message);
     assert_int_equal(result, SOZAI_ERROR_COLOUR);
@@ -93,12 +98,12 @@ static void bad_optimisation_flags(void **state) {
     assert_memory_equal(rgb, colour, sizeof rgb);
     /* A failure is not remembered. */
     assert_int_equal(s->to_working(s->self, "sRGB", rgb, 1, NULL, 0), SOZAI_OK);
-    service_close(s);
+    service_close(both);
   }
 }
 
 static void only_finite_numbers_come_out(void **state) {
-  const sozai_colour_1 *s = *state;
+  const sozai_colour_1 *s = colour_of(state);
   static const char *const spaces[] = {"sRGB",        "ACEScg", "ACEScct",
                                        "CIE XYZ D65", "Raw",    "sRGB - Display"};
   const conversion both[] = {s->to_working, s->from_working};
@@ -125,13 +130,14 @@ static void prints_nothing(void **state) {
   int out = dup(1), err = dup(2);
   dup2(fileno(caught), 1);
   dup2(fileno(caught), 2);
-  const sozai_colour_1 *s = NULL;
-  int32_t result = library_factory()->open(SOZAI_TEST_DATA "/configs/doubled.ocio", &s, NULL, 0);
+  sozai_services *services = NULL;
+  int32_t result = library_open(SOZAI_TEST_DATA "/configs/doubled.ocio", &services, NULL, 0);
+  const sozai_colour_1 *s = library_factory()->get(services, SOZAI_COLOUR_1);
   float rgb[3] = {0};
   int32_t failing = s ? s->to_working(s->self, "lost", rgb, 1, NULL, 0) : 0;
-  library_factory()->close(s);
-  library_factory()->open(SOZAI_TEST_DATA "/configs/unfit.ocio", &s, NULL, 0);
-  library_factory()->open("/nowhere", &s, NULL, 0);
+  library_factory()->close(services);
+  library_open(SOZAI_TEST_DATA "/configs/unfit.ocio", &services, NULL, 0);
+  library_open("/nowhere", &services, NULL, 0);
   fflush(NULL);
   dup2(out, 1);
   dup2(err, 2);
@@ -146,15 +152,17 @@ static void prints_nothing(void **state) {
 }
 
 static void convert_a_little(void) {
-  const sozai_colour_1 *s = service_open(NULL);
+  service both = service_open(NULL);
+  const sozai_colour_1 *s = both.colour;
+  const sozai_display_1 *d = both.display;
   float rgb[3] = {0.5f, 0.5f, 0.5f};
   assert_int_equal(s->to_working(s->self, "sRGB", rgb, 1, NULL, 0), SOZAI_OK);
   assert_float_equal(rgb[1], 0.21404114, 1e-6);
   assert_int_equal(s->to_working(s->self, "ACEScg", rgb, 1, NULL, 0), SOZAI_OK);
   assert_float_equal(rgb[1], 0.21404114, 1e-6);
-  assert_int_equal(s->to_display(s->self, NULL, NULL, rgb, 1, NULL, 0), SOZAI_OK);
+  assert_int_equal(d->to_display(d->self, NULL, NULL, NULL, rgb, 1, NULL, 0), SOZAI_OK);
   assert_float_equal(rgb[1], 0.5, 1e-5);
-  service_close(s);
+  service_close(both);
 }
 
 static void environment_stays(void **state) {

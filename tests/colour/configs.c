@@ -13,11 +13,11 @@
 /* Opening fails so, and the reason, one line, tells of part. */
 static void refuses(const char *config, int32_t want, const char *part) {
   char message[1024] = "";
-  const sozai_colour_1 *service = (const void *)message;
-  int32_t result = library_factory()->open(config, &service, message, sizeof message);
+  sozai_services *services = (void *)message;
+  int32_t result = library_open(config, &services, message, sizeof message);
   print_message("%s\n", message);
   assert_int_equal(result, want);
-  assert_null(service);
+  assert_null(services);
   assert_contains(message, part);
   assert_null(strchr(message, '\n'));
   if (config) assert_contains(message, config);
@@ -48,7 +48,8 @@ static void arguments(void **state) {
 static void environment_is_honoured(void **state) {
   (void)state;
   setenv("OCIO", CONFIG("doubled"), 1);
-  const sozai_colour_1 *s = service_open(NULL);
+  service opened = service_open(NULL);
+  const sozai_colour_1 *s = opened.colour;
   assert_string_equal(s->config_name(s->self), CONFIG("doubled"));
   assert_string_equal(s->working_space(s->self), "linear light");
   assert_int_equal(s->has_space(s->self, "sRGB"), 0);
@@ -56,41 +57,46 @@ static void environment_is_honoured(void **state) {
   assert_int_equal(s->to_working(s->self, "doubled", rgb, 1, NULL, 0), SOZAI_OK);
   const float halved[3] = {1, 2, 3};
   assert_memory_equal(rgb, halved, sizeof rgb);
-  service_close(s);
+  service_close(opened);
 
   /* A config that is named comes first. */
-  s = service_open(CONFIG("raw"));
+  opened = service_open(CONFIG("raw"));
+  s = opened.colour;
   assert_string_equal(s->config_name(s->self), CONFIG("raw"));
-  service_close(s);
+  service_close(opened);
 
   /* A wrong one is not passed over in silence. */
   setenv("OCIO", "/nowhere/config.ocio", 1);
   refuses(NULL, SOZAI_ERROR_FILE, "/nowhere/config.ocio");
 
   setenv("OCIO", "", 1);
-  s = service_open(NULL);
+  opened = service_open(NULL);
+  s = opened.colour;
   assert_contains(s->config_name(s->self), "/sozai.ocio");
-  service_close(s);
+  service_close(opened);
   unsetenv("OCIO");
 }
 
 /* Two configs at once do not see one another. */
 static void services_are_apart(void **state) {
   (void)state;
-  const sozai_colour_1 *a = service_open(NULL), *b = service_open(CONFIG("raw"));
+  service shipped = service_open(NULL), raw = service_open(CONFIG("raw"));
+  const sozai_colour_1 *a = shipped.colour, *b = raw.colour;
   float x[3] = {0.5f, 0.5f, 0.5f}, y[3] = {0.5f, 0.5f, 0.5f};
   assert_int_equal(a->to_working(a->self, "sRGB", x, 1, NULL, 0), SOZAI_OK);
   assert_int_equal(b->to_working(b->self, "sRGB", y, 1, NULL, 0), SOZAI_OK);
   assert_float_equal(x[0], 0.21404114, 1e-6);
   assert_true(y[0] == 0.5f);
-  service_close(a);
+  service_close(shipped);
   assert_int_equal(b->from_working(b->self, "sRGB", y, 1, NULL, 0), SOZAI_OK);
-  service_close(b);
+  service_close(raw);
 }
 
 static void missing_table(void **state) {
   (void)state;
-  const sozai_colour_1 *s = service_open(CONFIG("doubled"));
+  service opened = service_open(CONFIG("doubled"));
+  const sozai_colour_1 *s = opened.colour;
+  const sozai_display_1 *d = opened.display;
   const float before[3] = {0.1f, 0.2f, 0.3f};
   float rgb[3] = {0.1f, 0.2f, 0.3f};
   char message[1024] = "";
@@ -102,10 +108,10 @@ static void missing_table(void **state) {
   assert_contains(message, "nowhere.spi1d");
   assert_int_equal(s->from_working(s->self, "lost", rgb, 1, message, sizeof message),
                    SOZAI_ERROR_COLOUR);
-  assert_int_equal(s->to_display(s->self, "Monitor", "Lost", rgb, 1, message, sizeof message),
+  assert_int_equal(d->to_display(d->self, "Monitor", "Lost", NULL, rgb, 1, message, sizeof message),
                    SOZAI_ERROR_COLOUR);
   assert_memory_equal(rgb, before, sizeof rgb);
-  service_close(s);
+  service_close(opened);
 }
 
 /* Blender's, where it is installed or SOZAI_TEST_BLENDER_CONFIG says it is. */
@@ -114,7 +120,9 @@ static void blender(void **state) {
   const char *path = getenv("SOZAI_TEST_BLENDER_CONFIG");
   if (!path) path = "/usr/share/blender/datafiles/colormanagement/config.ocio";
   if (access(path, R_OK) != 0) skip();
-  const sozai_colour_1 *s = service_open(path);
+  service opened = service_open(path);
+  const sozai_colour_1 *s = opened.colour;
+  const sozai_display_1 *d = opened.display;
   print_message("%s: working space %s\n", path, s->working_space(s->self));
   float rgb[3] = {0.5f, 0.25f, 0.75f};
   assert_int_equal(s->to_working(s->self, "sRGB", rgb, 1, NULL, 0), SOZAI_OK);
@@ -124,12 +132,13 @@ static void blender(void **state) {
   assert_float_equal(rgb[0], 0.5, 1e-4);
 
   float grey[3] = {0.18f, 0.18f, 0.18f}, filmic[3] = {0.18f, 0.18f, 0.18f};
-  assert_int_equal(s->to_display(s->self, NULL, NULL, grey, 1, NULL, 0), SOZAI_OK);
+  assert_int_equal(d->to_display(d->self, NULL, NULL, NULL, grey, 1, NULL, 0), SOZAI_OK);
   char message[1024] = "";
-  if (s->to_display(s->self, "sRGB", "Filmic", filmic, 1, message, sizeof message) != SOZAI_OK)
+  if (d->to_display(d->self, "sRGB", "Filmic", NULL, filmic, 1, message, sizeof message) !=
+      SOZAI_OK)
     fail_msg("%s", message);
   for (int c = 0; c < 3; c++) assert_true(filmic[c] > 0.3f && filmic[c] < 0.7f);
-  service_close(s);
+  service_close(opened);
 }
 
 int main(void) {

@@ -7,9 +7,10 @@
 #include <math.h>
 #include <string.h>
 
-static void show(const sozai_colour_1 *s, const char *view, float *rgb, uint64_t count) {
+static void show(void **state, const char *view, float *rgb, uint64_t count) {
+  const sozai_display_1 *s = display_of(state);
   char message[256] = "";
-  if (s->to_display(s->self, "sRGB", view, rgb, count, message, sizeof message) != SOZAI_OK)
+  if (s->to_display(s->self, "sRGB", view, NULL, rgb, count, message, sizeof message) != SOZAI_OK)
     fail_msg("%s", message);
 }
 
@@ -30,7 +31,7 @@ static void standard_is_srgb(void **state) {
   for (int i = 0; i <= STEPS; i++) {
     float v = light(i), rgb[3] = {v, v / 2, v / 4};
     const double want[3] = {srgb_encode(v), srgb_encode(v / 2), srgb_encode(v / 4)};
-    show(*state, "Standard", rgb, 1);
+    show(state, "Standard", rgb, 1);
     for (int c = 0; c < 3; c++) assert_float_equal(rgb[c], fmin(1, want[c]), 1e-5);
   }
 }
@@ -40,7 +41,7 @@ static void sozai_is_its_formula(void **state) {
   for (int i = 0; i <= STEPS; i++) {
     float v = light(i), rgb[3] = {v, v / 2, v / 4};
     const double x[3] = {v, v / 2, v / 4};
-    show(*state, "sozai", rgb, 1);
+    show(state, "sozai", rgb, 1);
     for (int c = 0; c < 3; c++) {
       double error = fabs(rgb[c] - srgb_encode(shoulder(x[c])));
       worst = fmax(worst, error);
@@ -65,8 +66,8 @@ static void wood_is_faithful(void **state) {
     float ours[3], plain[3];
     memcpy(ours, woods[i], sizeof ours);
     memcpy(plain, woods[i], sizeof plain);
-    show(*state, "sozai", ours, 1);
-    show(*state, "Standard", plain, 1);
+    show(state, "sozai", ours, 1);
+    show(state, "Standard", plain, 1);
     for (int c = 0; c < 3; c++) assert_float_equal(ours[c], plain[c], 2e-5);
   }
 }
@@ -77,7 +78,7 @@ static void views_are_monotone_and_neutral(void **state) {
     float last = 0;
     for (int i = 0; i <= STEPS; i++) {
       float v = light(i), rgb[3] = {v, v, v};
-      show(*state, views[k], rgb, 1);
+      show(state, views[k], rgb, 1);
       assert_float_equal(rgb[0], rgb[1], 2e-6);
       assert_float_equal(rgb[0], rgb[2], 2e-6);
       assert_true(rgb[1] >= last);
@@ -87,29 +88,30 @@ static void views_are_monotone_and_neutral(void **state) {
     }
     assert_float_equal(last, 1, 1e-5);
     float black[3] = {0, 0, 0};
-    show(*state, views[k], black, 1);
+    show(state, views[k], black, 1);
     for (int c = 0; c < 3; c++) assert_float_equal(black[c], 0, 1e-6);
   }
 }
 
 static void sozai_keeps_highlights_apart(void **state) {
   float rgb[3] = {1, 4, 16};
-  show(*state, "sozai", rgb, 1);
+  show(state, "sozai", rgb, 1);
   assert_true(rgb[0] < 0.92f && rgb[0] > 0.85f);
   assert_true(rgb[1] < 0.995f && rgb[1] > 0.97f);
   assert_true(rgb[2] > 254.5f / 255);
 }
 
 static void defaults(void **state) {
-  const sozai_colour_1 *s = *state;
+  const sozai_display_1 *s = display_of(state);
   float rgb[3] = {0.9f, 2, 0.1f}, named[3] = {0.9f, 2, 0.1f};
-  assert_int_equal(s->to_display(s->self, NULL, NULL, rgb, 1, NULL, 0), SOZAI_OK);
-  show(s, "sozai", named, 1);
+  assert_int_equal(s->to_display(s->self, NULL, NULL, NULL, rgb, 1, NULL, 0), SOZAI_OK);
+  show(state, "sozai", named, 1);
   assert_memory_equal(rgb, named, sizeof rgb);
 
   float standard[3] = {0.9f, 2, 0.1f}, of_default[3] = {0.9f, 2, 0.1f};
-  show(s, "Standard", standard, 1);
-  assert_int_equal(s->to_display(s->self, NULL, "Standard", of_default, 1, NULL, 0), SOZAI_OK);
+  show(state, "Standard", standard, 1);
+  assert_int_equal(s->to_display(s->self, NULL, "Standard", NULL, of_default, 1, NULL, 0),
+                   SOZAI_OK);
   assert_memory_equal(of_default, standard, sizeof standard);
 }
 
@@ -120,22 +122,23 @@ static void never_beyond_the_display(void **state) {
   for (size_t k = 0; k < 3; k++)
     for (int i = 0; i < n * n * n; i++) {
       float rgb[3] = {hard[i % n], hard[i / n % n], hard[i / n / n]};
-      show(*state, views[k], rgb, 1);
+      show(state, views[k], rgb, 1);
       for (int c = 0; c < 3; c++) assert_true(rgb[c] >= 0 && rgb[c] <= 1);
     }
 }
 
 static void unknown_names(void **state) {
-  const sozai_colour_1 *s = *state;
+  const sozai_display_1 *s = display_of(state);
   const float before[3] = {0.1f, 0.2f, 0.3f};
   float rgb[3] = {0.1f, 0.2f, 0.3f};
   char message[512];
-  assert_int_equal(s->to_display(s->self, "sRGB", "Sepia", rgb, 1, message, sizeof message),
+  assert_int_equal(s->to_display(s->self, "sRGB", "Sepia", NULL, rgb, 1, message, sizeof message),
                    SOZAI_ERROR_COLOUR);
   assert_contains(message, "Sepia");
   assert_contains(message, "sozai.ocio");
-  assert_int_equal(s->to_display(s->self, "Oscilloscope", NULL, rgb, 1, message, sizeof message),
-                   SOZAI_ERROR_COLOUR);
+  assert_int_equal(
+      s->to_display(s->self, "Oscilloscope", NULL, NULL, rgb, 1, message, sizeof message),
+      SOZAI_ERROR_COLOUR);
   assert_contains(message, "Oscilloscope");
   assert_memory_equal(rgb, before, sizeof rgb);
 }

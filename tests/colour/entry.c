@@ -27,16 +27,16 @@ static const sozai_entry_v1 *loaded(void) {
 
 static void nothing_before_init(void **state) {
   (void)state;
-  assert_null(loaded()->get_factory(SOZAI_COLOUR_FACTORY_1));
+  assert_null(loaded()->get_factory(SOZAI_SERVICES_1));
 }
 
 static void unknown_ids_give_null(void **state) {
   (void)state;
   const sozai_entry_v1 *entry = loaded();
   assert_int_equal(entry->init(library_path), SOZAI_OK);
-  assert_non_null(entry->get_factory(SOZAI_COLOUR_FACTORY_1));
+  assert_non_null(entry->get_factory(SOZAI_SERVICES_1));
   assert_null(entry->get_factory(SOZAI_IMAGES_1));
-  assert_null(entry->get_factory("sozai.colour-factory/2"));
+  assert_null(entry->get_factory("sozai.services/2"));
   assert_null(entry->get_factory(""));
   assert_null(entry->get_factory(NULL));
   entry->deinit();
@@ -46,23 +46,23 @@ static void init_is_counted(void **state) {
   (void)state;
   const sozai_entry_v1 *entry = loaded();
   assert_int_equal(entry->init(library_path), SOZAI_OK);
-  const sozai_colour_factory_1 *factory = entry->get_factory(SOZAI_COLOUR_FACTORY_1);
+  const sozai_services_1 *factory = entry->get_factory(SOZAI_SERVICES_1);
   assert_int_equal(entry->init(NULL), SOZAI_OK);
   entry->deinit();
-  assert_ptr_equal(entry->get_factory(SOZAI_COLOUR_FACTORY_1), factory);
+  assert_ptr_equal(entry->get_factory(SOZAI_SERVICES_1), factory);
   service_close(service_open(NULL));
   entry->deinit();
-  assert_null(entry->get_factory(SOZAI_COLOUR_FACTORY_1));
+  assert_null(entry->get_factory(SOZAI_SERVICES_1));
 
-  const sozai_colour_1 *service = (const void *)factory;
-  assert_int_equal(factory->open(NULL, &service, NULL, 0), SOZAI_ERROR_STATE);
-  assert_null(service);
+  sozai_services *services = (void *)(uintptr_t)factory;
+  assert_int_equal(factory->open(NULL, &services, NULL, 0), SOZAI_ERROR_STATE);
+  assert_null(services);
 
   entry->deinit(); /* one too many */
   assert_int_equal(entry->init(library_path), SOZAI_OK);
-  assert_non_null(entry->get_factory(SOZAI_COLOUR_FACTORY_1));
+  assert_non_null(entry->get_factory(SOZAI_SERVICES_1));
   entry->deinit();
-  assert_null(entry->get_factory(SOZAI_COLOUR_FACTORY_1));
+  assert_null(entry->get_factory(SOZAI_SERVICES_1));
 }
 
 /* The shipped config is found with a wrong path, and with none. */
@@ -72,12 +72,12 @@ static void config_lies_beside(void **state) {
   for (size_t i = 0; i < sizeof told / sizeof *told; i++) {
     const sozai_entry_v1 *entry = loaded();
     assert_int_equal(entry->init(told[i]), SOZAI_OK);
-    const sozai_colour_1 *service = service_open(NULL);
-    const char *name = service->config_name(service->self);
+    service s = service_open(NULL);
+    const char *name = s.colour->config_name(s.colour->self);
     assert_non_null(strrchr(name, '/'));
     assert_string_equal(strrchr(name, '/'), "/sozai.ocio");
-    assert_string_equal(service->working_space(service->self), "Linear Rec.709");
-    service_close(service);
+    assert_string_equal(s.colour->working_space(s.colour->self), "Linear Rec.709");
+    service_close(s);
     entry->deinit();
   }
 }

@@ -19,17 +19,18 @@ struct Commas : std::numpunct<char> {
 };
 
 // "" for right, else what is wrong.
-const char *judge(const sozai_colour_factory_1 &factory) {
-  const sozai_colour_1 *service = nullptr;
+const char *judge(const sozai_services_1 &factory) {
+  sozai_services *services = nullptr;
   char message[512] = "";
-  const int32_t result = factory.open(nullptr, &service, message, sizeof message);
+  const int32_t result = factory.open(nullptr, &services, message, sizeof message);
   if (result != SOZAI_OK) {
     std::printf("%s\n", message);
     return result == SOZAI_ERROR_COLOUR && std::strstr(message, "locale") ? "" : "other refusal";
   }
+  const auto *service = static_cast<const sozai_colour_1 *>(factory.get(services, SOZAI_COLOUR_1));
   float rgb[3] = {0.5f, 0.5f, 0.5f};
   const int32_t converted = service->to_working(service->self, "sRGB", rgb, 1, nullptr, 0);
-  factory.close(service);
+  factory.close(services);
   return converted == SOZAI_OK && std::fabs(rgb[0] - 0.21404114f) < 1e-6f ? "" : "misread";
 }
 } // namespace
@@ -41,8 +42,7 @@ int main() {
       library ? static_cast<const sozai_entry_v1 *>(dlsym(library, SOZAI_COLOUR_ENTRY_SYMBOL))
               : nullptr;
   if (!entry || entry->init(SOZAI_TEST_COLOUR) != SOZAI_OK) return 1;
-  const auto *factory =
-      static_cast<const sozai_colour_factory_1 *>(entry->get_factory(SOZAI_COLOUR_FACTORY_1));
+  const auto *factory = static_cast<const sozai_services_1 *>(entry->get_factory(SOZAI_SERVICES_1));
 
   const std::locale before = std::locale::global(std::locale(std::locale(), new Commas));
   const char *with_commas = judge(*factory);

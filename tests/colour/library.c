@@ -40,28 +40,38 @@ int library_teardown(void **state) {
   return 0;
 }
 
-const sozai_colour_factory_1 *library_factory(void) {
-  return entry->get_factory(SOZAI_COLOUR_FACTORY_1);
+const sozai_services_1 *library_factory(void) { return entry->get_factory(SOZAI_SERVICES_1); }
+
+int32_t library_open(const char *config, sozai_services **out, char *message, size_t size) {
+  const sozai_services_options options = {.size = sizeof options, .config = config};
+  return library_factory()->open(&options, out, message, size);
 }
 
-const sozai_colour_1 *service_open(const char *config) {
-  const sozai_colour_1 *service = NULL;
+service service_open(const char *config) {
+  service s = {0};
   char message[512] = "";
-  int32_t result = library_factory()->open(config, &service, message, sizeof message);
+  int32_t result = library_open(config, &s.handle, message, sizeof message);
   if (result != SOZAI_OK) fail_msg("open: %d, %s", (int)result, message);
-  assert_non_null(service);
-  return service;
+  assert_non_null(s.handle);
+  s.colour = library_factory()->get(s.handle, SOZAI_COLOUR_1);
+  s.display = library_factory()->get(s.handle, SOZAI_DISPLAY_1);
+  assert_non_null(s.colour);
+  assert_non_null(s.display);
+  return s;
 }
 
-void service_close(const sozai_colour_1 *service) { library_factory()->close(service); }
+void service_close(service s) { library_factory()->close(s.handle); }
+
+static service shipped;
 
 int shipped_setup(void **state) {
   if (library_setup(state) != 0) return -1;
-  *state = (void *)(uintptr_t)service_open(NULL);
+  shipped = service_open(NULL);
+  *state = &shipped;
   return 0;
 }
 
 int shipped_teardown(void **state) {
-  service_close(*state);
+  service_close(shipped);
   return library_teardown(state);
 }

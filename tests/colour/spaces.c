@@ -30,7 +30,7 @@ static double srgb_decode(double v) {
 }
 
 static void srgb_is_its_formula(void **state) {
-  const sozai_colour_1 *s = *state;
+  const sozai_colour_1 *s = colour_of(state);
   double worst = 0;
   for (int i = 0; i <= 4096; i++) {
     float v = (float)i / 4096, rgb[3] = {v, 1 - v, v * v};
@@ -75,7 +75,7 @@ static void check_matrix(const sozai_colour_1 *s, const char *space, matrix want
 }
 
 static void matrices_follow_from_chromaticities(void **state) {
-  const sozai_colour_1 *s = *state;
+  const sozai_colour_1 *s = colour_of(state);
   check_matrix(s, "ACEScg", rgb_to_rgb(aces_ap1, rec709));
   check_matrix(s, "ACES2065-1", rgb_to_rgb(aces_ap0, rec709));
   check_matrix(s, "Linear P3-D65", rgb_to_rgb(p3_d65, rec709));
@@ -85,7 +85,7 @@ static void matrices_follow_from_chromaticities(void **state) {
 }
 
 static void white_stays_white(void **state) {
-  const sozai_colour_1 *s = *state;
+  const sozai_colour_1 *s = colour_of(state);
   for (size_t i = 0; i < SPACES; i++) {
     float rgb[3] = {1, 1, 1};
     if (strstr(spaces[i], "XYZ") || strcmp(spaces[i], "ACEScct") == 0) continue;
@@ -95,7 +95,7 @@ static void white_stays_white(void **state) {
 }
 
 static void acescct_is_its_formula(void **state) {
-  const sozai_colour_1 *s = *state;
+  const sozai_colour_1 *s = colour_of(state);
   for (int i = -100; i <= 100; i++) {
     float grey = exp2f((float)i / 10) - 0.001f, rgb[3] = {grey, grey, grey};
     double want = grey <= 0.0078125 ? 10.5402377416545 * grey + 0.0729055341958355
@@ -106,7 +106,7 @@ static void acescct_is_its_formula(void **state) {
 }
 
 static void there_and_back(void **state) {
-  const sozai_colour_1 *s = *state;
+  const sozai_colour_1 *s = colour_of(state);
   for (size_t i = 0; i < SPACES; i++) {
     double worst = 0;
     for (int k = 0; k < 1000; k++) {
@@ -124,7 +124,7 @@ static void there_and_back(void **state) {
 }
 
 static void names_roles_and_aliases(void **state) {
-  const sozai_colour_1 *s = *state;
+  const sozai_colour_1 *s = colour_of(state);
   static const char *const same[][2] = {
       {"sRGB", "srgb"},
       {"sRGB", "sRGB - Texture"},
@@ -158,7 +158,7 @@ static void names_roles_and_aliases(void **state) {
 }
 
 static void data_and_the_working_space_are_left_alone(void **state) {
-  const sozai_colour_1 *s = *state;
+  const sozai_colour_1 *s = colour_of(state);
   static const char *const identities[] = {"data", "scene_linear"};
   const float before[6] = {-3, 0.5f, 1e30f, 0, 65504, 1e-30f};
   for (size_t i = 0; i < 2; i++) {
@@ -172,7 +172,7 @@ static void data_and_the_working_space_are_left_alone(void **state) {
 
 /* One by one or all at once: the same bits. */
 static void batches_do_not_matter(void **state) {
-  const sozai_colour_1 *s = *state;
+  const sozai_colour_1 *s = colour_of(state);
   enum { COUNT = 1001 };
   float all[COUNT][3], one[COUNT][3];
   for (int i = 0; i < COUNT; i++) sample_colour(i, all[i]);

@@ -18,17 +18,20 @@ static const char *const spaces[] = {
     "ACEScct", "Raw",    "srgb_texture", "sRGB - Display", "scene_linear"};
 
 /* Job 0 to 19 on fixed colours: SOZAI_OK and its answer. */
-static int32_t job(const sozai_colour_1 *s, unsigned which, batch *b) {
+static int32_t job(const service *both, unsigned which, batch *b) {
+  const sozai_colour_1 *s = both->colour;
+  const sozai_display_1 *d = both->display;
   for (int i = 0; i < COLOURS * 3; i++) b->rgb[i / 3][i % 3] = (float)(i * 37 % 97) / 48;
-  if (which == 0) return s->to_display(s->self, NULL, NULL, b->rgb[0], COLOURS, NULL, 0);
-  if (which == 1) return s->to_display(s->self, "sRGB", "Standard", b->rgb[0], COLOURS, NULL, 0);
+  if (which == 0) return d->to_display(d->self, NULL, NULL, NULL, b->rgb[0], COLOURS, NULL, 0);
+  if (which == 1)
+    return d->to_display(d->self, "sRGB", "Standard", NULL, b->rgb[0], COLOURS, NULL, 0);
   if (which < 11) return s->to_working(s->self, spaces[which - 2], b->rgb[0], COLOURS, NULL, 0);
   return s->from_working(s->self, spaces[which - 11], b->rgb[0], COLOURS, NULL, 0);
 }
 
 typedef struct worker {
   pthread_t thread;
-  const sozai_colour_1 *service;
+  const service *service;
   const batch *want;
   unsigned number, wrong;
 } worker;
@@ -36,6 +39,7 @@ typedef struct worker {
 /* cmocka's assertions belong to its own thread: the workers only count. */
 static void *hammer(void *argument) {
   worker *w = argument;
+  const sozai_colour_1 *s = w->service->colour;
   for (unsigned i = 0; i < ROUNDS; i++) {
     unsigned which = (w->number * 7 + i) % JOBS;
     batch b;
@@ -44,19 +48,19 @@ static void *hammer(void *argument) {
 
     char message[128] = "";
     float rgb[3] = {0};
-    if (w->service->to_working(w->service->self, "Utopia RGB", rgb, 1, message, sizeof message) !=
+    if (s->to_working(s->self, "Utopia RGB", rgb, 1, message, sizeof message) !=
             SOZAI_ERROR_COLOUR ||
         !strstr(message, "Utopia RGB"))
       w->wrong++;
-    if (w->service->has_space(w->service->self, "sRGB") != 1) w->wrong++;
+    if (s->has_space(s->self, "sRGB") != 1) w->wrong++;
   }
   return NULL;
 }
 
-static void run(void *(*body)(void *), const sozai_colour_1 *service, const batch *want) {
+static void run(void *(*body)(void *), const service *opened, const batch *want) {
   worker workers[THREADS];
   for (unsigned i = 0; i < THREADS; i++) {
-    workers[i] = (worker){.service = service, .want = want, .number = i};
+    workers[i] = (worker){.service = opened, .want = want, .number = i};
     assert_int_equal(pthread_create(&workers[i].thread, NULL, body, &workers[i]), 0);
   }
   unsigned wrong = 0;
@@ -70,26 +74,26 @@ static void run(void *(*body)(void *), const sozai_colour_1 *service, const batc
 static void one_service(void **state) {
   (void)state;
   batch want[JOBS];
-  const sozai_colour_1 *service = service_open(NULL);
-  for (unsigned i = 0; i < JOBS; i++) assert_int_equal(job(service, i, &want[i]), SOZAI_OK);
-  service_close(service);
+  service s = service_open(NULL);
+  for (unsigned i = 0; i < JOBS; i++) assert_int_equal(job(&s, i, &want[i]), SOZAI_OK);
+  service_close(s);
 
-  service = service_open(NULL); /* afresh, so that the threads make the processors */
-  run(hammer, service, want);
-  service_close(service);
+  s = service_open(NULL); /* afresh, so that the threads make the processors */
+  run(hammer, &s, want);
+  service_close(s);
 }
 
 static void *open_and_close(void *argument) {
   worker *w = argument;
   for (unsigned i = 0; i < 10; i++) {
+    sozai_services *services = NULL;
     const sozai_colour_1 *s = NULL;
     float rgb[3] = {1, 1, 1};
-    if (library_factory()->open(NULL, &s, NULL, 0) != SOZAI_OK)
-      w->wrong++;
-    else if (s->to_working(s->self, "ACEScg", rgb, 1, NULL, 0) != SOZAI_OK)
-      w->wrong++;
-    library_factory()->close(s);
-    if (library_factory()->open("/nowhere", &s, NULL, 0) != SOZAI_ERROR_FILE) w->wrong++;
+    if (library_open(NULL, &services, NULL, 0) == SOZAI_OK)
+      s = library_factory()->get(services, SOZAI_COLOUR_1);
+    if (!s || s->to_working(s->self, "ACEScg", rgb, 1, NULL, 0) != SOZAI_OK) w->wrong++;
+    library_factory()->close(services);
+    if (library_open("/nowhere", &services, NULL, 0) != SOZAI_ERROR_FILE) w->wrong++;
   }
   return NULL;
 }

@@ -155,11 +155,6 @@ static int32_t own_to_working(void *self, const char *space, float *rgb, uint64_
   }
   return SOZAI_OK;
 }
-static int32_t own_to_display(void *self, const char *display, const char *view, float *rgb,
-                              uint64_t count, char *message, size_t size) {
-  (void)self, (void)display, (void)view, (void)rgb, (void)count, (void)message, (void)size;
-  return SOZAI_ERROR_UNSUPPORTED;
-}
 static int own_self;
 static const sozai_colour_1 own = {.size = sizeof own,
                                    .self = &own_self,
@@ -167,8 +162,7 @@ static const sozai_colour_1 own = {.size = sizeof own,
                                    .working_space = own_name,
                                    .has_space = own_has,
                                    .to_working = own_to_working,
-                                   .from_working = own_to_working,
-                                   .to_display = own_to_display};
+                                   .from_working = own_to_working};
 static const void *give_own(void *user, const char *id) {
   (void)user;
   return strcmp(id, SOZAI_COLOUR_1) == 0 ? &own : NULL;
