@@ -149,9 +149,10 @@ typedef struct sozai_parameter {
   double hard_max;
   double soft_min; /* where a slider should end */
   double soft_max;
-  double default_number[3];       /* CHOICE: the index of the default in choices */
-  const char *default_text;       /* TEXT, PATH, IMAGE: the default. COLOUR: the space its numbers are in.
-                                     Other kinds: NULL. */
+  double default_number[3]; /* CHOICE: the index of the default in choices. IMAGE: how many
+                               channels it takes, and its SOZAI_WRAP_*. */
+  const char *default_text; /* TEXT, PATH, IMAGE: the default. COLOUR: the space its numbers are in.
+                               Other kinds: NULL. */
   const char *const *choices;     /* CHOICE: ids; else NULL */
   const char *const *choice_docs; /* CHOICE: a phrase each; else NULL */
   uint32_t choice_count;
@@ -261,7 +262,8 @@ typedef struct sozai_textures_1 {
    * callbacks are called on this thread, or through its thread pool.
    * Errors: ARGUMENT, UNKNOWN, KIND, RANGE, MEMORY, FILE, COLOUR, CANCELLED,
    * STATE, and UNSUPPORTED for an instruction set that SOZAI_CPU asks for and
-   * this machine lacks. [thread-safe] */
+   * this machine lacks, or for a picture where there is no image service.
+   * [thread-safe] */
   int32_t (*create)(const struct sozai_host *host, const char *texture_id, const char *preset,
                     const sozai_value *values, uint32_t value_count, sozai_texture **out);
   /* NULL is allowed. [exclusive] */

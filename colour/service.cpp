@@ -10,8 +10,8 @@
 #include <memory>
 
 sozai_services::sozai_services(const sozai_services_options &options)
-    : config(sozai::colour::open_config(options.config)),
-      colour(sozai::colour::colour_table(this)), display(sozai::colour::display_table(this)) {}
+    : config(sozai::colour::open_config(options.config)), colour(sozai::colour::colour_table(this)),
+      display(sozai::colour::display_table(this)) {}
 
 sozai_services::~sozai_services() = default;
 
@@ -53,6 +53,5 @@ static void close_services(sozai_services *services) { delete services; }
 } // namespace
 } // namespace sozai::colour
 
-const sozai_services_1 sozai_colour_services = {sozai::colour::open_services,
-                                                sozai::colour::get_service,
-                                                sozai::colour::close_services};
+const sozai_services_1 sozai_colour_services = {
+    sozai::colour::open_services, sozai::colour::get_service, sozai::colour::close_services};

@@ -6,16 +6,16 @@
 #ifndef SOZAI_MATERIAL_H
 #define SOZAI_MATERIAL_H
 
-#include "core/params.h"
+#include "core/images.h"
 
 typedef struct material {
   /* Its description; filled when first asked, at init. */
   const sozai_texture_info *(*describe)(void);
   size_t state_bytes;
-  /* Settings and converted colours to a state, which then never changes.
-   * state is zeroed, aligned to 64. */
+  /* Settings, converted colours and opened pictures (which outlive it) to a
+   * state, which then never changes. state is zeroed, aligned to 64. */
   int32_t (*build)(void *state, const sozai_host *host, const settings *s,
-                   const float (*colours)[3]);
+                   const float (*colours)[3], const image_set *images);
   /* The batch has been checked. out has a pointer for every component; bit k
    * of wanted says that out[k] is not NULL. */
   void (*evaluate)(const void *state, const sozai_batch *batch, float *const *out, uint64_t wanted);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/colour.h"
+#include "core/images.h"
 #include "core/status.h"
 #include "material.h"
 
@@ -16,6 +17,7 @@ struct sozai_texture {
   const sozai_texture_info *info;
   sozai_host host;
   settings given;
+  image_set images;
   void *state;
   /* which components need which inputs, one entry for each set of inputs */
   struct {
@@ -48,10 +50,12 @@ static int32_t build_state(sozai_texture *t) {
   float(*colours)[3] = host_alloc(&t->host, bytes, 64);
   if (!colours) return SOZAI_ERROR_MEMORY;
   int32_t r = colour_convert(&t->host, t->info, &t->given, colours);
+  if (!r) r = images_open(&t->images, &t->host, t->info, &t->given);
   if (!r) {
     t->state = host_alloc(&t->host, t->kind->state_bytes, 64);
-    r = t->state ? t->kind->build(t->state, &t->host, &t->given, (const float(*)[3])colours)
-                 : SOZAI_ERROR_MEMORY;
+    r = t->state
+            ? t->kind->build(t->state, &t->host, &t->given, (const float(*)[3])colours, &t->images)
+            : SOZAI_ERROR_MEMORY;
   }
   host_free(&t->host, colours, bytes, 64);
   return r;
@@ -61,6 +65,7 @@ static void destroy(sozai_texture *t) {
   if (!t) return;
   sozai_host host = t->host;
   host_free(&host, t->state, t->kind->state_bytes, 64);
+  images_close(&t->images, &host);
   settings_free(&t->given, &host);
   host_free(&host, t, sizeof *t, 64);
 }

@@ -12,8 +12,8 @@ const char *const describe_inputs[DESCRIBE_INPUTS] = {"point",        "normal", 
                                                       "light_colour", "view",   "footprint"};
 
 const char *describe_kind(uint32_t kind) {
-  static const char *const names[] = {"string", "float",  "int",  "bool", "choice",
-                                      "float3", "colour", "text", "path", "buffer"};
+  static const char *const names[] = {"string", "float", "int",  "bool",   "choice", "float3",
+                                      "colour", "text",  "path", "buffer", "image"};
   return kind < sizeof names / sizeof names[0] ? names[kind] : "unknown";
 }
 

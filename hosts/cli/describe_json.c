@@ -45,6 +45,7 @@ static void json_default(json *j, const sozai_parameter *p) {
     break;
   case SOZAI_KIND_TEXT:
   case SOZAI_KIND_PATH:
+  case SOZAI_KIND_IMAGE:
     json_text(j, "default", p->default_text);
     break;
   default:
@@ -67,6 +68,7 @@ static void json_parameter(json *j, const sozai_parameter *p) {
   }
   if (p->kind == SOZAI_KIND_COLOUR) json_text(j, "colour_space", p->default_text);
   if (p->kind == SOZAI_KIND_BUFFER) json_text(j, "buffer_kind", buffer_name(p->buffer_kind));
+  if (p->kind == SOZAI_KIND_IMAGE) json_number(j, "image_channels", p->default_number[0]);
   if (p->kind == SOZAI_KIND_CHOICE) {
     json_open(j, "choices", '[');
     for (uint32_t i = 0; i < p->choice_count; i++) {

@@ -33,6 +33,7 @@ static void print_default(const sozai_parameter *p) {
     break;
   case SOZAI_KIND_TEXT:
   case SOZAI_KIND_PATH:
+  case SOZAI_KIND_IMAGE:
     printf("\"%s\"", p->default_text ? p->default_text : "");
     break;
   case SOZAI_KIND_BUFFER:

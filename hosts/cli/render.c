@@ -79,7 +79,7 @@ static bool render_to(const render_job *job, const session *s, const request *q,
   return false;
 }
 
-static bool render_recipe(session *s, const recipe *r, const request *q, int kind, failure *why) {
+static bool render_recipe(session *s, recipe *r, const request *q, int kind, failure *why) {
   const sozai_texture_info *info = recipe_info(r, s->plugin.textures, why);
   sozai_texture *texture = NULL;
   if (!info || !recipe_create(r, s->plugin.textures, &s->host.abi, &texture, why)) return false;

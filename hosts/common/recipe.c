@@ -43,6 +43,7 @@ bool recipe_set(recipe *r, const char *id, const char *text, int line, failure *
   recipe_param *p = slot_for(r, id, why);
   if (!p) return false;
   p->line = line;
+  p->beside = line > 0;
   return set_string(&p->text, text, why);
 }
 
@@ -92,7 +93,12 @@ static bool apply_override(recipe *r, char *pair, failure *why) {
     return fail(why, EXIT_BAD_INPUT, "'%s' is not res=N or res=WxH from 1 to 65536", pair);
   }
   if (strncmp(pair, "preset=", 7) == 0) return recipe_set_preset(r, pair + 7, why);
-  return recipe_set_pair(r, pair, why);
+  if (!recipe_set_pair(r, pair, why)) return false;
+  size_t length = strcspn(pair, "=");
+  for (size_t i = 0; i < r->param_count; i++)
+    if (strlen(r->params[i].id) == length && strncmp(r->params[i].id, pair, length) == 0)
+      r->params[i].beside = true;
+  return true;
 }
 
 static bool apply_overrides(recipe *r, const char *query, failure *why) {
@@ -155,6 +161,34 @@ static sozai_value value_of(const recipe_param *p) {
   return (sozai_value){.id = p->id, .kind = SOZAI_KIND_STRING, .text = p->text};
 }
 
+static bool is_path(const sozai_texture_info *info, const char *id) {
+  for (uint32_t i = 0; i < info->parameter_count; i++)
+    if (strcmp(info->parameters[i]->id, id) == 0)
+      return info->parameters[i]->kind == SOZAI_KIND_PATH ||
+             info->parameters[i]->kind == SOZAI_KIND_IMAGE;
+  return false;
+}
+
+/* Relative paths from the file's own folder, once and for all. */
+static bool settle_paths(recipe *r, const sozai_texture_info *info, failure *why) {
+  const char *slash = r->file ? strrchr(r->file, '/') : NULL;
+  for (size_t i = 0; slash && i < r->param_count; i++) {
+    recipe_param *p = &r->params[i];
+    if (!p->beside || !*p->text || *p->text == '/' || !is_path(info, p->id)) continue;
+    size_t folder = (size_t)(slash + 1 - r->file);
+    /* " @ " begins an image's options: one in the folder's name must not */
+    const char *end = strstr(r->file, " @ ") && !strstr(p->text, " @ ") ? " @ " : "";
+    size_t size = folder + strlen(p->text) + strlen(end) + 1;
+    char *path = malloc(size);
+    if (!path) return out_of_memory(why);
+    snprintf(path, size, "%.*s%s%s", (int)folder, r->file, p->text, end);
+    free(p->text);
+    p->text = path;
+    p->beside = false;
+  }
+  return true;
+}
+
 /* What the user can mend by asking for something else. */
 static int exit_code_of(int32_t result) {
   switch (result) {
@@ -196,10 +230,11 @@ static bool explain(const recipe *r, const sozai_textures_1 *textures, const soz
   return fail(why, EXIT_BAD_INPUT, "%s: %s", r->file, text);
 }
 
-bool recipe_create(const recipe *r, const sozai_textures_1 *textures, const sozai_host *host,
+bool recipe_create(recipe *r, const sozai_textures_1 *textures, const sozai_host *host,
                    sozai_texture **out, failure *why) {
   *out = NULL;
-  if (!recipe_info(r, textures, why)) return false;
+  const sozai_texture_info *info = recipe_info(r, textures, why);
+  if (!info || !settle_paths(r, info, why)) return false;
   sozai_value *values = calloc(r->param_count + 1, sizeof *values);
   if (!values) return out_of_memory(why);
   for (size_t i = 0; i < r->param_count; i++) values[i] = value_of(&r->params[i]);

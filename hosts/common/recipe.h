@@ -10,8 +10,9 @@
 
 typedef struct recipe_param {
   char *id;
-  char *text; /* the plugin reads it as the parameter's kind */
-  int line;   /* in the file; 0: not from a file */
+  char *text;  /* the plugin reads it as the parameter's kind */
+  int line;    /* in the file; 0: not from a file */
+  bool beside; /* relative paths start from the file's folder */
 } recipe_param;
 
 #define RECIPE_NO_SHAPE 0
@@ -57,7 +58,7 @@ bool recipe_set_preset(recipe *r, const char *preset, failure *why);
 const sozai_texture_info *recipe_info(const recipe *r, const sozai_textures_1 *textures,
                                       failure *why);
 /* Make the texture. A refused value of the file's is reported with its line. */
-bool recipe_create(const recipe *r, const sozai_textures_1 *textures, const sozai_host *host,
+bool recipe_create(recipe *r, const sozai_textures_1 *textures, const sozai_host *host,
                    sozai_texture **out, failure *why);
 
 /* Used by recipe_open: fill r from a .sozai file. */

@@ -6,7 +6,13 @@
  *   preset: keyaki            # optional, as is all that follows
  *   params:
  *     ring_width: 1.5
- *     heartwood: [0.2, 0.1, 0.05]
+ *     latewood_colour: [0.2, 0.1, 0.05]
+ *     section: end.tif        # a picture, beside this file
+ *     section:                # or, in full (all but file may be left out)
+ *       file: end.tif
+ *       space: sRGB           # its colour space; else by the config's file rules
+ *       wrap: mirror          # black, clamp, periodic, mirror
+ *       channel: 0            # the first channel that is used
  *   surface:
  *     shape: board            # plane, board or mesh
  *     size: [120, 240, 20]    # mm: width, height, thickness
@@ -36,6 +42,7 @@ typedef struct reader {
   bool has_event;
   recipe *out;
   failure *why;
+  char *picture[4]; /* of the image being read: file, space, wrap, channel */
 } reader;
 
 typedef struct key {
@@ -162,7 +169,40 @@ static bool join_list(reader *in, char *text, size_t size) {
   }
 }
 
+static bool read_file_name(reader *in) { return keep(in, &in->picture[0], "file"); }
+static bool read_space(reader *in) { return keep(in, &in->picture[1], "space"); }
+static bool read_wrap(reader *in) { return keep(in, &in->picture[2], "wrap"); }
+static bool read_channel(reader *in) { return keep(in, &in->picture[3], "channel"); }
+
+/* An image in full becomes "FILE @ SPACE, wrap=WRAP, channel=CHANNEL". */
+static bool join_picture(reader *in, char *text, size_t size) {
+  static const key keys[] = {{"file", read_file_name},
+                             {"space", read_space},
+                             {"wrap", read_wrap},
+                             {"channel", read_channel},
+                             {NULL, NULL}};
+  bool ok = read_mapping(in, keys, "an image");
+  char **p = in->picture;
+  if (ok && !p[0]) ok = refuse(in, "an image needs 'file'");
+  if (ok && p[1] && strchr(p[1], ',')) ok = refuse(in, "space '%.80s' has a comma", p[1]);
+  if (ok) {
+    int length =
+        snprintf(text, size, "%s @ %s%s%s%s%s", p[0], p[1] ? p[1] : "", p[2] ? ", wrap=" : "",
+                 p[2] ? p[2] : "", p[3] ? ", channel=" : "", p[3] ? p[3] : "");
+    if (length < 0 || (size_t)length >= size) ok = refuse(in, "an image's description too long");
+  }
+  for (int i = 0; i < 4; i++) {
+    free(p[i]);
+    p[i] = NULL;
+  }
+  return ok;
+}
+
 static bool read_param(reader *in, const char *id, int line) {
+  if (in->event.type == YAML_MAPPING_START_EVENT) {
+    char text[8192] = "";
+    return join_picture(in, text, sizeof text) && recipe_set(in->out, id, text, line, in->why);
+  }
   if (in->event.type == YAML_SEQUENCE_START_EVENT) {
     char text[256] = "";
     return join_list(in, text, sizeof text) && recipe_set(in->out, id, text, line, in->why);

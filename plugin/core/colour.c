@@ -71,6 +71,14 @@ static void warn_once(const sozai_host *host) {
   }
 }
 
+int32_t colour_name(const sozai_host *host, const char *space, const char **out) {
+  const void *found;
+  int32_t r = services_find(host, SOZAI_COLOUR_1, &found);
+  const sozai_colour_1 *service = found;
+  *out = service && service->size >= sizeof *service ? known_name(service, space) : space;
+  return r;
+}
+
 /* ---- conversion ------------------------------------------------------- */
 
 int32_t colour_convert(const sozai_host *host, const sozai_texture_info *info, const settings *s,
@@ -80,8 +88,8 @@ int32_t colour_convert(const sozai_host *host, const sozai_texture_info *info, c
   if (r) return r;
   const sozai_colour_1 *service = found;
   if (service && service->size < sizeof *service) {
-    return fail(SOZAI_ERROR_COLOUR, "the colour service is of %u bytes, not %zu",
-                service->size, sizeof *service);
+    return fail(SOZAI_ERROR_COLOUR, "the colour service is of %u bytes, not %zu", service->size,
+                sizeof *service);
   }
   if (!service) warn_once(host);
   for (uint32_t i = 0; i < info->parameter_count; i++) {

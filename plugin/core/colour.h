@@ -15,4 +15,8 @@ void colour_close(void);
 int32_t colour_convert(const sozai_host *host, const sozai_texture_info *info, const settings *s,
                        float (*out)[3]);
 
+/* What the colour service at hand calls that space: configs agree on what sRGB
+ * is, not on its name. The name itself where there is no service. */
+int32_t colour_name(const sozai_host *host, const char *space, const char **out);
+
 #endif

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "image_text.h"
 #include "status.h"
 
 #define TEXT_MAX 65536u
@@ -11,7 +12,7 @@
 static const char *kind_name(uint32_t kind) {
   static const char *const names[] = {"text to be read", "a float",  "an int",   "a bool",
                                       "a choice",        "a float3", "a colour", "text",
-                                      "a path",          "a buffer"};
+                                      "a path",          "a buffer", "an image"};
   return kind < sizeof names / sizeof names[0] ? names[kind] : "an unknown kind";
 }
 
@@ -29,6 +30,12 @@ static int find_parameter(const sozai_texture_info *info, const char *id) {
   }
   return -1;
 }
+
+/* A setting on its way in; everything it points to is still the host's. */
+typedef struct {
+  setting s;
+  image_name image;
+} draft;
 
 /* ---- reading text ----------------------------------------------------- */
 
@@ -196,6 +203,9 @@ static int32_t check_buffer(const sozai_parameter *p, const sozai_buffer *given)
   if (!given) return SOZAI_OK; /* none */
   if (given->size < 8) return fail(SOZAI_ERROR_ARGUMENT, "%s: the buffer's size is not set", p->id);
   sozai_buffer b = whole_buffer(given);
+  if (b.kind == SOZAI_BUFFER_IMAGE && b.wrap > SOZAI_WRAP_MIRROR) {
+    return fail(SOZAI_ERROR_RANGE, "%s: wrap %u is above %u", p->id, b.wrap, SOZAI_WRAP_MIRROR);
+  }
   if (b.kind != p->buffer_kind) {
     return fail(SOZAI_ERROR_KIND, "%s: takes a buffer of kind %u, not %u", p->id, p->buffer_kind,
                 b.kind);
@@ -213,6 +223,7 @@ static int32_t check_buffer(const sozai_parameter *p, const sozai_buffer *given)
   if (!r) r = check_count(p, "normals", n[2], 4, b.normals);
   if (!r) r = check_count(p, "indices", n[3], 4, b.indices);
   if (!r && b.colour_space) r = check_text(p, b.colour_space);
+  if (!r && b.path) r = check_text(p, b.path);
   for (uint64_t i = 0; !r && i < n[3]; i++) {
     if (b.indices[i] >= b.dims[0]) {
       return fail(SOZAI_ERROR_RANGE, "%s: index %u is not below the %llu points", p->id,
@@ -222,9 +233,42 @@ static int32_t check_buffer(const sozai_parameter *p, const sozai_buffer *given)
   return r;
 }
 
-/* One value into one setting; text and buffer still the host's own. */
-static int32_t read_value(const sozai_parameter *p, const sozai_value *given, setting *s) {
+/* A picture: by a buffer, by a path, or by text. */
+static int32_t read_image(const sozai_parameter *p, const sozai_value *v, draft *d) {
+  int32_t r = SOZAI_OK;
+  memset(&d->image, 0, sizeof d->image);
+  if (v->kind == SOZAI_KIND_IMAGE && v->buffer) {
+    r = check_buffer(p, v->buffer);
+    if (r) return r;
+    sozai_buffer b = whole_buffer(v->buffer);
+    d->image = image_name_from_buffer(&b);
+    if (!b.path) {
+      d->image.data = v->buffer;
+      if (!b.dims[0] || !b.dims[1] || !b.dims[2]) {
+        r = fail(SOZAI_ERROR_RANGE, "%s: an image of %llu x %llu x %llu has no pixels", p->id,
+                 (unsigned long long)b.dims[0], (unsigned long long)b.dims[1],
+                 (unsigned long long)b.dims[2]);
+      } else if (b.first_channel >= b.dims[2]) {
+        r = fail(SOZAI_ERROR_RANGE, "%s: first_channel %u is not below the %llu channels", p->id,
+                 b.first_channel, (unsigned long long)b.dims[2]);
+      }
+    }
+  } else if (v->kind == SOZAI_KIND_IMAGE || v->kind == SOZAI_KIND_STRING) {
+    r = check_text(p, v->text);
+    if (!r && v->kind == SOZAI_KIND_IMAGE) d->image = image_name_from_path(v->text);
+    if (!r && v->kind == SOZAI_KIND_STRING) r = image_name_from_text(p, v->text, &d->image);
+  } else {
+    r = fail(SOZAI_ERROR_KIND, "%s: takes %s, not %s", p->id, kind_name(p->kind),
+             kind_name(v->kind));
+  }
+  return r;
+}
+
+/* One value into one setting. */
+static int32_t read_value(const sozai_parameter *p, const sozai_value *given, draft *d) {
+  setting *s = &d->s;
   sozai_value v = *given;
+  if (p->kind == SOZAI_KIND_IMAGE) return read_image(p, given, d);
   if (v.kind == SOZAI_KIND_STRING) {
     int32_t r = check_text(p, v.text);
     if (!r) r = read_text(p, given->text, &v);
@@ -262,8 +306,13 @@ static int32_t read_value(const sozai_parameter *p, const sozai_value *given, se
   return r;
 }
 
-static void set_default(const sozai_parameter *p, setting *s) {
-  memset(s, 0, sizeof *s);
+static void set_default(const sozai_parameter *p, draft *d) {
+  memset(d, 0, sizeof *d);
+  setting *s = &d->s;
+  if (p->kind == SOZAI_KIND_IMAGE) {
+    d->image = image_name_from_path(p->default_text);
+    return;
+  }
   memcpy(s->number, p->default_number, sizeof s->number);
   if (p->kind == SOZAI_KIND_CHOICE) {
     s->text = p->choices[(uint32_t)p->default_number[0]];
@@ -272,7 +321,7 @@ static void set_default(const sozai_parameter *p, setting *s) {
   }
 }
 
-static int32_t read_values(setting *list, const sozai_texture_info *info, const sozai_value *values,
+static int32_t read_values(draft *list, const sozai_texture_info *info, const sozai_value *values,
                            uint32_t count) {
   for (uint32_t i = 0; i < count; i++) {
     if (!values[i].id) return fail(SOZAI_ERROR_ARGUMENT, "value %u has no parameter's id", i);
@@ -290,7 +339,8 @@ static int32_t read_values(setting *list, const sozai_texture_info *info, const 
 
 static size_t round_up(size_t n) { return (n + 15) & ~(size_t)15; }
 
-static size_t copied_bytes(const setting *s) {
+static size_t copied_bytes(const draft *d) {
+  const setting *s = &d->s;
   size_t n = 0;
   if (s->text) n += round_up(strlen(s->text) + 1);
   if (s->buffer) {
@@ -300,6 +350,17 @@ static size_t copied_bytes(const setting *s) {
     n += round_up(sizeof(sozai_buffer));
     for (int i = 0; i < 4; i++) n += round_up((size_t)c[i] * 4);
     if (b.colour_space) n += round_up(strlen(b.colour_space) + 1);
+  }
+  if (image_name_given(&d->image)) {
+    n += round_up(sizeof(sozai_buffer));
+    if (d->image.path.at) n += round_up(d->image.path.length + 1);
+    if (d->image.space.at) n += round_up(d->image.space.length + 1);
+    if (d->image.data) {
+      uint64_t c[4];
+      sozai_buffer b = whole_buffer(d->image.data);
+      buffer_counts(&b, c);
+      n += round_up((size_t)c[0] * 4);
+    }
   }
   return n;
 }
@@ -324,6 +385,7 @@ static void copy_owned(setting *s, char **at) {
     own->points = copy_into(at, c[1] ? b.points : NULL, (size_t)c[1] * 4);
     own->normals = copy_into(at, c[2] ? b.normals : NULL, (size_t)c[2] * 4);
     own->indices = copy_into(at, c[3] ? b.indices : NULL, (size_t)c[3] * 4);
+    own->path = NULL; /* a buffer is memory; a file is an IMAGE */
     if (b.colour_space) {
       own->colour_space = copy_into(at, b.colour_space, strlen(b.colour_space) + 1);
     }
@@ -331,9 +393,39 @@ static void copy_owned(setting *s, char **at) {
   }
 }
 
+/* Room is zeroed: what is copied without its zero gets one. */
+static const char *copy_piece(char **at, piece p) {
+  if (!p.at) return NULL;
+  char *to = *at;
+  memcpy(to, p.at, p.length);
+  *at += round_up(p.length + 1);
+  return to;
+}
+
+/* A picture's name as a buffer of our own; the text of the setting is its path. */
+static void copy_image(setting *s, const image_name *n, char **at) {
+  sozai_buffer b;
+  memset(&b, 0, sizeof b);
+  if (n->data) b = whole_buffer(n->data);
+  b.size = sizeof b;
+  b.kind = SOZAI_BUFFER_IMAGE;
+  b.wrap = n->wrap;
+  b.first_channel = n->first_channel;
+  sozai_buffer *own = copy_into(at, &b, sizeof b);
+  own->path = copy_piece(at, n->path);
+  own->colour_space = copy_piece(at, n->space);
+  if (n->data) {
+    uint64_t c[4];
+    buffer_counts(&b, c);
+    own->data = copy_into(at, b.data, (size_t)c[0] * 4);
+  }
+  s->buffer = own;
+  s->text = own->path;
+}
+
 /* ---- settings --------------------------------------------------------- */
 
-static int32_t read_all(setting *list, const sozai_texture_info *info, const char *preset,
+static int32_t read_all(draft *list, const sozai_texture_info *info, const char *preset,
                         const sozai_value *values, uint32_t value_count) {
   for (uint32_t i = 0; i < info->parameter_count; i++) set_default(info->parameters[i], &list[i]);
   if (preset) {
@@ -353,18 +445,21 @@ int32_t settings_make(settings *out, const sozai_host *host, const sozai_texture
   memset(out, 0, sizeof *out);
   if (value_count && !values) return fail(SOZAI_ERROR_ARGUMENT, "values is NULL");
   uint32_t n = info->parameter_count;
-  size_t scratch_bytes = n * sizeof(setting);
-  setting *scratch = host_alloc(host, scratch_bytes, 64);
+  size_t scratch_bytes = n * sizeof(draft), list_bytes = n * sizeof(setting);
+  draft *scratch = host_alloc(host, scratch_bytes, 64);
   if (!scratch) return SOZAI_ERROR_MEMORY;
   int32_t r = read_all(scratch, info, preset, values, value_count);
   if (r == SOZAI_OK) {
-    size_t bytes = round_up(scratch_bytes);
+    size_t bytes = round_up(list_bytes);
     for (uint32_t i = 0; i < n; i++) bytes += copied_bytes(&scratch[i]);
     setting *list = host_alloc(host, bytes, 64);
     if (list) {
-      memcpy(list, scratch, scratch_bytes);
-      char *at = (char *)list + round_up(scratch_bytes);
-      for (uint32_t i = 0; i < n; i++) copy_owned(&list[i], &at);
+      char *at = (char *)list + round_up(list_bytes);
+      for (uint32_t i = 0; i < n; i++) {
+        list[i] = scratch[i].s;
+        copy_owned(&list[i], &at);
+        if (image_name_given(&scratch[i].image)) copy_image(&list[i], &scratch[i].image, &at);
+      }
       out->list = list;
       out->bytes = bytes;
       out->count = n;

@@ -10,9 +10,9 @@
 
 /* One parameter's value. */
 typedef struct {
-  double number[3]; /* CHOICE: the index */
-  const char *text; /* CHOICE: the id. COLOUR: the space. */
-  const sozai_buffer *buffer;
+  double number[3];           /* CHOICE: the index */
+  const char *text;           /* CHOICE: the id. COLOUR: the space. */
+  const sozai_buffer *buffer; /* IMAGE: also of a file; NULL: no picture */
 } setting;
 
 /* All of a texture's settings, in one block of memory. */

@@ -96,9 +96,8 @@ static int32_t open_services(const sozai_host *host, opened **out) {
   if (host->colour_config && !(o->config = strdup(host->colour_config))) {
     r = fail(SOZAI_ERROR_MEMORY, "out of memory: opening a colour config");
   } else {
-    sozai_services_options options = {.size = sizeof options,
-                                      .config = host->colour_config,
-                                      .image_memory = host->image_memory};
+    sozai_services_options options = {
+        .size = sizeof options, .config = host->colour_config, .image_memory = host->image_memory};
     r = factory->open(&options, &o->services, message, sizeof message);
     if (r != SOZAI_OK) fail(r, "colour config: %s", message);
   }

@@ -10,6 +10,7 @@
 #include "../core/scalar.h"
 #include "../core/status.h"
 #include "parameters.h"
+#include "section.h"
 
 #define TWO_PI 6.28318530717958647692
 
@@ -18,7 +19,7 @@ static double uniform(uint32_t seed, uint32_t stream, uint32_t k) {
   return (hash1(seed ^ hash1(stream * 0x9e3779b9u + k)) + 0.5) / 4294967296.0;
 }
 
-enum { STREAM_RINGS = 101, STREAM_LATE, STREAM_OUTLINE, STREAM_ROW_X, STREAM_ROW_Z };
+enum { STREAM_RINGS = 101, STREAM_LATE, STREAM_OUTLINE, STREAM_ROW_X, STREAM_ROW_Z, STREAM_HEART };
 
 /* Middles of equally likely parts of the normal distribution, scaled so that
  * their standard deviation is 1: for ring widths, and for vessel radii. */
@@ -403,6 +404,17 @@ static void build_colour(wood_constants *w, const settings *s, const float (*col
   memcpy(w->early, colours[P_EARLY_COLOUR], sizeof w->early);
   memcpy(w->late, colours[P_LATE_COLOUR], sizeof w->late);
   memcpy(w->vessel, colours[P_VESSEL_COLOUR], sizeof w->vessel);
+  memcpy(w->sap_early, colours[P_SAP_EARLY], sizeof w->sap_early);
+  memcpy(w->sap_late, colours[P_SAP_LATE], sizeof w->sap_late);
+  w->heart_years = (float)num(s, P_HEART_YEARS);
+  w->heart_edge = (float)num(s, P_HEART_EDGE);
+  w->heart_stray = (float)num(s, P_HEART_STRAY);
+  for (int k = 1; k <= 3; k++) {
+    double t = TWO_PI * uniform(w->seed, STREAM_HEART, (uint32_t)k);
+    double a = num(s, P_HEART_STRAY) / (k * (1.0 + 1.0 / 2.0 + 1.0 / 3.0));
+    w->heart_cos[k - 1] = (float)(a * scalar_cos(t));
+    w->heart_sin[k - 1] = (float)(a * scalar_sin(t));
+  }
   w->diffuse = (float)num(s, P_DIFFUSE);
   w->specular = (float)num(s, P_SPECULAR);
   w->shininess = (float)num(s, P_SHININESS);
@@ -425,7 +437,8 @@ static uint32_t seed_of(const settings *s) {
   return h;
 }
 
-int32_t wood_build(wood_constants *w, const settings *s, const float (*colours)[3]) {
+int32_t wood_build(wood_constants *w, const sozai_host *host, const settings *s,
+                   const float (*colours)[3], const image_set *images) {
   w->seed = seed_of(s);
   for (uint32_t i = 0; i < WOOD_SEEDS; i++) w->seeds[i] = hash1(w->seed + 0x9e3779b9u * (i + 1));
   build_cut(w, s);
@@ -437,5 +450,7 @@ int32_t wood_build(wood_constants *w, const settings *s, const float (*colours)[
   build_vessels(w, s);
   build_fibres(w, s);
   build_colour(w, s, colours);
-  return SOZAI_OK;
+  return images->service && images->list[P_SECTION]
+             ? section_build(w, host, s, images->service, images->list[P_SECTION])
+             : SOZAI_OK;
 }

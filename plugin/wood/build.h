@@ -2,11 +2,12 @@
 #ifndef SOZAI_WOOD_BUILD_H
 #define SOZAI_WOOD_BUILD_H
 
-#include "../core/params.h"
+#include "../core/images.h"
 #include "wood.h"
 
 /* From settings to what the kernel reads. colours: in the working space. */
-int32_t wood_build(wood_constants *w, const settings *s, const float (*colours)[3]);
+int32_t wood_build(wood_constants *w, const sozai_host *host, const settings *s,
+                   const float (*colours)[3], const image_set *images);
 
 /* The table that vessel radii are drawn from; once, at init. */
 void wood_build_prepare(void);

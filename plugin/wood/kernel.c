@@ -4,6 +4,8 @@
  */
 #include "fibre.h"
 #include "grain.h"
+#include "heart.h"
+#include "picture.h"
 #include "vessels.h"
 
 #define PASTE_(a, b) a##b
@@ -81,14 +83,14 @@ INLINE void to_log(const wood_constants *w, const vf p[3], vf out[3]) {
 /* What has been asked for, and the stages that it takes. */
 typedef struct {
   int radiance, colour, fibre, dive;
-  int late, vessel, lobe, direction, section;
+  int late, vessel, lobe, direction, section, picture;
 } wood_wants;
 
 static int wanted(const wood_io *io, int first, int count) {
   return (io->wanted >> first & ((1ull << count) - 1)) != 0;
 }
 
-static wood_wants wants_of(const wood_io *io) {
+static wood_wants wants_of(const wood_constants *w, const wood_io *io) {
   wood_wants q;
   q.radiance = wanted(io, WOOD_RADIANCE, 3);
   q.colour = wanted(io, WOOD_ALBEDO, 3) || q.radiance;
@@ -96,9 +98,11 @@ static wood_wants wants_of(const wood_io *io) {
   q.dive = wanted(io, WOOD_DIVE, 1);
   q.vessel = wanted(io, WOOD_VESSEL, 1) || q.colour;
   q.late = wanted(io, WOOD_LATEWOOD, 1) || q.vessel;
+  q.picture = w->picture && q.late;
+  if (w->picture) q.late = q.vessel = 0;
   q.lobe = wanted(io, WOOD_SPECULAR, 2) || q.radiance;
   q.direction = q.fibre || q.dive || q.radiance;
-  q.section = q.direction || q.vessel || q.lobe || wanted(io, WOOD_REFERENCE, 2);
+  q.section = q.direction || q.vessel || q.picture || q.lobe || wanted(io, WOOD_REFERENCE, 2);
   return q;
 }
 
@@ -236,20 +240,24 @@ INLINE void stage_fibre(const wood_constants *w, const wood_io *io, const wood_w
   if (want->dive) store_lanes(io, WOOD_DIVE, k->i, k->n, arcsin(k->sine));
 }
 
-INLINE void stage_rings(const wood_constants *w, const wood_io *io, block *k) {
+INLINE void stem_row(block *k) {
   const stem_place *stem = &k->stem;
   k->b[0] = stem->rho_x;
   k->b[1] = stem->rho_y - stem->rho_x * stem->pith.dx - stem->rho_z * stem->pith.dz;
   k->b[2] = stem->rho_z;
+}
+
+INLINE void stage_rings(const wood_constants *w, const wood_io *io, block *k) {
+  const stem_place *stem = &k->stem;
+  stem_row(k);
   k->late = rings_across(w, MEAN_LATE, stem, &k->ring, k->b, k->nrm, !io->in->normal[0], k->s);
   store_lanes(io, WOOD_LATEWOOD, k->i, k->n, k->late);
 }
 
-INLINE void stage_tissue(const wood_constants *w, const wood_io *io, const wood_wants *want,
-                         block *k) {
+/* The footprint over (arc, rho) of the reference section. */
+INLINE footprint2 footprint_in_section(const wood_io *io, const block *k) {
   const stem_place *stem = &k->stem;
-  vf one = splat(1.0f), zero = splat(0.0f);
-  int ball = !io->in->normal[0];
+  vf zero = splat(0.0f);
   /* the row of the map from surface to arc */
   vf ratio = stem->rho * stem->inverse_r;
   vf phi_rho =
@@ -259,7 +267,15 @@ INLINE void stage_tissue(const wood_constants *w, const wood_io *io, const wood_
   vf a[3] = {tx - shear * k->b[0],
              zero - tx * stem->pith.dx - tz * stem->pith.dz - g - shear * k->b[1],
              tz - shear * k->b[2]};
-  footprint2 f = footprint_through(a, k->b, k->nrm, ball, k->s);
+  return footprint_through(a, k->b, k->nrm, !io->in->normal[0], k->s);
+}
+
+INLINE void stage_tissue(const wood_constants *w, const wood_io *io, const wood_wants *want,
+                         block *k) {
+  const stem_place *stem = &k->stem;
+  vf one = splat(1.0f), zero = splat(0.0f);
+  int ball = !io->in->normal[0];
+  footprint2 f = footprint_in_section(io, k);
 
   vessel_cover_t v = {zero, zero, zero, zero};
   if (w->has_pores || w->rows) {
@@ -286,9 +302,34 @@ INLINE void stage_tissue(const wood_constants *w, const wood_io *io, const wood_
   vf late = k->late * (one - vmin(over_late, one));
   vf shift = one + fibre_shift(w, k->x, k->z, f.aa + f.bb);
   vf early = vmax(one - cover - late, zero) * shift, dark = late * shift;
+  vf heart = heart_share(w, k->years, k->c, k->sn, vsqrt(f.bb) * k->ring.inverse_width);
+  vm pale = lt(heart, one);
+  int some = any(pale);
   for (int c = 0; c < 3; c++) {
-    k->albedo[c] =
-        splat(w->early[c]) * early + splat(w->late[c]) * dark + splat(w->vessel[c]) * cover;
+    vf light = splat(w->early[c]), deep = splat(w->late[c]);
+    if (some) {
+      light = sel(pale, mix(splat(w->sap_early[c]), light, heart), light);
+      deep = sel(pale, mix(splat(w->sap_late[c]), deep, heart), deep);
+    }
+    k->albedo[c] = light * early + deep * dark + splat(w->vessel[c]) * cover;
+    store_lanes(io, WOOD_ALBEDO + c, k->i, k->n, k->albedo[c]);
+  }
+}
+
+/* The same from a picture of the section: it shows rings, vessels and fibres
+ * down to its pixels, and the fibres' noise goes on below them. */
+INLINE void stage_picture(const wood_constants *w, const wood_io *io, block *k) {
+  const stem_place *stem = &k->stem;
+  stem_row(k);
+  footprint2 f = footprint_in_section(io, k);
+  vf unused, widen = splat(1.0f) + outline_at(w, k->c, k->sn, &unused);
+  picture_place p = picture_fold(w, k->x, k->z, k->c, k->sn, stem->rho);
+  picture_albedo(w, &p, k->c, k->sn, widen, &f, k->n, k->albedo);
+  store_lanes(io, WOOD_LATEWOOD, k->i, k->n, picture_late(w, k->albedo));
+  store_lanes(io, WOOD_VESSEL, k->i, k->n, splat(0.0f));
+  vf shift = splat(1.0f) + fibre_shift(w, p.x, p.z, f.aa + f.bb);
+  for (int c = 0; c < 3; c++) {
+    k->albedo[c] = k->albedo[c] * shift;
     store_lanes(io, WOOD_ALBEDO + c, k->i, k->n, k->albedo[c]);
   }
 }
@@ -338,7 +379,7 @@ INLINE void stage_figure(const wood_constants *w, const wood_io *io, const wood_
 #define BLOCKS (LANES == 1 ? 1 : 2)
 
 static void evaluate(const wood_constants *w, const wood_io *io, uint32_t from, uint32_t to) {
-  wood_wants want = wants_of(io);
+  wood_wants want = wants_of(w, io);
   block blocks[BLOCKS];
   for (uint32_t i = from; i < to;) {
     uint32_t count = 0;
@@ -359,6 +400,9 @@ static void evaluate(const wood_constants *w, const wood_io *io, uint32_t from, 
     }
     if (want.vessel) {
       for (uint32_t k = 0; k < count; k++) stage_tissue(w, io, &want, &blocks[k]);
+    }
+    if (want.picture) {
+      for (uint32_t k = 0; k < count; k++) stage_picture(w, io, &blocks[k]);
     }
     if (want.lobe) {
       for (uint32_t k = 0; k < count; k++) stage_figure(w, io, &want, &blocks[k]);

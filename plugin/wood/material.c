@@ -70,14 +70,13 @@ static const sozai_texture_info *describe(void) {
 }
 
 static int32_t build(void *state, const sozai_host *host, const settings *s,
-                     const float (*colours)[3]) {
-  (void)host;
+                     const float (*colours)[3], const image_set *images) {
   wood_state *w = state;
   int set;
   int32_t r = cpu_choose(&set);
   if (r) return r;
   w->use = kernels[set];
-  return wood_build(&w->constants, s, colours);
+  return wood_build(&w->constants, host, s, colours, images);
 }
 
 static void evaluate(const void *state, const sozai_batch *b, float *const *out, uint64_t wanted) {

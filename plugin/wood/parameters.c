@@ -89,7 +89,7 @@ static const sozai_parameter outline = {
 static const sozai_parameter undulation = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "undulation", .label = "Undulation", .group = "rings", .unit = "mm",
-   .doc = "Local waviness of the growth front, away from y = 0; at most 0.12 of "
+   .doc = "Local waviness of the growth front, away from y = 0; at most 0.09 of "
    "undulation_size.",
    .hard_min = 0, .hard_max = 10, .soft_min = 0, .soft_max = 3, .default_number = {0.8}};
 
@@ -301,6 +301,103 @@ static const sozai_parameter vessel_colour = {
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.42, 0.29, 0.18},
    .default_text = "sRGB"};
 
+static const sozai_parameter sap_early = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "sapwood_earlywood_colour", .label = "Sapwood, earlywood", .group = "colour", .unit = "",
+   .doc = "Of the tissue at the ring's start beyond the heartwood.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.88, 0.77, 0.59},
+   .default_text = "sRGB"};
+
+static const sozai_parameter sap_late = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "sapwood_latewood_colour", .label = "Sapwood, latewood", .group = "colour", .unit = "",
+   .doc = "Of the tissue at the ring's end beyond the heartwood.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.76, 0.61, 0.43},
+   .default_text = "sRGB"};
+
+static const sozai_parameter heart_years = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "heartwood_years", .label = "Heartwood", .group = "colour", .unit = "years",
+   .doc = "Rings of heartwood, from the pith; those beyond are sapwood.",
+   .hard_min = 0, .hard_max = 100000, .soft_min = 0, .soft_max = 300, .default_number = {150}};
+
+static const sozai_parameter heart_edge = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "heartwood_edge", .label = "Heartwood edge", .group = "colour", .unit = "years",
+   .doc = "How many rings heartwood takes to turn into sapwood.",
+   .hard_min = 0.05, .hard_max = 50, .soft_min = 0.1, .soft_max = 5, .default_number = {0.8}};
+
+static const sozai_parameter heart_stray = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "heartwood_stray", .label = "Heartwood stray", .group = "colour", .unit = "years",
+   .doc = "How many rings the boundary departs from following one, at most, round the stem.",
+   .hard_min = 0, .hard_max = 50, .soft_min = 0, .soft_max = 10, .default_number = {3}};
+
+static const sozai_parameter section = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_IMAGE,
+   .id = "section", .label = "Section", .group = "section", .unit = "",
+   .doc = "A photograph or scan of the end grain, seen from above: it stands in for rings, vessels, "
+   "colours and fibres down to its pixels, and the grain carries it along the stem. ring_width "
+   "still says how many years its radius is.",
+   .default_number = {3, SOZAI_WRAP_MIRROR}, .default_text = "", .buffer_kind = SOZAI_BUFFER_IMAGE};
+
+static const sozai_parameter section_width = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "section_width", .label = "Section width", .group = "section", .unit = "mm",
+   .doc = "Of the whole picture, edge to edge.",
+   .hard_min = 1, .hard_max = 20000, .soft_min = 20, .soft_max = 1500, .default_number = {300}};
+
+static const char *const section_pith_choices[] = {"found", "given"};
+static const char *const section_pith_docs[] = {
+   "where the lines square to the rings meet",
+   "at section_pith_s and section_pith_t"};
+static const sozai_parameter section_pith = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_CHOICE,
+   .id = "section_pith", .label = "Pith", .group = "section", .unit = "",
+   .doc = "Where the pith is in the picture.",
+   .choices = section_pith_choices, .choice_docs = section_pith_docs, .choice_count = COUNT(section_pith_choices), .default_number = {0}};
+
+static const sozai_parameter section_pith_s = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "section_pith_s", .label = "Pith from the left", .group = "section", .unit = "",
+   .doc = "In parts of the picture's width; may be outside it.",
+   .hard_min = -4, .hard_max = 5, .soft_min = 0, .soft_max = 1, .default_number = {0.5}};
+
+static const sozai_parameter section_pith_t = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "section_pith_t", .label = "Pith from the top", .group = "section", .unit = "",
+   .doc = "In parts of the picture's height; may be outside it.",
+   .hard_min = -4, .hard_max = 5, .soft_min = 0, .soft_max = 1, .default_number = {0.5}};
+
+static const char *const section_rim_choices[] = {"found", "given", "none"};
+static const char *const section_rim_docs[] = {
+   "where the wood stands out from the background, or else the largest circle about the pith within the picture",
+   "a circle of section_radius about the pith",
+   "nowhere: beyond its edges the picture goes on by its wrap mode"};
+static const sozai_parameter section_rim = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_CHOICE,
+   .id = "section_rim", .label = "Rim", .group = "section", .unit = "",
+   .doc = "Where the wood ends in the picture; beyond, it is folded back.",
+   .choices = section_rim_choices, .choice_docs = section_rim_docs, .choice_count = COUNT(section_rim_choices), .default_number = {0}};
+
+static const sozai_parameter section_radius = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "section_radius", .label = "Rim radius", .group = "section", .unit = "mm",
+   .doc = "Of the rim, where it is given.",
+   .hard_min = 1, .hard_max = 10000, .soft_min = 20, .soft_max = 1000, .default_number = {140}};
+
+static const sozai_parameter section_detail = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "section_detail", .label = "Detail", .group = "section", .unit = "",
+   .doc = "Contrast of the picture's detail finer than section_detail_size: 1 as photographed, 0 none. The brightness of single fibres lies there.",
+   .hard_min = 0, .hard_max = 4, .soft_min = 0, .soft_max = 2, .default_number = {1}};
+
+static const sozai_parameter section_detail_size = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "section_detail_size", .label = "Detail size", .group = "section", .unit = "mm",
+   .doc = "Size of the finest detail that section_detail leaves alone.",
+   .hard_min = 0.02, .hard_max = 100, .soft_min = 0.1, .soft_max = 5, .default_number = {1}};
+
 static const sozai_parameter diffuse = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "diffuse", .label = "Diffuse", .group = "figure", .unit = "",
@@ -369,6 +466,20 @@ const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_EARLY_COLOUR] = &early_colour,
    [P_LATE_COLOUR] = &late_colour,
    [P_VESSEL_COLOUR] = &vessel_colour,
+   [P_SAP_EARLY] = &sap_early,
+   [P_SAP_LATE] = &sap_late,
+   [P_HEART_YEARS] = &heart_years,
+   [P_HEART_EDGE] = &heart_edge,
+   [P_HEART_STRAY] = &heart_stray,
+   [P_SECTION] = &section,
+   [P_SECTION_WIDTH] = &section_width,
+   [P_SECTION_PITH] = &section_pith,
+   [P_SECTION_PITH_S] = &section_pith_s,
+   [P_SECTION_PITH_T] = &section_pith_t,
+   [P_SECTION_RIM] = &section_rim,
+   [P_SECTION_RADIUS] = &section_radius,
+   [P_SECTION_DETAIL] = &section_detail,
+   [P_SECTION_DETAIL_SIZE] = &section_detail_size,
    [P_DIFFUSE] = &diffuse,
    [P_SPECULAR] = &specular,
    [P_SHININESS] = &shininess,

@@ -17,13 +17,14 @@
 
 #include <stdint.h>
 
-#include "../../api/sozai.h"
+#include "../../api/sozai_colour.h"
 
 #define WOOD_RINGS 256      /* rings before the table repeats */
 #define WOOD_BINS_MAX 16384 /* bins of the look-up from rho to ring */
 #define WOOD_HARMONICS 3    /* of the section's outline */
 #define WOOD_RADII 32       /* steps of the table of vessel radii */
 #define WOOD_FIBRE_OCTAVES 3
+#define WOOD_RIM 256 /* directions in which the rim of a picture is known */
 
 /* The seeds of the noises, kept apart. */
 enum {
@@ -112,6 +113,21 @@ typedef struct {
 
   /* colour, working space */
   float early[3], late[3], vessel[3];
+
+  float sap_early[3], sap_late[3];
+  float heart_years, heart_edge; /* years: where the heartwood ends, and how gradually */
+  float heart_stray;             /* years: most that the boundary departs from the ring */
+  float heart_cos[3], heart_sin[3];
+
+  /* a section from a picture */
+  const sozai_images_1 *images;
+  const sozai_image *picture;                     /* NULL: the section is grown */
+  float picture_pith[2];                          /* s, t */
+  float picture_per_mm[2];                        /* s and t to a mm */
+  float picture_detail, picture_detail_size;      /* a factor; mm */
+  float picture_bright, picture_inverse_contrast; /* grey of the brightest wood */
+  int32_t folded;
+  float rim[WOOD_RIM + 1]; /* mm, in units of rho */
 
   /* figure */
   float diffuse, specular, shininess;

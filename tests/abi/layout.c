@@ -25,7 +25,7 @@ AT(sozai_entry_v1, init, 8);
 AT(sozai_entry_v1, deinit, 16);
 AT(sozai_entry_v1, get_factory, 24);
 
-SIZE(sozai_buffer, 72);
+SIZE(sozai_buffer, 88);
 AT(sozai_buffer, size, 0);
 AT(sozai_buffer, kind, 4);
 AT(sozai_buffer, dims, 8);
@@ -34,6 +34,9 @@ AT(sozai_buffer, points, 40);
 AT(sozai_buffer, normals, 48);
 AT(sozai_buffer, indices, 56);
 AT(sozai_buffer, colour_space, 64);
+AT(sozai_buffer, path, 72);
+AT(sozai_buffer, wrap, 80);
+AT(sozai_buffer, first_channel, 84);
 
 SIZE(sozai_value, 56);
 AT(sozai_value, id, 0);
@@ -128,7 +131,7 @@ SIZE(sozai_wood_1, 16);
 AT(sozai_wood_1, ring_radius, 0);
 AT(sozai_wood_1, pith, 8);
 
-SIZE(sozai_host, 72);
+SIZE(sozai_host, 80);
 AT(sozai_host, size, 0);
 AT(sozai_host, reserved, 4);
 AT(sozai_host, user, 8);
@@ -139,8 +142,9 @@ AT(sozai_host, parallel, 40);
 AT(sozai_host, progress, 48);
 AT(sozai_host, get_service, 56);
 AT(sozai_host, colour_config, 64);
+AT(sozai_host, image_memory, 72);
 
-SIZE(sozai_colour_1, 64);
+SIZE(sozai_colour_1, 56);
 AT(sozai_colour_1, size, 0);
 AT(sozai_colour_1, reserved, 4);
 AT(sozai_colour_1, self, 8);
@@ -149,11 +153,26 @@ AT(sozai_colour_1, working_space, 24);
 AT(sozai_colour_1, has_space, 32);
 AT(sozai_colour_1, to_working, 40);
 AT(sozai_colour_1, from_working, 48);
-AT(sozai_colour_1, to_display, 56);
 
-SIZE(sozai_colour_factory_1, 16);
-AT(sozai_colour_factory_1, open, 0);
-AT(sozai_colour_factory_1, close, 8);
+SIZE(sozai_display_1, 48);
+AT(sozai_display_1, size, 0);
+AT(sozai_display_1, reserved, 4);
+AT(sozai_display_1, self, 8);
+AT(sozai_display_1, count, 16);
+AT(sozai_display_1, item, 24);
+AT(sozai_display_1, to_display, 32);
+AT(sozai_display_1, chromaticities, 40);
+
+SIZE(sozai_services_options, 24);
+AT(sozai_services_options, size, 0);
+AT(sozai_services_options, reserved, 4);
+AT(sozai_services_options, config, 8);
+AT(sozai_services_options, image_memory, 16);
+
+SIZE(sozai_services_1, 24);
+AT(sozai_services_1, open, 0);
+AT(sozai_services_1, get, 8);
+AT(sozai_services_1, close, 16);
 
 SIZE(sozai_image_request, 48);
 AT(sozai_image_request, size, 0);
@@ -166,7 +185,7 @@ AT(sozai_image_request, path, 24);
 AT(sozai_image_request, buffer, 32);
 AT(sozai_image_request, colour_space, 40);
 
-SIZE(sozai_images_1, 48);
+SIZE(sozai_images_1, 56);
 AT(sozai_images_1, size, 0);
 AT(sozai_images_1, reserved, 4);
 AT(sozai_images_1, self, 8);
@@ -174,3 +193,4 @@ AT(sozai_images_1, open, 16);
 AT(sozai_images_1, close, 24);
 AT(sozai_images_1, resolution, 32);
 AT(sozai_images_1, sample, 40);
+AT(sozai_images_1, memory, 48);

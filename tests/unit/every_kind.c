@@ -29,10 +29,15 @@ static const sozai_parameter mesh = {P(SOZAI_KIND_BUFFER, "mesh"),
 static const sozai_parameter points = {P(SOZAI_KIND_BUFFER, "points"),
                                        .buffer_kind = SOZAI_BUFFER_POINTS};
 
+static const sozai_parameter picture = {P(SOZAI_KIND_IMAGE, "picture"),
+                                        .default_number = {3, SOZAI_WRAP_CLAMP}, .default_text = "",
+                                        .buffer_kind = SOZAI_BUFFER_IMAGE};
+
 static const sozai_parameter *const parameters[K_COUNT] = {
-    [K_FLOAT] = &width,   [K_INT] = &count,   [K_BOOL] = &hollow, [K_CHOICE] = &shape,
-    [K_FLOAT3] = &offset, [K_COLOUR] = &tint, [K_TEXT] = &name,   [K_PATH] = &file,
-    [K_TABLE] = &table,   [K_IMAGE] = &image, [K_MESH] = &mesh,   [K_POINTS] = &points};
+    [K_FLOAT] = &width,    [K_INT] = &count,   [K_BOOL] = &hollow, [K_CHOICE] = &shape,
+    [K_FLOAT3] = &offset,  [K_COLOUR] = &tint, [K_TEXT] = &name,   [K_PATH] = &file,
+    [K_TABLE] = &table,    [K_IMAGE] = &image, [K_MESH] = &mesh,   [K_POINTS] = &points,
+    [K_PICTURE] = &picture};
 
 static const sozai_value small_values[] = {
     {.id = "width", .kind = SOZAI_KIND_FLOAT, .number = {0.5}},

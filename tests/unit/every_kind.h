@@ -20,6 +20,7 @@ enum {
   K_IMAGE,
   K_MESH,
   K_POINTS,
+  K_PICTURE,
   K_COUNT
 };
 

@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "images.h"
+
+#include <string.h>
+
+#include "colour.h"
+#include "services.h"
+#include "status.h"
+
+static uint32_t wrap_of(const sozai_parameter *p, const sozai_buffer *b) {
+  return b->wrap ? b->wrap : (uint32_t)p->default_number[1];
+}
+
+static int32_t find_service(image_set *set, const sozai_host *host, const char *id) {
+  if (set->service) return SOZAI_OK;
+  const void *found;
+  int32_t r = services_find(host, SOZAI_IMAGES_1, &found);
+  if (r) return r;
+  set->service = found;
+  if (!set->service) {
+    return fail(SOZAI_ERROR_UNSUPPORTED,
+                "%s: a picture needs an image service, and there is none: neither the host has "
+                "one, nor is there sozai-colour.so beside sozai.so",
+                id);
+  }
+  if (set->service->size < sizeof *set->service) {
+    return fail(SOZAI_ERROR_UNSUPPORTED, "%s: the image service is of %u bytes, not %zu", id,
+                set->service->size, sizeof *set->service);
+  }
+  return SOZAI_OK;
+}
+
+static int32_t open_one(image_set *set, uint32_t i, const sozai_host *host,
+                        const sozai_parameter *p, const sozai_buffer *b) {
+  int32_t r = find_service(set, host, p->id);
+  if (r) return r;
+  sozai_image_request q;
+  memset(&q, 0, sizeof q);
+  q.size = sizeof q;
+  q.wrap_s = q.wrap_t = wrap_of(p, b);
+  q.first_channel = b->first_channel;
+  q.channels = (uint32_t)p->default_number[0];
+  q.path = b->path;
+  q.buffer = b->path ? NULL : b;
+  if (b->colour_space && b->colour_space[0]) q.colour_space = b->colour_space;
+  if (q.colour_space && strcmp(q.colour_space, "data") != 0) {
+    r = colour_name(host, q.colour_space, &q.colour_space);
+    if (r) return r;
+  }
+  char message[512] = "";
+  r = set->service->open(set->service->self, &q, &set->list[i], message, sizeof message);
+  if (r == SOZAI_OK) return r;
+  set->list[i] = NULL;
+  return fail(r, "%s: %s", p->id, message[0] ? message : "the image service refused the picture");
+}
+
+int32_t images_open(image_set *set, const sozai_host *host, const sozai_texture_info *info,
+                    const settings *s) {
+  memset(set, 0, sizeof *set);
+  int32_t r = SOZAI_OK;
+  for (uint32_t i = 0; i < info->parameter_count && !r; i++) {
+    const sozai_parameter *p = info->parameters[i];
+    if (p->kind != SOZAI_KIND_IMAGE || !s->list[i].buffer) continue;
+    if (!set->list) {
+      set->list = host_alloc(host, info->parameter_count * sizeof *set->list, 64);
+      if (!set->list) return SOZAI_ERROR_MEMORY;
+      set->count = info->parameter_count;
+    }
+    r = open_one(set, i, host, p, s->list[i].buffer);
+  }
+  if (r) images_close(set, host);
+  return r;
+}
+
+void images_close(image_set *set, const sozai_host *host) {
+  for (uint32_t i = 0; i < set->count; i++) {
+    if (set->list[i]) set->service->close(set->service->self, set->list[i]);
+  }
+  host_free(host, set->list, set->count * sizeof *set->list, 64);
+  memset(set, 0, sizeof *set);
+}
