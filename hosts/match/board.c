@@ -14,8 +14,8 @@ typedef struct row_job {
   const board *board;
   const sozai_texture *texture;
   uint32_t columns;
-  uint32_t first; /* of albedo's components */
-  float *rgb;
+  uint32_t first, components; /* of the channel */
+  float *values;
   int32_t *results; /* one to a row: no thread writes another's */
 } row_job;
 
@@ -49,64 +49,69 @@ static void evaluate_row(void *context, uint32_t row) {
   job->results[row] = SOZAI_ERROR_CANCELLED;
   if (cancel_requested()) return;
   job->results[row] = SOZAI_ERROR_MEMORY;
-  float *in = malloc((INPUTS + 3) * n * sizeof *in);
-  float **out = calloc(job->first + 3, sizeof *out);
+  size_t components = job->components;
+  float *in = malloc((INPUTS + components) * n * sizeof *in);
+  float **out = calloc(job->first + components, sizeof *out);
   if (in && out) {
     fill_row(job, row, in);
     sozai_batch batch = {.size = sizeof batch,
                          .count = job->columns,
                          .footprint = in + 6 * n,
                          .out = out,
-                         .out_count = job->first + 3};
+                         .out_count = job->first + job->components};
     for (size_t k = 0; k < 3; k++) {
       batch.point[k] = in + k * n;
       batch.normal[k] = in + (3 + k) * n;
-      out[job->first + k] = in + (INPUTS + k) * n;
     }
+    for (size_t k = 0; k < components; k++) out[job->first + k] = in + (INPUTS + k) * n;
     job->results[row] = job->board->textures->evaluate(job->texture, &batch);
-    for (size_t i = 0; i < 3 * n; i++)
-      job->rgb[(size_t)row * 3 * n + i] = in[(INPUTS + i % 3) * n + i / 3];
+    for (size_t i = 0; i < components * n; i++)
+      job->values[row * components * n + i] = in[(INPUTS + i % components) * n + i / components];
   }
   free(in);
   free(out);
 }
 
-static bool find_albedo(const sozai_texture_info *info, uint32_t *first, failure *why) {
-  for (uint32_t i = 0; i < info->channel_count; i++) {
-    const sozai_channel *c = info->channels[i];
-    if (strcmp(c->id, "albedo") != 0 || c->components != 3) continue;
-    *first = c->first;
-    return true;
-  }
-  return fail(why, EXIT_FAILURE, "%s has no channel albedo", info->id);
+static const sozai_channel *find_channel(const sozai_texture_info *info, const char *id,
+                                         failure *why) {
+  for (uint32_t i = 0; i < info->channel_count; i++)
+    if (strcmp(info->channels[i]->id, id) == 0) return info->channels[i];
+  fail(why, EXIT_FAILURE, "%s has no channel %s", info->id, id);
+  return NULL;
 }
 
-static bool evaluate(const board *b, const sozai_texture *texture, float *rgb, failure *why) {
+static bool evaluate(row_job *job, failure *why) {
+  const board *b = job->board;
   uint32_t rows = rows_of(b);
-  row_job job = {.board = b, .texture = texture, .columns = columns_of(b), .rgb = rgb};
-  if (!find_albedo(b->textures->info_of(texture), &job.first, why)) return false;
-  job.results = calloc(rows, sizeof *job.results);
-  if (!job.results) return fail(why, EXIT_FAILURE, "out of memory");
-  parallel_for(b->host->threads, rows, evaluate_row, &job);
+  job->results = calloc(rows, sizeof *job->results);
+  if (!job->results) return fail(why, EXIT_FAILURE, "out of memory");
+  parallel_for(b->host->threads, rows, evaluate_row, job);
   bool ok = true;
   for (uint32_t row = 0; ok && row < rows; row++)
-    ok = job.results[row] == SOZAI_OK ||
-         fail(why, EXIT_FAILURE,
-              job.results[row] == SOZAI_ERROR_CANCELLED ? "cancelled" : "evaluate failed");
-  free(job.results);
+    ok = job->results[row] == SOZAI_OK ||
+         fail(why, EXIT_FAILURE, "%s",
+              job->results[row] == SOZAI_ERROR_CANCELLED ? "cancelled" : "evaluate failed");
+  free(job->results);
   return ok;
 }
 
-bool board_albedo(const board *b, const recipe *r, float **out, failure *why) {
+bool board_channel(const board *b, recipe *r, const char *channel, float **out, failure *why) {
   sozai_texture *texture = NULL;
   *out = NULL;
   if (!recipe_create(r, b->textures, &b->host->abi, &texture, why)) return false;
-  float *rgb = malloc(3 * board_points(b) * sizeof *rgb);
-  bool ok = rgb ? evaluate(b, texture, rgb, why) : fail(why, EXIT_FAILURE, "out of memory");
+  row_job job = {.board = b, .texture = texture, .columns = columns_of(b)};
+  const sozai_channel *c = find_channel(b->textures->info_of(texture), channel, why);
+  bool ok = c != NULL;
+  if (ok) {
+    job.first = c->first;
+    job.components = c->components;
+    job.values = malloc(c->components * board_points(b) * sizeof(float));
+    ok = job.values ? evaluate(&job, why) : fail(why, EXIT_FAILURE, "out of memory");
+  }
   b->textures->destroy(texture);
   if (ok)
-    *out = rgb;
+    *out = job.values;
   else
-    free(rgb);
+    free(job.values);
   return ok;
 }

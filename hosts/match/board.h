@@ -22,8 +22,8 @@ void board_init(board *b, const sozai_textures_1 *textures, const host *h, uint3
                 uint32_t height, double pixel);
 uint64_t board_points(const board *b);
 
-/* The albedo at every point, r g b each, of the texture that a recipe makes; to
- * be freed. */
-bool board_albedo(const board *b, const recipe *r, float **out, failure *why);
+/* A channel at every point, its components together, of the texture that a
+ * recipe makes; to be freed. */
+bool board_channel(const board *b, recipe *r, const char *channel, float **out, failure *why);
 
 #endif

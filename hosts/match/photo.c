@@ -193,6 +193,7 @@ static void even_light(photo *p) {
 static bool read_from(photo *p, image *picture, const char *path, const photo_options *o,
                       bool integers, const colour *c, failure *why) {
   p->rgb = picture->data;
+  p->full_width = picture->width;
   if (!take_part(p, picture, o, why)) return false;
   double clipped;
   if (!check_numbers(p, path, integers, &clipped, why)) return false;

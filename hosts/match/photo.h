@@ -23,7 +23,8 @@ typedef struct photo_options {
 
 typedef struct photo {
   uint32_t width, height;
-  float *rgb; /* working space */
+  uint32_t full_width; /* before it was cropped */
+  float *rgb;          /* working space */
   uint8_t *pixel;
   const char *space;            /* that its numbers were read in */
   double dark, bright;          /* shares left out as borders and as highlights */

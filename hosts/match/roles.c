@@ -12,6 +12,8 @@ const match_material match_materials[] = {
      .brightness = "fibre_brightness",
      .part = "heartwood",
      .second_part = "sapwood",
+     .boundary = "heartwood_years",
+     .boundary_channel = "time",
      .board = {{"cut", "flat"}}},
 };
 const uint32_t match_material_count = sizeof match_materials / sizeof match_materials[0];
@@ -39,6 +41,7 @@ match_material match_material_of(const match_material *m, const sozai_texture_in
     out.roles[count++] = role;
   }
   if (!has(info, out.brightness, SOZAI_KIND_FLOAT)) out.brightness = NULL;
+  if (!has(info, out.boundary, SOZAI_KIND_FLOAT)) out.boundary = NULL;
   return out;
 }
 

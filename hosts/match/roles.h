@@ -22,7 +22,10 @@ typedef struct match_material {
   /* A parameter that multiplies some of the colours by 1 + itself times a
    * pattern of mean 0, or NULL. */
   const char *brightness;
-  const char *part, *second_part;   /* what the parts of a material of two are called */
+  const char *part, *second_part; /* what the parts of a material of two are called */
+  /* The parameter that says where the second part begins, and the channel that
+   * it is a value of; or NULL. */
+  const char *boundary, *boundary_channel;
   const char *board[MOST_BOARD][2]; /* parameters of the face a photograph shows, unless given */
 } match_material;
 
