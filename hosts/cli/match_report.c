@@ -52,6 +52,7 @@ static void print_colours(FILE *to, const match_report *r, const char *begin) {
             (double)c->srgb[0], (double)c->srgb[1], (double)c->srgb[2], byte_of(c->srgb[0]),
             byte_of(c->srgb[1]), byte_of(c->srgb[2]),
             c->given     ? "  as given"
+            : c->unseen  ? "  the preset's: too little of it shows"
             : c->derived ? "  by the preset's ratio"
                          : "");
   }

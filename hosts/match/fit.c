@@ -15,7 +15,7 @@
 #define MEAN 2.0
 #define THIRD 0.1
 #define NEAR 0.01
-#define ORDER 1.0
+#define ORDER 0.1
 #define AXIS_LEAST 0.02 /* of the first axis's variance: below it lies noise */
 
 typedef struct solver {

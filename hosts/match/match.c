@@ -10,6 +10,8 @@
 
 /* A brightness is worth changing for a residual smaller by this. */
 #define WORTH 0.01
+/* A colour of less weight than this on the whole cannot be told. */
+#define LEAST_WEIGHT 0.001
 
 typedef struct matching {
   match_result *out;
@@ -19,7 +21,8 @@ typedef struct matching {
   const colour *colour;
   const sozai_texture_info *info;
   size_t roles;
-  bool given[MOST_ROLES], second_given[MOST_ROLES], brightness_given, boundary_given;
+  bool given[MOST_ROLES], unseen[MOST_ROLES], second_given[MOST_ROLES], brightness_given,
+      boundary_given;
   palette preset, preset_second; /* working space */
   double most_brightness;
   moments weights;
@@ -145,6 +148,7 @@ static bool weigh(matching *m, failure *why) {
       w[m->roles + i] = (w[m->roles + i] - w[i]) / (float)m->most_brightness;
     }
   if (ok) moments_take(&m->weights, weights, stride, points, NULL, 0);
+  for (size_t i = 0; i < m->roles; i++) m->unseen[i] = m->weights.mean[i] < LEAST_WEIGHT;
   free(weights);
   return ok;
 }
@@ -152,9 +156,10 @@ static bool weigh(matching *m, failure *why) {
 /* ---- colours --------------------------------------------------------------------- */
 
 static bool propose(matching *m, const char *parameter, const double working[3], bool derived,
-                    bool given, failure *why) {
+                    bool given, bool unseen, failure *why) {
   match_colour *c = &m->out->colours[m->out->colour_count++];
-  *c = (match_colour){.parameter = parameter, .derived = derived, .given = given};
+  *c = (match_colour){
+      .parameter = parameter, .derived = derived, .given = given, .unseen = unseen && !given};
   bool within = true;
   for (int k = 0; k < 3; k++) {
     c->working[k] = working[k];
@@ -162,7 +167,7 @@ static bool propose(matching *m, const char *parameter, const double working[3],
   }
   if (!appearance_srgb(m->colour, c->srgb, 1, why)) return false;
   for (int k = 0; k < 3; k++) within = within && c->srgb[k] >= -5e-5f && c->srgb[k] <= 1.00005f;
-  if (given) return true;
+  if (given || unseen) return true;
   /* sRGB means the same under every config; the working space where that is too small */
   if (within)
     snprintf(c->text, sizeof c->text, "%.4f %.4f %.4f @ sRGB", fabs((double)c->srgb[0]),
@@ -182,7 +187,7 @@ static fit_problem problem_of(const matching *m, const moments *target) {
                    .most_brightness = m->most_brightness};
   memcpy(q.reference, m->preset, sizeof q.reference);
   memcpy(q.fixed_colour, m->preset, sizeof q.fixed_colour);
-  memcpy(q.fixed, m->given, sizeof q.fixed);
+  for (size_t i = 0; i < m->roles; i++) q.fixed[i] = m->given[i] || m->unseen[i];
   return q;
 }
 
@@ -208,7 +213,7 @@ static void fit_second(const matching *m, const moments *target, const fit *firs
   fit_problem q = problem_of(m, target);
   for (size_t i = 0; i < m->roles; i++) {
     bool shared = !m->out->material.roles[i].second;
-    q.fixed[i] = shared || m->second_given[i];
+    q.fixed[i] = shared || m->second_given[i] || m->unseen[i];
     memcpy(q.reference[i], shared ? m->preset[i] : m->preset_second[i], sizeof q.reference[i]);
     memcpy(q.fixed_colour[i], shared ? first->colour[i] : m->preset_second[i],
            sizeof q.fixed_colour[i]);
@@ -219,7 +224,8 @@ static void fit_second(const matching *m, const moments *target, const fit *firs
 static bool keep_first(matching *m, const fit *f, failure *why) {
   bool ok = true;
   for (size_t i = 0; ok && i < m->roles; i++)
-    ok = propose(m, m->out->material.roles[i].colour, f->colour[i], false, m->given[i], why);
+    ok = propose(m, m->out->material.roles[i].colour, f->colour[i], false, m->given[i],
+                 m->unseen[i], why);
   if (!ok || !m->out->brightness_changed) return ok;
   char text[32];
   snprintf(text, sizeof text, "%.4f", m->out->brightness);
@@ -237,9 +243,9 @@ static bool keep_second(matching *m, const fit *first, const fit *second, failur
     for (int k = 0; k < 3; k++) {
       double ratio = m->preset_second[i][k] / fmax(m->preset[i][k], 1e-4);
       rgb[k] = second ? second->colour[i][k] : fmin(first->colour[i][k] * ratio, 1);
-      if (m->second_given[i]) rgb[k] = m->preset_second[i][k];
+      if (m->second_given[i] || m->unseen[i]) rgb[k] = m->preset_second[i][k];
     }
-    ok = propose(m, id, rgb, !second, m->second_given[i], why);
+    ok = propose(m, id, rgb, !second, m->second_given[i], m->unseen[i], why);
   }
   return ok;
 }

@@ -20,6 +20,7 @@ typedef struct match_colour {
   char text[128]; /* as the plugin reads it */
   bool derived;   /* by the preset's ratio, since the photograph does not show it */
   bool given;     /* by -p, and kept */
+  bool unseen;    /* the material shows none of it: the preset's, and not written */
 } match_colour;
 
 /* One part of the material: what the photograph shows of it, and what the
