@@ -20,6 +20,9 @@ if(TARGET sozai-colour)
   install(TARGETS sozai-colour LIBRARY DESTINATION ${plugin_dir})
   install(FILES $<TARGET_FILE_DIR:sozai-colour>/sozai.ocio DESTINATION ${plugin_dir})
 endif()
+if(TARGET sozai-images)
+  install(TARGETS sozai-images LIBRARY DESTINATION ${plugin_dir}) # sozai-colour.so looks beside itself
+endif()
 
 install(TARGETS sozai_api EXPORT sozai-targets)
 install(EXPORT sozai-targets FILE sozaiTargets.cmake NAMESPACE sozai:: DESTINATION ${config_dir})

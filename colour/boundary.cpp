@@ -57,7 +57,7 @@ int32_t report(Message message, int32_t otherwise) noexcept {
     write(message, error.what());
     return otherwise;
   } catch (...) {
-    write(message, "OpenColorIO threw something unknown");
+    write(message, "a library threw something unknown");
     return otherwise;
   }
 }

@@ -32,13 +32,17 @@ void write(Message message, const char *text) noexcept;
 int32_t report(Message message, int32_t otherwise) noexcept;
 
 // Run body, which gives nothing or throws.
-template <class Body> int32_t guarded(Message message, Body &&body) noexcept {
+template <class Body> int32_t guarded(Message message, int32_t otherwise, Body &&body) noexcept {
   try {
     body();
     return SOZAI_OK;
   } catch (...) {
-    return report(message, SOZAI_ERROR_COLOUR);
+    return report(message, otherwise);
   }
+}
+
+template <class Body> int32_t guarded(Message message, Body &&body) noexcept {
+  return guarded(message, SOZAI_ERROR_COLOUR, body);
 }
 
 } // namespace sozai::colour

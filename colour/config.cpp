@@ -3,6 +3,7 @@
 // Which config, and whether it is fit for use.
 #include "config.hpp"
 
+#include "aliases.hpp"
 #include "boundary.hpp"
 #include "cpu.hpp"
 #include "linear.hpp"
@@ -12,6 +13,8 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <locale>
 #include <sstream>
 #include <sys/stat.h>
@@ -42,13 +45,24 @@ static bool is_built_in(const std::string &path) {
 // OpenColorIO says only that it could not read; the system knows why.
 static void must_be_readable(const std::string &path) {
   struct stat status;
-  int error = 0;
+  std::string reason;
   if (stat(path.c_str(), &status) != 0 || access(path.c_str(), R_OK) != 0)
-    error = errno;
+    reason = std::strerror(errno);
   else if (S_ISDIR(status.st_mode))
-    error = EISDIR;
-  if (error == 0) return;
-  throw Failure(SOZAI_ERROR_FILE, "colour config " + path + ": " + std::strerror(error));
+    reason = std::strerror(EISDIR);
+  else if (!S_ISREG(status.st_mode))
+    reason = "not a file"; // a device or a pipe may never come to its end
+  if (reason.empty()) return;
+  throw Failure(SOZAI_ERROR_FILE, "colour config " + path + ": " + reason);
+}
+
+static void must_not_repeat_itself(const std::string &path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string alias = circular_alias(text);
+  if (!alias.empty())
+    throw Failure(SOZAI_ERROR_FILE,
+                  "colour config " + path + ": the YAML alias *" + alias + " is a part of itself");
 }
 
 // Some builds of OpenColorIO read numbers by the C++ global locale, which belongs to
@@ -125,7 +139,10 @@ Config open_config(const char *path) {
   const Quiet quiet;
   Config config;
   config.name = choose(path);
-  if (!is_built_in(config.name)) must_be_readable(config.name);
+  if (!is_built_in(config.name)) {
+    must_be_readable(config.name);
+    must_not_repeat_itself(config.name);
+  }
   must_read_numbers(config.name);
   naming(config.name, SOZAI_ERROR_FILE,
          [&] { config.ocio = ocio::Config::CreateFromFile(config.name.c_str()); });

@@ -11,13 +11,23 @@
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 static uint32_t init_count;
 static char *shipped_config;
+static char *images_library;
+
+static void forget_paths(void) {
+  free(shipped_config);
+  free(images_library);
+  shipped_config = NULL;
+  images_library = NULL;
+}
 
 static int32_t init(const char *plugin_path) {
   int32_t result = SOZAI_OK;
   pthread_mutex_lock(&lock);
   if (init_count == 0) {
     shipped_config = sozai_colour_beside(plugin_path, "sozai.ocio");
-    if (!shipped_config) result = SOZAI_ERROR_MEMORY;
+    images_library = sozai_colour_beside(plugin_path, "sozai-images.so");
+    if (!shipped_config || !images_library) result = SOZAI_ERROR_MEMORY;
+    if (result != SOZAI_OK) forget_paths();
   }
   if (result == SOZAI_OK) init_count++;
   pthread_mutex_unlock(&lock);
@@ -28,18 +38,21 @@ static void deinit(void) {
   pthread_mutex_lock(&lock);
   /* One deinit too many must not wrap the count around. */
   if (init_count > 0 && --init_count == 0) {
-    free(shipped_config);
-    shipped_config = NULL;
+    forget_paths();
   }
   pthread_mutex_unlock(&lock);
 }
 
-const char *sozai_colour_shipped_config(void) {
+static const char *locked(char *const *path) {
   pthread_mutex_lock(&lock);
-  const char *path = shipped_config;
+  const char *found = *path;
   pthread_mutex_unlock(&lock);
-  return path;
+  return found;
 }
+
+const char *sozai_colour_shipped_config(void) { return locked(&shipped_config); }
+
+const char *sozai_colour_images_library(void) { return locked(&images_library); }
 
 static const void *get_factory(const char *factory_id) {
   if (!factory_id || strcmp(factory_id, SOZAI_SERVICES_1) != 0) return NULL;

@@ -15,6 +15,9 @@ extern "C" {
  * last deinit. [thread-safe] */
 const char *sozai_colour_shipped_config(void);
 
+/* Where sozai-images.so should lie, or NULL likewise. [thread-safe] */
+const char *sozai_colour_images_library(void);
+
 /* The path of a file beside this library, to be freed; NULL: out of memory.
  * plugin_path: where the library is said to lie, or NULL. */
 char *sozai_colour_beside(const char *plugin_path, const char *file_name);

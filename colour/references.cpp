@@ -7,6 +7,7 @@
 #include "boundary.hpp"
 #include "looks.hpp"
 
+#include <algorithm>
 #include <map>
 #include <vector>
 
@@ -20,12 +21,24 @@ namespace {
 constexpr size_t deepest = 100;
 constexpr unsigned long most_steps = 100000;
 
+// What making something takes: how many steps, and how many inside one another.
+struct Cost {
+  unsigned long steps = 0;
+  size_t depth = 0;
+  Cost &operator+=(const Cost &other) {
+    steps += other.steps;
+    depth = std::max(depth, other.depth);
+    return *this;
+  }
+  Cost operator+(const Cost &other) const { return Cost(*this) += other; }
+};
+
 class Walk {
 public:
   explicit Walk(const ocio::Config &config)
       : config(config), context(config.getCurrentContext()) {}
 
-  unsigned long space(const char *name) {
+  Cost space(const char *name) {
     const auto found = config.getColorSpace(name);
     if (!found) return named_transform(name);
     return visit("colour space \"" + std::string(found->getName()) + '"', [&] {
@@ -34,27 +47,27 @@ public:
     });
   }
 
-  unsigned long look(const char *name) {
+  Cost look(const char *name) {
     const auto found = config.getLook(name);
-    if (!found) return 1;
+    if (!found) return {};
     return visit("look \"" + std::string(found->getName()) + '"', [&] {
       return transform(found->getTransform()) + transform(found->getInverseTransform()) +
              space(found->getProcessSpace());
     });
   }
 
-  unsigned long view_transform(const char *name) {
+  Cost view_transform(const char *name) {
     const auto found = name && *name ? config.getViewTransform(name) : nullptr;
-    if (!found) return 1;
+    if (!found) return {};
     return visit("view transform \"" + std::string(found->getName()) + '"', [&] {
       return transform(found->getTransform(ocio::VIEWTRANSFORM_DIR_TO_REFERENCE)) +
              transform(found->getTransform(ocio::VIEWTRANSFORM_DIR_FROM_REFERENCE));
     });
   }
 
-  unsigned long named_transform(const char *name) {
+  Cost named_transform(const char *name) {
     const auto found = config.getNamedTransform(name);
-    if (!found) return 1;
+    if (!found) return {};
     return visit("named transform \"" + std::string(found->getName()) + '"', [&] {
       return transform(found->getTransform(ocio::TRANSFORM_DIR_FORWARD)) +
              transform(found->getTransform(ocio::TRANSFORM_DIR_INVERSE));
@@ -62,19 +75,21 @@ public:
   }
 
 private:
-  // How many steps making it takes. Each thing is followed once and remembered.
-  template <class Body> unsigned long visit(const std::string &what, const Body &body) {
-    const auto known = steps.find(what);
-    if (known != steps.end()) return known->second;
+  // Each thing is followed once and remembered.
+  template <class Body> Cost visit(const std::string &what, const Body &body) {
+    const auto known = costs.find(what);
+    if (known != costs.end()) return known->second;
     for (const auto &open : path)
       if (open == what)
         throw Failure(SOZAI_ERROR_COLOUR, what + " is defined by itself: " + chain(what));
     if (path.size() == deepest) throw too_deep(what);
     path.push_back(what);
-    const unsigned long count = 1 + body();
+    Cost cost = body();
     path.pop_back();
-    if (count > most_steps) throw too_deep(what);
-    return steps[what] = count;
+    cost.steps++;
+    cost.depth++;
+    if (cost.steps > most_steps || cost.depth > deepest) throw too_deep(what);
+    return costs[what] = cost;
   }
 
   static Failure too_deep(const std::string &what) {
@@ -93,23 +108,23 @@ private:
   std::string resolved(const char *name) const { return context->resolveStringVar(name); }
 
   // A conversion of a scene's space to a display's goes by the default view transform.
-  unsigned long conversion(const std::string &from, const std::string &to) {
-    unsigned long count = space(from.c_str()) + space(to.c_str());
+  Cost conversion(const std::string &from, const std::string &to) {
+    Cost cost = space(from.c_str()) + space(to.c_str());
     const auto a = config.getColorSpace(from.c_str()), b = config.getColorSpace(to.c_str());
     if (a && b && a->getReferenceSpaceType() != b->getReferenceSpaceType()) {
       const auto view = config.getDefaultSceneToDisplayViewTransform();
-      if (view) count += view_transform(view->getName());
+      if (view) cost += view_transform(view->getName());
     }
-    return count;
+    return cost;
   }
 
-  unsigned long looks(const char *names) {
-    unsigned long count = 0;
-    for (const auto &name : look_names(names)) count += look(name.c_str());
-    return count;
+  Cost looks(const char *names) {
+    Cost cost;
+    for (const auto &name : look_names(names)) cost += look(name.c_str());
+    return cost;
   }
 
-  unsigned long view(const ocio::DisplayViewTransform &t) {
+  Cost view(const ocio::DisplayViewTransform &t) {
     const char *display = t.getDisplay(), *view = t.getView();
     std::string to = config.getDisplayViewColorSpaceName(display, view);
     if (to == ocio::OCIO_VIEW_USE_DISPLAY_NAME) to = display;
@@ -119,25 +134,25 @@ private:
   }
 
   // Groups nest as deep as the YAML, which yaml-cpp limits.
-  unsigned long transform(const ocio::ConstTransformRcPtr &t) {
-    if (!t) return 0;
-    unsigned long count = 1;
+  Cost transform(const ocio::ConstTransformRcPtr &t) {
+    if (!t) return {};
+    Cost cost = {1, 0};
     if (const auto group = ocio::DynamicPtrCast<const ocio::GroupTransform>(t)) {
       for (int i = 0; i < group->getNumTransforms(); i++)
-        count += transform(group->getTransform(i));
+        cost += transform(group->getTransform(i));
     } else if (const auto space = ocio::DynamicPtrCast<const ocio::ColorSpaceTransform>(t)) {
-      count += conversion(resolved(space->getSrc()), resolved(space->getDst()));
+      cost += conversion(resolved(space->getSrc()), resolved(space->getDst()));
     } else if (const auto look = ocio::DynamicPtrCast<const ocio::LookTransform>(t)) {
-      count += conversion(look->getSrc(), look->getDst()) + looks(look->getLooks());
+      cost += conversion(look->getSrc(), look->getDst()) + looks(look->getLooks());
     } else if (const auto shown = ocio::DynamicPtrCast<const ocio::DisplayViewTransform>(t)) {
-      count += view(*shown);
+      cost += view(*shown);
     }
-    return count;
+    return cost;
   }
 
   const ocio::Config &config;
   const ocio::ConstContextRcPtr context;
-  std::map<std::string, unsigned long> steps;
+  std::map<std::string, Cost> costs;
   std::vector<std::string> path;
 };
 

@@ -11,7 +11,8 @@
 
 sozai_services::sozai_services(const sozai_services_options &options)
     : config(sozai::colour::open_config(options.config)), colour(sozai::colour::colour_table(this)),
-      display(sozai::colour::display_table(this)) {}
+      display(sozai::colour::display_table(this)), images(sozai::colour::images_table(this)),
+      image_library(config, processors, options.image_memory) {}
 
 sozai_services::~sozai_services() = default;
 
@@ -44,6 +45,7 @@ static const void *get_service(sozai_services *services, const char *id) {
   if (!services || !id) return nullptr;
   if (std::strcmp(id, SOZAI_COLOUR_1) == 0) return &services->colour;
   if (std::strcmp(id, SOZAI_DISPLAY_1) == 0) return &services->display;
+  if (std::strcmp(id, SOZAI_IMAGES_1) == 0) return &services->images;
   return nullptr;
 }
 

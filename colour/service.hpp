@@ -4,6 +4,7 @@
 #pragma once
 
 #include "internal.h"
+#include "images.hpp"
 #include "lists.hpp"
 #include "processors.hpp"
 
@@ -21,6 +22,8 @@ struct sozai_services {
   const sozai::colour::Lists lists{*config.ocio};
   sozai_colour_1 colour;
   sozai_display_1 display;
+  sozai_images_1 images;
+  sozai::colour::Images image_library; // last: it uses the others
 };
 
 namespace sozai::colour {
@@ -32,5 +35,6 @@ void need(bool given, const char *text);
 
 sozai_colour_1 colour_table(sozai_services *self);
 sozai_display_1 display_table(sozai_services *self);
+sozai_images_1 images_table(sozai_services *self);
 
 } // namespace sozai::colour

@@ -81,37 +81,55 @@ int32_t colour_name(const sozai_host *host, const char *space, const char **out)
 
 /* ---- conversion ------------------------------------------------------- */
 
-int32_t colour_convert(const sozai_host *host, const sozai_texture_info *info, const settings *s,
-                       float (*out)[3]) {
+static int32_t find_service(const sozai_host *host, const sozai_colour_1 **out) {
   const void *found;
   int32_t r = services_find(host, SOZAI_COLOUR_1, &found);
   if (r) return r;
-  const sozai_colour_1 *service = found;
-  if (service && service->size < sizeof *service) {
-    return fail(SOZAI_ERROR_COLOUR, "the colour service is of %u bytes, not %zu", service->size,
-                sizeof *service);
+  *out = found;
+  if (*out && (*out)->size < sizeof **out) {
+    return fail(SOZAI_ERROR_COLOUR, "the colour service is of %u bytes, not %zu", (*out)->size,
+                sizeof **out);
   }
-  if (!service) warn_once(host);
-  for (uint32_t i = 0; i < info->parameter_count; i++) {
-    const sozai_parameter *p = info->parameters[i];
-    if (p->kind != SOZAI_KIND_COLOUR) continue;
-    const char *space = s->list[i].text ? s->list[i].text : "sRGB";
-    for (int c = 0; c < 3; c++) out[i][c] = (float)s->list[i].number[c];
-    if (service) {
-      char message[512] = "";
-      r = service->to_working(service->self, known_name(service, space), out[i], 1, message,
-                              sizeof message);
-      if (r)
-        return fail(SOZAI_ERROR_COLOUR, "%s: colour space \"%.80s\": %s", p->id, space, message);
-    } else {
-      r = convert_by_formula(p->id, space, out[i]);
-      if (r) return r;
-    }
-    for (int c = 0; c < 3; c++) {
-      if (!(out[i][c] > -1e6f && out[i][c] < 1e6f)) {
-        return fail(SOZAI_ERROR_COLOUR, "%s: not finite in the working space", p->id);
-      }
+  if (!*out) warn_once(host);
+  return SOZAI_OK;
+}
+
+static int32_t convert(const sozai_colour_1 *service, const char *id, const char *given,
+                       float rgb[3]) {
+  const char *space = given ? given : "sRGB";
+  if (!service) return convert_by_formula(id, space, rgb);
+  char message[512] = "";
+  int32_t r = service->to_working(service->self, known_name(service, space), rgb, 1, message,
+                                  sizeof message);
+  if (r) return fail(SOZAI_ERROR_COLOUR, "%s: colour space \"%.80s\": %s", id, space, message);
+  for (int c = 0; c < 3; c++) {
+    if (!(rgb[c] > -1e6f && rgb[c] < 1e6f)) {
+      return fail(SOZAI_ERROR_COLOUR, "%s: not finite in the working space", id);
     }
   }
   return SOZAI_OK;
+}
+
+int32_t colour_convert(const sozai_host *host, const sozai_texture_info *info, const settings *s,
+                       float (*out)[3]) {
+  const sozai_colour_1 *service;
+  int32_t r = find_service(host, &service);
+  for (uint32_t i = 0; i < info->parameter_count && !r; i++) {
+    const sozai_parameter *p = info->parameters[i];
+    if (p->kind != SOZAI_KIND_COLOUR) continue;
+    for (int c = 0; c < 3; c++) out[i][c] = (float)s->list[i].number[c];
+    r = convert(service, p->id, s->list[i].text, out[i]);
+  }
+  return r;
+}
+
+int32_t colour_hue(const sozai_host *host, const sozai_parameter *p, const setting *s,
+                   float out[3]) {
+  const sozai_colour_1 *service;
+  int32_t r = find_service(host, &service);
+  if (r) return r;
+  double most = 0.0;
+  for (int c = 0; c < 3; c++) most = s->number[c] > most ? s->number[c] : most;
+  for (int c = 0; c < 3; c++) out[c] = most > 0.0 ? (float)(s->number[c] / most) : 1.0f;
+  return convert(service, p->id, s->text, out);
 }

@@ -15,6 +15,12 @@ void colour_close(void);
 int32_t colour_convert(const sozai_host *host, const sozai_texture_info *info, const settings *s,
                        float (*out)[3]);
 
+/* A colour at its brightest: scaled, in the space it was given in, until its
+ * largest component is 1, then converted. White for black. Scaled in the working
+ * space, it would be another colour in another working space. */
+int32_t colour_hue(const sozai_host *host, const sozai_parameter *p, const setting *s,
+                   float out[3]);
+
 /* What the colour service at hand calls that space: configs agree on what sRGB
  * is, not on its name. The name itself where there is no service. */
 int32_t colour_name(const sozai_host *host, const char *space, const char **out);

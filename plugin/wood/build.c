@@ -6,6 +6,7 @@
 
 #include <string.h>
 
+#include "../core/colour.h"
 #include "../core/hash1.h"
 #include "../core/scalar.h"
 #include "../core/status.h"
@@ -400,7 +401,8 @@ static void build_fibres(wood_constants *w, const settings *s) {
   }
 }
 
-static void build_colour(wood_constants *w, const settings *s, const float (*colours)[3]) {
+static int32_t build_colour(wood_constants *w, const sozai_host *host, const settings *s,
+                            const float (*colours)[3]) {
   memcpy(w->early, colours[P_EARLY_COLOUR], sizeof w->early);
   memcpy(w->late, colours[P_LATE_COLOUR], sizeof w->late);
   memcpy(w->vessel, colours[P_VESSEL_COLOUR], sizeof w->vessel);
@@ -420,13 +422,12 @@ static void build_colour(wood_constants *w, const settings *s, const float (*col
   w->shininess = (float)num(s, P_SHININESS);
   /* the kernel's own operations, in its own precision */
   w->roughness = __builtin_sqrtf(2.0f / (w->shininess + 2.0f));
-  double tint = num(s, P_TINT), most = 1e-6;
-  for (int c = 0; c < 3; c++) {
-    if ((double)w->early[c] > most) most = (double)w->early[c];
-  }
-  for (int c = 0; c < 3; c++) {
-    w->tint_colour[c] = (float)(1.0 + tint * ((double)w->early[c] / most - 1.0));
-  }
+  float hue[3];
+  int32_t r = colour_hue(host, wood_parameters[P_EARLY_COLOUR], &s->list[P_EARLY_COLOUR], hue);
+  if (r) return r;
+  double tint = num(s, P_TINT);
+  for (int c = 0; c < 3; c++) w->tint_colour[c] = (float)(1.0 + tint * ((double)hue[c] - 1.0));
+  return SOZAI_OK;
 }
 
 static uint32_t seed_of(const settings *s) {
@@ -449,7 +450,8 @@ int32_t wood_build(wood_constants *w, const sozai_host *host, const settings *s,
   build_grain(w, s);
   build_vessels(w, s);
   build_fibres(w, s);
-  build_colour(w, s, colours);
+  r = build_colour(w, host, s, colours);
+  if (r) return r;
   return images->service && images->list[P_SECTION]
              ? section_build(w, host, s, images->service, images->list[P_SECTION])
              : SOZAI_OK;

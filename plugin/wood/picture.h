@@ -61,7 +61,10 @@ INLINE picture_sides picture_split(vf aa, vf ab, vf bb) {
  * are points. Lanes past them are zero. */
 INLINE void picture_sample(const wood_constants *w, const picture_place *p, vf c, vf s, vf widen,
                            vf aa, vf ab, vf bb, uint32_t n, vf out[3]) {
-  picture_sides q = picture_split(aa, ab, bb);
+  /* a texture's look-up blurs by a level's texels and by its own interpolation:
+   * three times the variance of a box of the sides it is given */
+  vf k = splat(1.0f / 3.0f);
+  picture_sides q = picture_split(aa * k, ab * k, bb * k);
   /* (arc, rho) -> (x, z): along the arc and along the radius */
   vf a = q.arc * p->around * widen, h = q.shear * p->inward * widen, r = q.radial * widen;
   vf ks = splat(w->picture_per_mm[0]), kt = splat(w->picture_per_mm[1]);

@@ -165,7 +165,9 @@ static void make_tensor(scan *s) {
       zz[k] = gz * gz;
     }
   }
-  for (int c = 0; c < 3; c++) blur(s->tensor + (long)c * cells, nx, nz);
+  for (int c = 0; c < 3; c++) {
+    for (int i = 0; i < 3; i++) blur(s->tensor + (long)c * cells, nx, nz);
+  }
 }
 
 /* Whether all within `margin` cells along the axes is wood: the rim itself must
@@ -193,7 +195,8 @@ static int stripe_at(const scan *s, int i, int j, stripe *out) {
   double l = root(a * a + b * b);
   if (!(l > 0.0)) return 0;
   double coherence = 2.0 * gap / sum;
-  *out = (stripe){i + 0.5, j + 0.5, a / l, b / l, coherence * coherence * root(root(sum))};
+  *out = (stripe){i + 0.5, j + 0.5, a / l, b / l,
+                  coherence * coherence * coherence * coherence * root(root(sum))};
   return 1;
 }
 
@@ -239,31 +242,75 @@ static void strongest(scan *s, int inside, double out[2]) {
   }
 }
 
-/* One step of weighted least squares on the angles by which the normals miss:
- * what misses by far more than `angle` (its tangent) counts for little. */
-static void refine(const scan *s, int margin, double angle, double p[2]) {
-  double size = s->nx > s->nz ? s->nx : s->nz, xx = 0, xz = 0, zz = 0, bx = 0, bz = 0;
+#define HARMONICS 3
+#define UNKNOWNS (2 + 2 * HARMONICS)
+
+/* Gauss's elimination with the largest pivot; 0: the system says nothing. */
+static int solve(double m[UNKNOWNS][UNKNOWNS + 1], int n) {
+  for (int c = 0; c < n; c++) {
+    int p = c;
+    for (int r = c + 1; r < n; r++) {
+      if (m[r][c] * m[r][c] > m[p][c] * m[p][c]) p = r;
+    }
+    if (!(m[p][c] * m[p][c] > 1e-20)) return 0;
+    for (int k = 0; k <= n; k++) {
+      double t = m[p][k];
+      m[p][k] = m[c][k];
+      m[c][k] = t;
+    }
+    for (int r = 0; r < n; r++) {
+      if (r == c) continue;
+      double f = m[r][c] / m[c][c];
+      for (int k = c; k <= n; k++) m[r][k] -= f * m[c][k];
+    }
+  }
+  return 1;
+}
+
+/* One step of weighted least squares on the sines of the angles by which the
+ * normals miss p; what misses by far more than `angle` counts for little. A
+ * pith that is off makes them miss by less the farther they are, and rings that
+ * are not round, r = R (1 + w(theta)), by w' at any distance: both are fitted
+ * at once, w' by its harmonics, of which there are `harmonics`. */
+static int refine(const scan *s, int margin, double angle, int harmonics, double fit[UNKNOWNS],
+                  double p[2]) {
+  int n = 2 + 2 * harmonics;
+  double m[UNKNOWNS][UNKNOWNS + 1];
+  memset(m, 0, sizeof m);
   for (int j = STEP / 2; j < s->nz; j += STEP) {
     for (int i = STEP / 2; i < s->nx; i += STEP) {
       stripe q;
       if (!deep_inside(s, i, j, margin) || !stripe_at(s, i, j, &q)) continue;
-      double dx = p[0] - q.x, dz = p[1] - q.z, r2 = dx * dx + dz * dz;
-      double miss = dx * q.nz - dz * q.nx;
-      double k = q.weight / (r2 + 0.0009 * size * size);
-      k /= 1.0 + miss * miss / (angle * angle * (r2 + 1.0));
-      /* k (I - n n^T) (p - x) = 0, summed */
-      double a = k * q.nz * q.nz, b = -k * q.nx * q.nz, c = k * q.nx * q.nx;
-      xx += a;
-      xz += b;
-      zz += c;
-      bx += a * q.x + b * q.z;
-      bz += b * q.x + c * q.z;
+      double dx = q.x - p[0], dz = q.z - p[1], r = root(dx * dx + dz * dz);
+      if (r < 3.0) continue;
+      double c = dx / r, d = dz / r, side = q.nx * c + q.nz * d < 0.0 ? -1.0 : 1.0;
+      double nx = side * q.nx, nz = side * q.nz;
+      double row[UNKNOWNS + 1] = {-nz / r, nx / r};
+      double ck = c, sk = d, miss = c * nz - d * nx, expected = 0.0;
+      for (int k = 0; k < harmonics; k++) {
+        row[2 + 2 * k] = ck;
+        row[3 + 2 * k] = sk;
+        expected += ck * fit[2 + 2 * k] + sk * fit[3 + 2 * k];
+        double next = ck * c - sk * d;
+        sk = sk * c + ck * d;
+        ck = next;
+      }
+      row[n] = -miss;
+      double off = (miss + expected) / angle, weight = q.weight / (1.0 + off * off);
+      for (int a = 0; a < n; a++) {
+        for (int b = 0; b <= n; b++) m[a][b] += weight * row[a] * row[b];
+      }
     }
   }
-  double det = xx * zz - xz * xz;
-  if (!(det > 1e-9 * (xx + zz) * (xx + zz))) return;
-  p[0] = (bx * zz - bz * xz) / det;
-  p[1] = (bz * xx - bx * xz) / det;
+  if (!solve(m, n)) return 0;
+  for (int a = 0; a < n; a++) fit[a] = m[a][n] / m[a][a];
+  p[0] += fit[0];
+  p[1] += fit[1];
+  return 1;
+}
+
+static int inside_picture(const scan *s, const double p[2]) {
+  return p[0] > 0.0 && p[1] > 0.0 && p[0] < s->nx && p[1] < s->nz;
 }
 
 int scan_pith(scan *s, int inside, double out[2]) {
@@ -280,7 +327,13 @@ int scan_pith(scan *s, int inside, double out[2]) {
   }
   if (count < 24) return 0;
   strongest(s, inside, out);
-  for (int i = 0; i < 12; i++) refine(s, margin, i < 6 ? 0.3 : 0.1, out);
+  double fit[UNKNOWNS] = {0};
+  for (int i = 0; i < 12; i++) {
+    /* with the pith outside, all is seen from one side: the harmonics would say
+     * whatever the pith does */
+    int harmonics = i >= 4 && inside_picture(s, out) ? HARMONICS : 0;
+    if (!refine(s, margin, i < 4 ? 0.3 : 0.12, harmonics, fit, out)) break;
+  }
   double limit = 4.0 * (s->nx + s->nz);
   return out[0] > -limit && out[0] < limit && out[1] > -limit && out[1] < limit;
 }

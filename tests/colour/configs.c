@@ -35,7 +35,7 @@ static void missing_or_unreadable(void **state) {
 
 static void unfit(void **state) {
   (void)state;
-  refuses(CONFIG("no_scene_linear"), SOZAI_ERROR_COLOUR, "scene_linear");
+  refuses(CONFIG("no_linear"), SOZAI_ERROR_COLOUR, "scene_linear");
   refuses(CONFIG("unfit"), SOZAI_ERROR_COLOUR, "nowhere");
 }
 

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "library.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <sys/stat.h>
+
+namespace sozai::images {
+
+using colour::Failure;
+
+static Shape read_into(Source &source, const Stored &stored, uint32_t channels,
+                       const sozai_image_colours &colours,
+                       const sozai_image_conversion &conversion) {
+  PyramidWriter pyramid(stored.shape, stored.room);
+  Linear linear(source.layout(), channels, colours, conversion);
+  source.read([&](float *pixels) { pyramid.row(linear.row(pixels)); });
+  return stored.shape;
+}
+
+Picture::Picture(Store &store, Cache &cache, Source &source, uint32_t channels,
+                 const sozai_image_colours &colours, const sozai_image_conversion &conversion)
+    : orientation(source.layout().orientation), cache(cache),
+      stored(store, shape_of(source.layout().width, source.layout().height, int(channels))),
+      slot((read_into(source, stored, channels, colours, conversion), cache.add(stored))) {}
+
+std::shared_ptr<const Picture> Library::read(Source &source, const sozai_image_request &request,
+                                             const sozai_image_conversion &conversion) {
+  return std::make_shared<const Picture>(store, cache, source, request.channels, colours,
+                                         conversion);
+}
+
+sozai_image_conversion Library::conversion_of(const char *space, const char *path) const {
+  sozai_image_conversion conversion = {};
+  if (!space && !path) return conversion; // a buffer that says nothing is data
+  char message[512];
+  const int32_t result =
+      colours.find(colours.self, space, path, &conversion, message, sizeof message);
+  if (result == SOZAI_OK) return conversion;
+  throw Failure(result, (path ? "picture " + std::string(path) + ": " : std::string()) + message);
+}
+
+static int64_t nanoseconds(const timespec &time) {
+  return int64_t(time.tv_sec) * 1000000000 + time.tv_nsec;
+}
+
+std::shared_ptr<Library::Entry> Library::entry_for(const Key &key) {
+  const std::lock_guard<std::mutex> guard(lock);
+  // Those that nobody has open any more, nor is opening.
+  for (auto e = entries.begin(); e != entries.end();)
+    e = e->second.use_count() == 1 && e->second->picture.expired() ? entries.erase(e)
+                                                                   : std::next(e);
+  std::shared_ptr<Entry> &entry = entries[key];
+  if (!entry) entry = std::make_shared<Entry>();
+  return entry;
+}
+
+std::shared_ptr<const Picture> Library::open_file(const char *path,
+                                                  const sozai_image_request &request) {
+  struct stat status;
+  if (stat(path, &status) != 0)
+    throw Failure(SOZAI_ERROR_FILE, std::string("picture ") + path + ": " + std::strerror(errno));
+  const sozai_image_conversion conversion = conversion_of(request.colour_space, path);
+  const auto entry = entry_for({uint64_t(status.st_dev), uint64_t(status.st_ino),
+                                uint64_t(status.st_size), nanoseconds(status.st_mtim),
+                                nanoseconds(status.st_ctim), request.first_channel,
+                                request.channels, conversion.colour, conversion.how});
+  const std::lock_guard<std::mutex> guard(entry->lock);
+  if (auto already = entry->picture.lock()) return already;
+  const auto source =
+      file_source(path, {request.first_channel, request.channels, conversion.colour != 0});
+  auto picture = read(*source, request, conversion);
+  entry->picture = picture;
+  return picture;
+}
+
+std::shared_ptr<const Picture> Library::open(const sozai_image_request &request) {
+  if (request.path) return open_file(request.path, request);
+  const sozai_buffer &buffer = *request.buffer;
+  const char *space = request.colour_space ? request.colour_space : buffer.colour_space;
+  if (!buffer.data) {
+    sozai_image_request file = request;
+    file.colour_space = space;
+    return open_file(buffer.path, file);
+  }
+  const sozai_image_conversion conversion = conversion_of(space, nullptr);
+  const auto source = buffer_source(
+      buffer, {request.first_channel, request.channels, conversion.colour != 0});
+  return read(*source, request, conversion);
+}
+
+} // namespace sozai::images
