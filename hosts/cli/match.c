@@ -149,7 +149,7 @@ int run_match(int argc, char **argv) {
       {"width", 0, OPTION_NUMBER, &q.width, "MM",
        "how much the photograph shows from left to right (default: 200)", 0.1, 100000},
       {"space", 0, OPTION_TEXT, &q.space, "NAME",
-       "its colour space (default: sRGB, of floats the working space)", 0, 0},
+       "its colour space (default: what the config's file rules say)", 0, 0},
       {"crop", 0, OPTION_TEXT, &q.crop_text, "X,Y,W,H",
        "the part to go by: pixels from the top left", 0, 0},
       {"even-light", 0, OPTION_FLAG, &q.even_light, NULL,

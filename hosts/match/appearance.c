@@ -35,6 +35,7 @@ bool appearance_srgb(const colour *c, float *rgb, size_t count, failure *why) {
 bool appearance_to_working(const colour *c, const char *space, float *rgb, size_t count,
                            failure *why) {
   if (!c->service) {
+    if (strcasecmp(space, "Linear Rec.709") == 0) return true; /* the working space then */
     if (strcasecmp(space, "sRGB") != 0)
       return fail(why, EXIT_BAD_INPUT, "there is no colour service to look up '%s' in", space);
     for (size_t i = 0; i < 3 * count; i++) rgb[i] = decode(rgb[i]);

@@ -14,9 +14,9 @@
 /* Weights of the terms. */
 #define MEAN 2.0
 #define THIRD 0.1
-#define NEAR 0.02
+#define NEAR 0.01
 #define ORDER 0.3
-#define AXIS_LEAST 0.05 /* of the first axis's variance: below it lies noise */
+#define AXIS_LEAST 0.02 /* of the first axis's variance: below it lies noise */
 
 typedef struct solver {
   const fit_problem *q;

@@ -16,7 +16,7 @@
 #define PIXEL_SECOND 2 /* the second */
 
 typedef struct photo_options {
-  const char *space;    /* of its numbers; NULL: sRGB for integers, the working space for floats */
+  const char *space;    /* of its numbers; NULL: by the config's file rules */
   const uint32_t *crop; /* x, y from the top left, width, height; NULL: all of it */
   bool even_light;      /* divide out what light varies slowly over it */
 } photo_options;
