@@ -268,6 +268,7 @@ void fit_palette(const fit_problem *q, fit *out) {
     best = cost;
     memcpy(out->colour, colour, sizeof colour);
     out->brightness = brightness;
+    out->cost = cost;
   }
   fit_moments(q, (const double(*)[3])out->colour, out->brightness, &out->result);
   out->residual = residual_of(q, &out->result);

@@ -25,6 +25,7 @@ typedef struct fit {
   palette colour;
   double brightness;
   double residual; /* the relative Frobenius difference, and of the mean in standard deviations */
+  double cost;     /* what was minimised: the above, and the third moments */
   moments result;  /* of the colours the palette gives */
 } fit;
 

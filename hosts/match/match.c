@@ -8,8 +8,11 @@
 #include "appearance.h"
 #include "linear.h"
 
-/* A brightness is worth changing for a residual smaller by this. */
+/* A brightness is worth changing for a residual smaller by this, or a cost, the
+ * third moments in it, by this factor. Palettes make up for a wrong brightness
+ * in mean and covariance, but not in skewness. */
 #define WORTH 0.01
+#define PLAINLY 0.4
 /* A colour of less weight than this on the whole cannot be told. */
 #define LEAST_WEIGHT 0.001
 
@@ -201,7 +204,8 @@ static void fit_first(matching *m, const moments *target, fit *best) {
   fit freed;
   q.free_brightness = true;
   fit_palette(&q, &freed);
-  if (freed.residual > best->residual - WORTH) return;
+  bool less = freed.residual < best->residual - WORTH && freed.cost < best->cost;
+  if (!less && freed.cost > PLAINLY * best->cost) return;
   *best = freed;
   m->out->residual = freed.residual;
   m->out->brightness = freed.brightness;

