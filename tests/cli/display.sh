@@ -28,6 +28,7 @@ same "its chromaticities" 'chromaticities: 0.64, 0.33, 0.3, 0.6, 0.15, 0.06, 0.3
   "$(attributes plain.exr | grep chromaticities)"
 works render "${small[@]}" --channels dive --config other.ocio -o acescg.exr
 same "another working space" 'colorSpace: "ACEScg"' "$(attributes acescg.exr | grep '^colorSpace')"
+# shellcheck disable=SC2016 # awk's own $
 check "its chromaticities" awk -F'[:,]' '
   /chromaticities/ { n = split("0.713 0.293 0.165 0.83 0.128 0.044 0.32168 0.33767", w, " ")
     for (i = 1; i <= n; i++) { d = $(i + 1) - w[i]; if (d < -2e-5 || d > 2e-5) bad = 1 }
