@@ -330,12 +330,13 @@ static bool find_parts(matching *m, failure *why) {
   bool has_second = false;
   for (size_t i = 0; i < m->roles; i++) has_second = has_second || out->material.roles[i].second;
   out->second_ignored = out->regions.two && !has_second;
-  out->part_count = out->regions.two && has_second ? 2 : 1;
+  const size_t parts = out->regions.two && has_second ? 2 : 1;
+  out->part_count = parts;
   bool lighter = out->second_ignored && out->regions.second_share > out->regions.share;
-  for (size_t i = 0; i < out->part_count; i++) {
+  for (size_t i = 0; i < parts; i++) {
     match_part *part = &out->parts[i];
     uint8_t value = i == 1 || lighter ? PIXEL_SECOND : PIXEL_PART;
-    part->name = i ? out->material.second_part : out->part_count > 1 ? out->material.part : "";
+    part->name = i ? out->material.second_part : parts > 1 ? out->material.part : "";
     part->share = value == PIXEL_SECOND ? out->regions.second_share : out->regions.share;
     moments_take(&part->photo, p->rgb, 3, pixels, p->pixel, value);
     if (part->photo.count < PHOTO_LEAST_PIXELS)
