@@ -47,9 +47,9 @@ typedef struct sozai_colour_1 {
   /* Where the config came from: a path, or a phrase. [thread-safe] */
   const char *(*config_name)(void *self);
   /* The name of the space that scene-linear numbers are in: the role
-   * scene_linear. [thread-safe] */
+   * scene_linear, or what stands in for it. [thread-safe] */
   const char *(*working_space)(void *self);
-  /* Whether the config knows that space: 1 or 0. [thread-safe] */
+  /* Whether to_working and from_working know that space: 1 or 0. [thread-safe] */
   int32_t (*has_space)(void *self, const char *space);
   /* count colours, r g b each, in place, from a space into the working space
    * or back. [thread-safe] */
@@ -89,8 +89,10 @@ typedef struct sozai_display_1 {
   int32_t (*to_display)(void *self, const char *display, const char *view, const char *look,
                         float *rgb, uint64_t count, char *message, size_t message_size);
   /* CIE 1931 x y of red, green, blue and white of a space that is linear
-   * (NULL: the working space). COLOUR: the config cannot say, having neither
-   * of the interchange roles, or the space is not linear. [thread-safe] */
+   * (NULL: the working space). Its white is recognised by its primaries;
+   * primaries that no standard has are given as adapted to D65. COLOUR: the
+   * config cannot say, having neither of the interchange roles, or the space is
+   * not linear. [thread-safe] */
   int32_t (*chromaticities)(void *self, const char *space, float out_xy[8], char *message,
                             size_t message_size);
 } sozai_display_1;
@@ -160,10 +162,13 @@ typedef struct sozai_services_options {
 
 typedef struct sozai_services_1 {
   /* Open a config. options: NULL for the defaults. The services live until
-   * close. On SOZAI_OK message is empty, or a warning: a config without the role
-   * scene_linear is used as it is, its numbers unconverted (see
-   * colour/README.md). FILE: missing, unreadable or malformed. COLOUR: a config
-   * that does not check. Also ARGUMENT, MEMORY and STATE. [thread-safe] */
+   * close. On SOZAI_OK message is empty, or a warning: for the role scene_linear,
+   * where a config is without it, the first of the roles rendering, reference and
+   * default stands in whose space is linear light or data. Where the working
+   * space is data, nothing is converted but what has a name of sRGB's that the
+   * config does not know, by sRGB's formula. FILE: missing, unreadable or
+   * malformed. COLOUR: a config that does not check, or says nothing of a
+   * working space. Also ARGUMENT, MEMORY and STATE. [thread-safe] */
   int32_t (*open)(const sozai_services_options *options, sozai_services **out, char *message,
                   size_t message_size);
   /* The table of that id, or NULL. Lives as long as the services. [thread-safe] */

@@ -37,19 +37,22 @@ constexpr Standard ap0 = {{0.7347, 0.2653}, {0, 1}, {0.0001, -0.077}, aces_white
 
 // What is in use, with the standard that says so.
 constexpr Standard standards[] = {
-    {{0.64, 0.33}, {0.30, 0.60}, {0.15, 0.06}, d65},                   // ITU-R BT.709, sRGB
-    {{0.708, 0.292}, {0.170, 0.797}, {0.131, 0.046}, d65},             // ITU-R BT.2020
-    {{0.680, 0.320}, {0.265, 0.690}, {0.150, 0.060}, d65},             // SMPTE EG 432-1, P3-D65
-    {{0.680, 0.320}, {0.265, 0.690}, {0.150, 0.060}, dci_white},       // SMPTE RP 431-2, P3-DCI
-    {{0.680, 0.320}, {0.265, 0.690}, {0.150, 0.060}, aces_white},      // P3-D60, of ACES outputs
-    {{0.713, 0.293}, {0.165, 0.830}, {0.128, 0.044}, aces_white},      // AMPAS S-2014-004, AP1
-    ap0,                                                               // SMPTE ST 2065-1, AP0
-    {{0.64, 0.33}, {0.21, 0.71}, {0.15, 0.06}, d65},                   // Adobe RGB (1998)
-    {{0.734699, 0.265301}, {0.159597, 0.840403}, {0.036598, 0.000105}, // ISO 22028-2, ROMM RGB
+    {{0.64, 0.33}, {0.30, 0.60}, {0.15, 0.06}, d65},              // ITU-R BT.709, sRGB
+    {{0.708, 0.292}, {0.170, 0.797}, {0.131, 0.046}, d65},        // ITU-R BT.2020
+    {{0.680, 0.320}, {0.265, 0.690}, {0.150, 0.060}, d65},        // SMPTE EG 432-1, P3-D65
+    {{0.680, 0.320}, {0.265, 0.690}, {0.150, 0.060}, dci_white},  // SMPTE RP 431-2, P3-DCI
+    {{0.680, 0.320}, {0.265, 0.690}, {0.150, 0.060}, aces_white}, // P3-D60, of ACES outputs
+    {{0.713, 0.293}, {0.165, 0.830}, {0.128, 0.044}, aces_white}, // AMPAS S-2014-004, AP1
+    ap0,                                                          // SMPTE ST 2065-1, AP0
+    {{0.64, 0.33}, {0.21, 0.71}, {0.15, 0.06}, d65},              // Adobe RGB (1998)
+    {{0.734699, 0.265301},
+     {0.159597, 0.840403},
+     {0.036598, 0.000105}, // ISO 22028-2, ROMM RGB
      d50},
 };
-// Rounded matrices and other adaptations move primaries less, other spaces more.
-constexpr double close_enough = 2e-3;
+// Rounded matrices move primaries less, as CAT02 in place of Bradford does AP1's, and
+// other spaces are farther off.
+constexpr double close_enough = 4e-3;
 
 constexpr Matrix bradford = {
     {{0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296}}};
@@ -152,9 +155,9 @@ void find_chromaticities(const Config &config, Processors &processors, const cha
   const char *role = display ? xyz : aces;
   if (!config.ocio->hasRole(role)) role = display ? aces : xyz;
   if (!config.ocio->hasRole(role))
-    throw Failure(SOZAI_ERROR_COLOUR,
-                  "colour config " + config.name + " has neither of the roles " + aces + " and " +
-                      xyz + ", so that it does not say what its primaries are");
+    throw Failure(SOZAI_ERROR_COLOUR, "colour config " + config.name +
+                                          " has neither of the roles " + aces + " and " + xyz +
+                                          ", so that it does not say what its primaries are");
 
   const auto matrix = matrix_of(*processors.between(name.c_str(), role));
   if (!matrix) throw Failure(SOZAI_ERROR_COLOUR, what + " is not linear light");

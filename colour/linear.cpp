@@ -8,8 +8,8 @@ namespace sozai::colour {
 using Colour = std::array<double, 3>;
 
 static Colour through(const OCIO_NAMESPACE::CPUProcessor &processor, const Colour &in) {
-  float pixel[4] = {static_cast<float>(in[0]), static_cast<float>(in[1]),
-                    static_cast<float>(in[2]), 1};
+  float pixel[4] = {static_cast<float>(in[0]), static_cast<float>(in[1]), static_cast<float>(in[2]),
+                    1};
   processor.applyRGBA(pixel);
   return {pixel[0], pixel[1], pixel[2]};
 }

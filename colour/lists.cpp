@@ -11,8 +11,8 @@ namespace sozai::colour {
 
 // The item of that name to the front; the others keep their order.
 static void put_first(std::vector<Item> &items, const std::string &name) {
-  const auto found = std::find_if(items.begin(), items.end(),
-                                  [&](const Item &item) { return item.name == name; });
+  const auto found =
+      std::find_if(items.begin(), items.end(), [&](const Item &item) { return item.name == name; });
   if (found != items.end()) std::rotate(items.begin(), found, found + 1);
 }
 
@@ -57,12 +57,18 @@ Lists::Lists(const ocio::Config &config) {
 
 const std::vector<Item> *Lists::find(uint32_t list, const char *display) const {
   switch (list) {
-  case SOZAI_LIST_SPACES: return &spaces;
-  case SOZAI_LIST_ROLES: return &roles;
-  case SOZAI_LIST_DISPLAYS: return &displays;
-  case SOZAI_LIST_LOOKS: return &looks;
-  case SOZAI_LIST_VIEWS: break;
-  default: return nullptr;
+  case SOZAI_LIST_SPACES:
+    return &spaces;
+  case SOZAI_LIST_ROLES:
+    return &roles;
+  case SOZAI_LIST_DISPLAYS:
+    return &displays;
+  case SOZAI_LIST_LOOKS:
+    return &looks;
+  case SOZAI_LIST_VIEWS:
+    break;
+  default:
+    return nullptr;
   }
   if (!display && displays.empty()) return nullptr;
   const auto found = views.find(display ? display : displays.front().name);

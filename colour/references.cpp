@@ -35,8 +35,7 @@ struct Cost {
 
 class Walk {
 public:
-  explicit Walk(const ocio::Config &config)
-      : config(config), context(config.getCurrentContext()) {}
+  explicit Walk(const ocio::Config &config) : config(config), context(config.getCurrentContext()) {}
 
   Cost space(const char *name) {
     const auto found = config.getColorSpace(name);
@@ -138,8 +137,7 @@ private:
     if (!t) return {};
     Cost cost = {1, 0};
     if (const auto group = ocio::DynamicPtrCast<const ocio::GroupTransform>(t)) {
-      for (int i = 0; i < group->getNumTransforms(); i++)
-        cost += transform(group->getTransform(i));
+      for (int i = 0; i < group->getNumTransforms(); i++) cost += transform(group->getTransform(i));
     } else if (const auto space = ocio::DynamicPtrCast<const ocio::ColorSpaceTransform>(t)) {
       cost += conversion(resolved(space->getSrc()), resolved(space->getDst()));
     } else if (const auto look = ocio::DynamicPtrCast<const ocio::LookTransform>(t)) {

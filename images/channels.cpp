@@ -15,11 +15,10 @@ void must_be_sane(const std::string &name, uint64_t width, uint64_t height) {
   if (width >= 1 && height >= 1 && width <= largest_side && height <= largest_side &&
       width * height <= most_pixels)
     return;
-  throw colour::Failure(SOZAI_ERROR_FILE, name + " claims " + std::to_string(width) + " x " +
-                                              std::to_string(height) +
-                                              " pixels; taken are sides of 1 to " +
-                                              std::to_string(largest_side) + " and " +
-                                              std::to_string(most_pixels) + " in all");
+  throw colour::Failure(SOZAI_ERROR_FILE,
+                        name + " claims " + std::to_string(width) + " x " + std::to_string(height) +
+                            " pixels; taken are sides of 1 to " + std::to_string(largest_side) +
+                            " and " + std::to_string(most_pixels) + " in all");
 }
 
 int channel_for(const Choice &choice, uint32_t index, int count, int alpha) {

@@ -24,8 +24,20 @@ namespace {
 constexpr size_t block_bytes = size_t(16) << 20; // read at a time
 constexpr int block_rows = 64;
 
-// OpenImageIO says little, opens whatever has a name, and waits for a pipe.
-void must_be_a_file(const std::string &path) {
+// A file that is open, closed at the end.
+class Descriptor {
+public:
+  explicit Descriptor(int number) : number(number) {}
+  ~Descriptor() {
+    if (number >= 0) close(number);
+  }
+  Descriptor(const Descriptor &) = delete;
+  Descriptor &operator=(const Descriptor &) = delete;
+  const int number;
+};
+
+// Opens it. OpenImageIO says little, opens whatever has a name, and waits for a pipe.
+int must_be_a_file(const std::string &path) {
   const auto refuse = [&](const char *why) {
     throw Failure(SOZAI_ERROR_FILE, "picture " + path + ": " + why);
   };
@@ -36,7 +48,14 @@ void must_be_a_file(const std::string &path) {
   if (status.st_size == 0) refuse("empty");
   const int file = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (file < 0) refuse(std::strerror(errno));
-  close(file);
+  return file;
+}
+
+// The name by which OpenImageIO opens it: what follows a question mark it takes for
+// arguments.
+std::string safe_name(const std::string &path, const Descriptor &file) {
+  if (path.find('?') == std::string::npos) return path;
+  return "/proc/self/fd/" + std::to_string(file.number);
 }
 
 // Readers pile up a line for each attempt; the first says why.
@@ -52,14 +71,13 @@ bool is_cmyk(const OIIO::ImageSpec &spec) {
 
 class FileSource final : public Source {
 public:
-  FileSource(const char *path, const Choice &choice) : name(path) {
-    must_be_a_file(name);
+  FileSource(const char *path, const Choice &choice) : name(path), file(must_be_a_file(name)) {
     if (const char *why = png_damage(name.c_str())) refuse(why);
     OIIO::ImageSpec hints;
     // As it is: OpenImageIO would multiply by alpha before the colour is linear, and
     // round to 8 bits.
     hints.attribute("oiio:UnassociatedAlpha", 1);
-    input = OIIO::ImageInput::open(name, &hints);
+    input = OIIO::ImageInput::open(safe_name(name, file), &hints);
     if (!input) {
       const std::string why = first_line(OIIO::geterror());
       refuse(why.empty() ? "no kind of picture that OpenImageIO knows" : why);
@@ -139,8 +157,7 @@ private:
     const bool tiled = spec.tile_width > 0 && spec.tile_height > 0;
     const size_t row_bytes = sizeof(float) * size_t(spec.width) * size_t(high - low);
     rows_at_once = std::clamp(int(block_bytes / row_bytes), 1, block_rows);
-    if (tiled)
-      rows_at_once = std::max(rows_at_once / spec.tile_height, 1) * spec.tile_height;
+    if (tiled) rows_at_once = std::max(rows_at_once / spec.tile_height, 1) * spec.tile_height;
     block.resize(size_t(spec.width) * size_t(high - low) * size_t(rows_at_once));
   }
 
@@ -197,6 +214,7 @@ private:
   }
 
   const std::string name;
+  const Descriptor file;
   std::unique_ptr<OIIO::ImageInput> input;
   OIIO::ImageSpec spec;
   Layout about = {};

@@ -49,8 +49,8 @@ float finite(float value) {
 // EXIF's orientations 5 to 8 exchange rows and columns. Rows run upwards in 3, 4, 7
 // and 8, columns from right to left in 2, 3, 6 and 7; in the words of what is stored,
 // that mirrors t in 3, 4, 6 and 7, and s in 2, 3, 7 and 8.
-sozai_image::sozai_image(std::shared_ptr<const sozai::images::Picture> the_picture,
-                         uint32_t wrap_s, uint32_t wrap_t)
+sozai_image::sozai_image(std::shared_ptr<const sozai::images::Picture> the_picture, uint32_t wrap_s,
+                         uint32_t wrap_t)
     : picture(std::move(the_picture)), turned(picture->orientation >= 5),
       mirror_s(picture->orientation == 2 || picture->orientation == 3 ||
                picture->orientation == 7 || picture->orientation == 8),

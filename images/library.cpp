@@ -44,15 +44,19 @@ static int64_t nanoseconds(const timespec &time) {
   return int64_t(time.tv_sec) * 1000000000 + time.tv_nsec;
 }
 
-std::shared_ptr<Library::Entry> Library::entry_for(const Key &key) {
-  const std::lock_guard<std::mutex> guard(lock);
-  // Those that nobody has open any more, nor is opening.
+Library::Claim::Claim(Library &library, const Key &key) : library(library) {
+  const std::lock_guard<std::mutex> guard(library.lock);
+  // Those that nobody has open any more.
+  auto &entries = library.entries;
   for (auto e = entries.begin(); e != entries.end();)
-    e = e->second.use_count() == 1 && e->second->picture.expired() ? entries.erase(e)
-                                                                   : std::next(e);
-  std::shared_ptr<Entry> &entry = entries[key];
-  if (!entry) entry = std::make_shared<Entry>();
-  return entry;
+    e = e->second.claims == 0 && e->second.picture.expired() ? entries.erase(e) : std::next(e);
+  claimed = &entries[key];
+  claimed->claims++;
+}
+
+Library::Claim::~Claim() {
+  const std::lock_guard<std::mutex> guard(library.lock);
+  claimed->claims--;
 }
 
 std::shared_ptr<const Picture> Library::open_file(const char *path,
@@ -61,16 +65,16 @@ std::shared_ptr<const Picture> Library::open_file(const char *path,
   if (stat(path, &status) != 0)
     throw Failure(SOZAI_ERROR_FILE, std::string("picture ") + path + ": " + std::strerror(errno));
   const sozai_image_conversion conversion = conversion_of(request.colour_space, path);
-  const auto entry = entry_for({uint64_t(status.st_dev), uint64_t(status.st_ino),
-                                uint64_t(status.st_size), nanoseconds(status.st_mtim),
-                                nanoseconds(status.st_ctim), request.first_channel,
-                                request.channels, conversion.colour, conversion.how});
-  const std::lock_guard<std::mutex> guard(entry->lock);
-  if (auto already = entry->picture.lock()) return already;
+  Claim claim(*this, {uint64_t(status.st_dev), uint64_t(status.st_ino), uint64_t(status.st_size),
+                      nanoseconds(status.st_mtim), nanoseconds(status.st_ctim),
+                      request.first_channel, request.channels, conversion.colour, conversion.how});
+  Entry &entry = claim.entry();
+  const std::lock_guard<std::mutex> guard(entry.reading);
+  if (auto already = entry.picture.lock()) return already;
   const auto source =
       file_source(path, {request.first_channel, request.channels, conversion.colour != 0});
   auto picture = read(*source, request, conversion);
-  entry->picture = picture;
+  entry.picture = picture;
   return picture;
 }
 
@@ -84,8 +88,8 @@ std::shared_ptr<const Picture> Library::open(const sozai_image_request &request)
     return open_file(buffer.path, file);
   }
   const sozai_image_conversion conversion = conversion_of(space, nullptr);
-  const auto source = buffer_source(
-      buffer, {request.first_channel, request.channels, conversion.colour != 0});
+  const auto source =
+      buffer_source(buffer, {request.first_channel, request.channels, conversion.colour != 0});
   return read(*source, request, conversion);
 }
 

@@ -50,23 +50,36 @@ private:
   // What makes two requests one: the file as it is now, and what is made of it.
   using Key = std::tuple<uint64_t, uint64_t, uint64_t, int64_t, int64_t, uint32_t, uint32_t,
                          int32_t, const void *>;
-  // One that is being opened or has been; its lock is held while it is read.
+  // One that is being opened or has been; `reading` is held while it is read.
   struct Entry {
-    std::mutex lock;
+    std::mutex reading;
     std::weak_ptr<const Picture> picture;
+    unsigned claims = 0; // by those who open it just now
+  };
+  // The entry of a key, which stays while this lives.
+  class Claim {
+  public:
+    Claim(Library &library, const Key &key);
+    ~Claim();
+    Claim(const Claim &) = delete;
+    Claim &operator=(const Claim &) = delete;
+    Entry &entry() { return *claimed; }
+
+  private:
+    Library &library;
+    Entry *claimed;
   };
 
   std::shared_ptr<const Picture> open_file(const char *path, const sozai_image_request &request);
   std::shared_ptr<const Picture> read(Source &source, const sozai_image_request &request,
                                       const sozai_image_conversion &conversion);
-  std::shared_ptr<Entry> entry_for(const Key &key);
   sozai_image_conversion conversion_of(const char *space, const char *path) const;
 
   const sozai_image_colours colours;
   Store store;
   Cache cache; // after the store it reads from
   std::mutex lock;
-  std::map<Key, std::shared_ptr<Entry>> entries;
+  std::map<Key, Entry> entries;
 };
 
 } // namespace sozai::images

@@ -106,6 +106,6 @@ static void close_images(sozai_images_1 *images) { delete static_cast<Library *>
 
 extern "C" {
 extern __attribute__((visibility("default"))) const sozai_images_module sozai_images_entry;
-const sozai_images_module sozai_images_entry = {
-    SOZAI_IMAGES_MODULE, sozai::images::open_images, sozai::images::close_images};
+const sozai_images_module sozai_images_entry = {SOZAI_IMAGES_MODULE, sozai::images::open_images,
+                                                sozai::images::close_images};
 }

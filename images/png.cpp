@@ -56,7 +56,9 @@ const char *png_damage(const char *path) {
   const std::unique_ptr<std::FILE, Close> file(std::fopen(path, "rbe"));
   if (!file) return nullptr; // the reader says why
   unsigned char head[8];
-  const auto get = [&](void *to, size_t size) { return std::fread(to, 1, size, file.get()) == size; };
+  const auto get = [&](void *to, size_t size) {
+    return std::fread(to, 1, size, file.get()) == size;
+  };
   if (!get(head, 8) || std::memcmp(head, "\x89PNG\r\n\x1a\n", 8) != 0) return nullptr;
   std::vector<unsigned char> piece(1 << 16);
   for (;;) {

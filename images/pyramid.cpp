@@ -75,8 +75,7 @@ private:
 
   void flush() {
     const int tile_row = (rows - 1) / shape.tile_height;
-    const uint64_t first =
-        level.first_tile + uint64_t(tile_row) * uint64_t(level.tiles_across);
+    const uint64_t first = level.first_tile + uint64_t(tile_row) * uint64_t(level.tiles_across);
     room.store.write(room.offset + first * shape.tile_floats() * sizeof(float), tiles.data(),
                      tiles.size() * sizeof(float));
     std::fill(tiles.begin(), tiles.end(), 0.0f);
@@ -119,9 +118,9 @@ private:
 
   std::unique_ptr<Stage> coarser;
   std::vector<Taps> taps;
-  std::vector<float> narrow;             // the row, halved across
+  std::vector<float> narrow;              // the row, halved across
   std::array<std::vector<float>, 2> sums; // the coarser rows under way, even and odd
-  int next = 0;                          // coarser row to be finished
+  int next = 0;                           // coarser row to be finished
 };
 
 PyramidWriter::PyramidWriter(const Shape &shape, const Room &room)

@@ -22,9 +22,7 @@ struct Shape {
   std::vector<Level> levels;   // the picture first; each next half as wide and high, to 1 x 1
   uint64_t tiles;
 
-  size_t tile_floats() const {
-    return size_t(tile_width) * size_t(tile_height) * size_t(channels);
-  }
+  size_t tile_floats() const { return size_t(tile_width) * size_t(tile_height) * size_t(channels); }
   uint64_t bytes() const { return tiles * tile_floats() * sizeof(float); }
 };
 

@@ -61,7 +61,7 @@ float *bake_board(const plugin *p, const board *b, failure *why) {
     return NULL;
   }
   sozai_texture *texture = NULL;
-  bool ok = wood_create(&(wood){0}, p, &texture, why) && bake_with(texture, p, b, rgb, why);
+  bool ok = wood_create(&(wood){0}, NULL, p, &texture, why) && bake_with(texture, p, b, rgb, why);
   p->textures->destroy(texture);
   if (ok) return rgb;
   free(rgb);

@@ -56,6 +56,7 @@ static bool make_picture(const bench *b, const char *path, failure *why) {
 
 static bool make_yardstick(bench *b, const char *path, failure *why) {
   if (!make_picture(b, path, why)) return false;
+  b->picture = path;
   b->yardstick = yardstick_open(path, why);
   return b->yardstick != NULL;
 }

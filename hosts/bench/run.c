@@ -81,7 +81,8 @@ static bool run_create(void *context, double *ns, failure *why) {
   double begin = thread_ns();
   for (int i = 0; i < CREATES; i++) {
     sozai_texture *texture = NULL;
-    if (!wood_create(&j->entry->wood, &j->bench->plugin, &texture, why)) return false;
+    if (!wood_create(&j->entry->wood, j->bench->picture, &j->bench->plugin, &texture, why))
+      return false;
     j->bench->plugin.textures->destroy(texture);
   }
   *ns = (thread_ns() - begin) / CREATES;
@@ -150,7 +151,8 @@ static bool run_on_points(job *j, result *out, failure *why) {
   out->ns_min = t[1].min / points;
   take_yardstick(b, &t[0], out);
   /* A point alone is no work for vectors: their limit says nothing about it. */
-  if (out->batch > 1) find_limit(j, out);
+  /* And of a picture's texture system it would count every step. */
+  if (out->batch > 1 && !j->entry->wood.pictured) find_limit(j, out);
   return true;
 }
 
@@ -206,7 +208,7 @@ bool entry_run(const bench *b, const entry *e, result *out, bool *skipped, failu
   atomic_init(&j.failed, false);
   *skipped = e->kind == ENTRY_THREADS && pin_cpu_count() < 2;
   if (*skipped) return true;
-  if (!wood_create(&e->wood, &b->plugin, &j.texture, why)) return false;
+  if (!wood_create(&e->wood, b->picture, &b->plugin, &j.texture, why)) return false;
   *skipped = j.texture == NULL;
   if (*skipped) return true;
   /* the plugin's own text, which outlives the texture */

@@ -14,6 +14,7 @@ typedef struct bench {
   plugin plugin;
   board board;
   yardstick *yardstick; /* NULL: no entry needs it */
+  const char *picture;  /* the yardstick's file */
   uint32_t repetitions;
   uint32_t counted_batches; /* stepped through to count operations */
 } bench;

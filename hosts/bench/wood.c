@@ -5,15 +5,31 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define PICTURE_MM 256 /* the board's side */
+
 static sozai_value choice(const char *id, const char *text) {
   return (sozai_value){.id = id, .kind = SOZAI_KIND_CHOICE, .text = text};
 }
 
-bool wood_create(const wood *w, const plugin *p, sozai_texture **out, failure *why) {
-  sozai_value values[3] = {choice("cut", "flat"),
-                           choice("grain", w->grain ? w->grain : "compound")};
+static sozai_value number(const char *id, double x) {
+  return (sozai_value){.id = id, .kind = SOZAI_KIND_FLOAT, .number = {x}};
+}
+
+bool wood_create(const wood *w, const char *picture, const plugin *p, sozai_texture **out,
+                 failure *why) {
+  sozai_value values[10] = {choice("cut", w->cut ? w->cut : "flat"),
+                            choice("grain", w->grain ? w->grain : "compound")};
   uint32_t count = 2;
   if (w->porosity) values[count++] = choice("porosity", w->porosity);
+  if (w->pictured) {
+    values[count++] = (sozai_value){.id = "section", .kind = SOZAI_KIND_IMAGE, .text = picture};
+    values[count++] = number("section_width", PICTURE_MM);
+    values[count++] = choice("section_pith", "given");
+    values[count++] = choice("section_rim", "none");
+    /* an end-grain board that is the picture itself, in the yardstick's own order */
+    values[count++] = number("cut_distance", w->cut ? 0 : 60);
+    values[count++] = number("cut_height", 0);
+  }
   /* The kernel is chosen within create(). Unset, it is the best. */
   if (w->cpu)
     setenv("SOZAI_CPU", w->cpu, 1);

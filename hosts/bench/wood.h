@@ -9,11 +9,15 @@ typedef struct wood {
   const char *grain;    /* NULL: compound, which is all grains at once */
   const char *porosity; /* NULL: the preset's */
   const char *cpu;      /* an instruction set, or NULL for the best there is */
+  const char *cut;      /* NULL: flat */
+  bool pictured;        /* its section is the yardstick's picture */
 } wood;
 
 /* A flat-sawn board of the preset keyaki. Where the machine lacks the
- * instruction set, true with *out = NULL. */
-bool wood_create(const wood *w, const plugin *p, sozai_texture **out, failure *why);
+ * instruction set, true with *out = NULL. picture: the yardstick's, for those
+ * that want it. */
+bool wood_create(const wood *w, const char *picture, const plugin *p, sozai_texture **out,
+                 failure *why);
 
 /* The channel of that id, or NULL. */
 const sozai_channel *wood_channel(const plugin *p, const char *id);

@@ -458,7 +458,11 @@ int32_t settings_make(settings *out, const sozai_host *host, const sozai_texture
       for (uint32_t i = 0; i < n; i++) {
         list[i] = scratch[i].s;
         copy_owned(&list[i], &at);
-        if (image_name_given(&scratch[i].image)) copy_image(&list[i], &scratch[i].image, &at);
+        if (image_name_given(&scratch[i].image)) {
+          copy_image(&list[i], &scratch[i].image, &at);
+        } else if (info->parameters[i]->kind == SOZAI_KIND_IMAGE) {
+          list[i].text = "";
+        }
       }
       out->list = list;
       out->bytes = bytes;

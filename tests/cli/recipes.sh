@@ -48,7 +48,7 @@ mistake ":4|pitch|5000|0.1|1000" <<<$'material: wood\nparams:\n  shiny: true\n  
 mistake ":3|'ptch'" <<<$'material: wood\nparams:\n  ptch: 5'
 mistake ":3|pitch|'wide'" <<<$'material: wood\nparams:\n  pitch: wide'
 mistake ":4|'pitch'|twice" <<<$'material: wood\nparams:\n  pitch: 5\n  pitch: 6'
-mistake ":3|single value" <<<$'material: wood\nparams:\n  pitch: {a: 1}'
+mistake ":3|'a'|an image|file, space" <<<$'material: wood\nparams:\n  pitch: {a: 1}'
 mistake ":3|'ball'|plane, board, mesh" <<<$'material: wood\nsurface:\n  shape: ball'
 mistake ":3|size|'-2'|0.001" <<<$'material: wood\nsurface:\n  size: [1, -2]'
 mistake ":3|size|at most 3" <<<$'material: wood\nsurface:\n  size: [1, 2, 3, 4]'

@@ -89,10 +89,23 @@ static void bad_optimisation_flags(void **state) {
     setenv("OCIO_OPTIMIZATION_FLAGS", bad[i], 1);
     int32_t result = s->to_working(s->self, "sRGB", rgb, 1, message, sizeof message);
     int32_t display = d->to_display(d->self, NULL, NULL, NULL, rgb, 1, NULL, 0);
+    float xy[8];
+    int32_t primaries = d->chromaticities(d->self, "ACEScg", xy, NULL, 0);
+    /* A config whose spaces have to be tried out at once. */
+    sozai_services *services = NULL;
+    char of_open[512] = "";
+    int32_t open =
+        library_open(SOZAI_TEST_DATA "/configs/rendering.ocio", &services, of_open, sizeof of_open);
+    library_factory()->close(services);
     unsetenv("OCIO_OPTIMIZATION_FLAGS");
     print_message("%s\n", message);
     assert_int_equal(result, SOZAI_ERROR_COLOUR);
     assert_int_equal(display, SOZAI_ERROR_COLOUR);
+    assert_int_equal(primaries, SOZAI_ERROR_COLOUR);
+    print_message("%s\n", of_open);
+    assert_int_equal(open, SOZAI_ERROR_COLOUR);
+    assert_contains(of_open, "OCIO_OPTIMIZATION_FLAGS");
+    assert_contains(of_open, "rendering.ocio");
     assert_contains(message, "OCIO_OPTIMIZATION_FLAGS");
     assert_contains(message, bad[i]);
     assert_memory_equal(rgb, colour, sizeof rgb);
@@ -136,8 +149,23 @@ static void prints_nothing(void **state) {
   float rgb[3] = {0};
   int32_t failing = s ? s->to_working(s->self, "lost", rgb, 1, NULL, 0) : 0;
   library_factory()->close(services);
-  library_open(SOZAI_TEST_DATA "/configs/unfit.ocio", &services, NULL, 0);
+  static const char *const bad[] = {"unfit",           "malformed",      "no_linear",
+                                    "circular_spaces", "circular_looks", "circular_view",
+                                    "circular_alias"};
+  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+    char path[1024];
+    snprintf(path, sizeof path, SOZAI_TEST_DATA "/configs/%s.ocio", bad[i]);
+    library_open(path, &services, NULL, 0);
+    if (services) result = SOZAI_ERROR_STATE;
+  }
   library_open("/nowhere", &services, NULL, 0);
+  library_open("ocio://default", &services, NULL, 0);
+  library_factory()->close(services);
+  services = NULL;
+  library_open(SOZAI_TEST_DATA "/configs/created_raw.ocio", &services, NULL, 0);
+  const sozai_display_1 *d = library_factory()->get(services, SOZAI_DISPLAY_1);
+  if (d) d->to_display(d->self, "nowhere", NULL, "none", rgb, 1, NULL, 0);
+  library_factory()->close(services);
   fflush(NULL);
   dup2(out, 1);
   dup2(err, 2);

@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #define CONFIG(name) SOZAI_TEST_DATA "/configs/" name ".ocio"
-#define BLENDER "/usr/share/blender/datafiles/colormanagement/config.ocio"
+#define BLENDER blender_config()
 
 static void check(const sozai_display_1 *d, const char *space, const primaries *want) {
   char message[512] = "";

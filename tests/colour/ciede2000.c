@@ -55,12 +55,11 @@ double ciede2000(const double lab1[3], const double lab2[3]) {
     else if (dh < -180)
       dh += 360;
   }
-  const double dl = lab2[0] - lab1[0], dc = c2 - c1,
-               dhue = 2 * sqrt(c1 * c2) * sin_deg(dh / 2);
+  const double dl = lab2[0] - lab1[0], dc = c2 - c1, dhue = 2 * sqrt(c1 * c2) * sin_deg(dh / 2);
   const double l = (lab1[0] + lab2[0]) / 2, cc = (c1 + c2) / 2;
 
-  const double t = 1 - 0.17 * cos_deg(h - 30) + 0.24 * cos_deg(2 * h) +
-                   0.32 * cos_deg(3 * h + 6) - 0.20 * cos_deg(4 * h - 63);
+  const double t = 1 - 0.17 * cos_deg(h - 30) + 0.24 * cos_deg(2 * h) + 0.32 * cos_deg(3 * h + 6) -
+                   0.20 * cos_deg(4 * h - 63);
   const double turn = 30 * exp(-pow((h - 275) / 25, 2));
   const double sl = 1 + 0.015 * pow(l - 50, 2) / sqrt(20 + pow(l - 50, 2));
   const double sc = 1 + 0.045 * cc, sh = 1 + 0.015 * cc * t;

@@ -114,11 +114,9 @@ static void missing_table(void **state) {
   service_close(opened);
 }
 
-/* Blender's, where it is installed or SOZAI_TEST_BLENDER_CONFIG says it is. */
 static void blender(void **state) {
   (void)state;
-  const char *path = getenv("SOZAI_TEST_BLENDER_CONFIG");
-  if (!path) path = "/usr/share/blender/datafiles/colormanagement/config.ocio";
+  const char *path = blender_config();
   if (access(path, R_OK) != 0) skip();
   service opened = service_open(path);
   const sozai_colour_1 *s = opened.colour;

@@ -14,7 +14,7 @@
 #include <unistd.h>
 
 #define CONFIG(name) SOZAI_TEST_DATA "/configs/" name ".ocio"
-#define BLENDER "/usr/share/blender/datafiles/colormanagement/config.ocio"
+#define BLENDER blender_config()
 #define LIMIT 0.5
 
 static float here[PIXELS * 3], there[PIXELS * 3];
@@ -70,7 +70,10 @@ static void palette(const char *config, const char *space, const primaries *work
   char what[1200], arguments[256], path[1024], message[512] = "";
   shipped_path(path);
   if (!config) config = path;
-  if (access(config, R_OK) != 0) return;
+  if (access(config, R_OK) != 0) {
+    print_message("%s is not here\n", config);
+    return;
+  }
   service s = service_open(config);
   const sozai_colour_1 *c = s.colour;
   const char *name = c->working_space(c->self);
@@ -109,7 +112,10 @@ static void view(const char *config, const char *display, const char *name, cons
   char what[1200], arguments[512] = "", path[1024], message[512] = "";
   shipped_path(path);
   if (!config) config = path;
-  if (access(config, R_OK) != 0) return;
+  if (access(config, R_OK) != 0) {
+    print_message("%s is not here\n", config);
+    return;
+  }
   service s = service_open(config);
   const sozai_display_1 *d = s.display;
   const char *from = s.colour->working_space(s.colour->self);

@@ -70,7 +70,7 @@ static void raw(void **state) {
   const sozai_display_1 *d = s.display;
   assert_string_equal(c->working_space(c->self), "raw");
   const float before[3] = {0.5f, -0.25f, 0.02f};
-  static const char *const unchanged[] = {"raw", "default", "lin_rec709", "Linear Rec.709",
+  static const char *const unchanged[] = {"raw",      "default",     "lin_rec709", "Linear Rec.709",
                                           "lin_srgb", "scene_linear"};
   for (size_t i = 0; i < sizeof unchanged / sizeof *unchanged; i++) {
     float rgb[3] = {0.5f, -0.25f, 0.02f};

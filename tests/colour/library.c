@@ -75,3 +75,8 @@ int shipped_teardown(void **state) {
   service_close(shipped);
   return library_teardown(state);
 }
+
+const char *blender_config(void) {
+  const char *path = getenv("SOZAI_TEST_BLENDER_CONFIG");
+  return path ? path : "/usr/share/blender/datafiles/colormanagement/config.ocio";
+}

@@ -49,6 +49,10 @@ static inline const sozai_display_1 *display_of(void **state) {
   return ((const service *)*state)->display;
 }
 
+/* Where Blender's config is: SOZAI_TEST_BLENDER_CONFIG, else Debian's place for it.
+ * Tests that find none there skip. */
+const char *blender_config(void);
+
 #define assert_contains(text, part) assert_non_null(strstr(text, part))
 
 #endif

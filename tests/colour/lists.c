@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #define CONFIG(name) SOZAI_TEST_DATA "/configs/" name ".ocio"
-#define BLENDER "/usr/share/blender/datafiles/colormanagement/config.ocio"
+#define BLENDER blender_config()
 
 /* "name=detail|" of each. */
 static const char *listed(const sozai_display_1 *d, uint32_t list, const char *display) {
@@ -130,9 +130,8 @@ static void names_work(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(shipped),           cmocka_unit_test(acescg),
-      cmocka_unit_test(blender),           cmocka_unit_test(what_there_is_not),
-      cmocka_unit_test(names_work),
+      cmocka_unit_test(shipped),           cmocka_unit_test(acescg),     cmocka_unit_test(blender),
+      cmocka_unit_test(what_there_is_not), cmocka_unit_test(names_work),
   };
   return cmocka_run_group_tests(tests, shipped_setup, shipped_teardown);
 }

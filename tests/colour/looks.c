@@ -10,10 +10,9 @@
 #define CONFIG(name) SOZAI_TEST_DATA "/configs/" name ".ocio"
 
 enum { COLOURS = 8 };
-static const float colours[COLOURS * 3] = {0.18f, 0.18f, 0.18f, 0.27f, 0.15f, 0.073f,
-                                           0.02f, 0.3f,  0.9f,  1.5f,  0.7f,  0.2f,
-                                           0,     0,     0,     0.4f,  0.31f, 0.19f,
-                                           4,     5,     3,     0.01f, 0.8f,  0.01f};
+static const float colours[COLOURS * 3] = {0.18f, 0.18f, 0.18f, 0.27f, 0.15f, 0.073f, 0.02f, 0.3f,
+                                           0.9f,  1.5f,  0.7f,  0.2f,  0,     0,      0,     0.4f,
+                                           0.31f, 0.19f, 4,     5,     3,     0.01f,  0.8f,  0.01f};
 
 typedef struct {
   float rgb[COLOURS * 3];
@@ -79,9 +78,9 @@ static void refused(const char *of_display, const char *view, const char *look,
   float rgb[3] = {0.1f, 0.2f, 0.3f};
   const float before[3] = {0.1f, 0.2f, 0.3f};
   char message[512] = "";
-  assert_int_equal(display->to_display(display->self, of_display, view, look, rgb, 1, message,
-                                       sizeof message),
-                   SOZAI_ERROR_COLOUR);
+  assert_int_equal(
+      display->to_display(display->self, of_display, view, look, rgb, 1, message, sizeof message),
+      SOZAI_ERROR_COLOUR);
   print_message("%s\n", message);
   for (int i = 0; i < 3; i++) assert_contains(message, parts[i]);
   assert_memory_equal(rgb, before, sizeof rgb);
@@ -115,8 +114,8 @@ static int teardown(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(by_their_definition),       cmocka_unit_test(in_place_of_the_views_own),
-      cmocka_unit_test(not_on_data),               cmocka_unit_test(hidden_views_can_be_named),
+      cmocka_unit_test(by_their_definition), cmocka_unit_test(in_place_of_the_views_own),
+      cmocka_unit_test(not_on_data),         cmocka_unit_test(hidden_views_can_be_named),
       cmocka_unit_test(unknown_names),
   };
   return cmocka_run_group_tests(tests, setup, teardown);

@@ -53,6 +53,15 @@ static void *hammer(void *argument) {
         !strstr(message, "Utopia RGB"))
       w->wrong++;
     if (s->has_space(s->self, "sRGB") != 1) w->wrong++;
+
+    const sozai_display_1 *d = w->service->display;
+    const char *view = NULL;
+    float xy[8];
+    if (d->item(d->self, SOZAI_LIST_VIEWS, NULL, i % 3, &view, NULL) != SOZAI_OK) w->wrong++;
+    if (d->to_display(d->self, NULL, view, "", rgb, 1, NULL, 0) != SOZAI_OK) w->wrong++;
+    if (d->chromaticities(d->self, "ACEScg", xy, NULL, 0) != SOZAI_OK ||
+        !(xy[0] > 0.7129f && xy[0] < 0.7131f))
+      w->wrong++;
   }
   return NULL;
 }

@@ -237,12 +237,15 @@ static void values(void **unused) {
     assert_int_equal(textures->value(t, q->id, &v), SOZAI_OK);
     assert_string_equal(v.id, q->id);
     assert_int_equal(v.kind, q->kind);
-    assert_memory_equal(v.number, q->default_number, sizeof v.number);
+    if (q->kind != SOZAI_KIND_IMAGE) {
+      assert_memory_equal(v.number, q->default_number, sizeof v.number);
+    }
     if (q->kind == SOZAI_KIND_CHOICE) {
       assert_string_equal(v.text, q->choices[(uint32_t)q->default_number[0]]);
     }
     if (q->default_text) assert_string_equal(v.text, q->default_text);
     textures->destroy(t);
+    if (q->kind == SOZAI_KIND_IMAGE) continue; /* wants a service: tests/section */
 
     static const float widths[2] = {1.0f, 3.0f};
     const sozai_buffer b = {

@@ -17,8 +17,8 @@
 typedef struct kind {
   const char *file;
   plain_picture picture;
-  const char *space;     /* asked for; NULL: by the file rules */
-  const char *from;      /* what that is to oiiotool; NULL: nothing is converted */
+  const char *space; /* asked for; NULL: by the file rules */
+  const char *from;  /* what that is to oiiotool; NULL: nothing is converted */
   uint32_t first, channels;
   double tolerance;
 } kind;
@@ -56,7 +56,7 @@ static void compare(const services *s, const kind *k) {
   static float found[4][PLACES];
   places_make(&at, 7, p->width, 0, 1);
   assert_int_equal(places_look(s, image, &at, 0, PLACES, found, k->channels), SOZAI_OK);
-  double worst = 0, sum = 0;
+  double worst = 0, sum = 0, low = 1e9, high = -1e9;
   for (int i = 0; i < PLACES; i++) {
     float want[4] = {0};
     assert_true(plain_look(other, at.s[i], at.t[i], at.dsdx[i], at.dtdx[i], at.dsdy[i], at.dtdy[i],
@@ -64,13 +64,16 @@ static void compare(const services *s, const kind *k) {
     for (uint32_t c = 0; c < k->channels; c++) {
       double difference = fabs((double)found[c][i] - (double)want[c]);
       worst = fmax(worst, difference);
+      low = fmin(low, (double)want[c]), high = fmax(high, (double)want[c]);
       sum += difference;
     }
   }
-  print_message("%-12s %4dx%-4d %-6s channels %u+%u of %d: worst %.2g, mean %.2g\n", k->file,
-                p->width, p->height, p->format, k->first, k->channels, p->channels, worst,
-                sum / PLACES / k->channels);
+  print_message("%-12s %4dx%-4d %-6s channels %u+%u of %d: numbers %.3f to %.3f, worst %.2g, "
+                "mean %.2g\n",
+                k->file, p->width, p->height, p->format, k->first, k->channels, p->channels, low,
+                high, worst, sum / PLACES / k->channels);
   assert_true(worst <= k->tolerance);
+  assert_true(high > low + 0.5);
   close_image(s, image);
   plain_close(other);
 }
@@ -81,7 +84,13 @@ static void as_oiiotool(void **state) {
       {"tiled16.tif", {512, 512, 3, "uint16", .tile = 64}, "sRGB", "sRGB", 0, 3, TOLERANCE},
       {"half.exr", {256, 512, 3, "half", .tile = 0}, NULL, NULL, 0, 3, 1e-6},
       {"tiled.exr", {256, 256, 3, "half", .tile = 32}, "ACEScg", "ACEScg", 0, 3, TOLERANCE},
-      {"float.exr", {512, 256, 3, "float", .tile = 0}, "Linear P3-D65", "Linear P3-D65", 0, 3, TOLERANCE},
+      {"float.exr",
+       {512, 256, 3, "float", .tile = 0},
+       "Linear P3-D65",
+       "Linear P3-D65",
+       0,
+       3,
+       TOLERANCE},
       {"log.tif", {256, 256, 3, "float", .tile = 0}, "acescct_ap1", "ACEScct", 0, 3, 3e-2},
       {"rgba.exr", {256, 256, 4, "half", .tile = 0}, "ACEScg", "ACEScg", 0, 4, TOLERANCE},
       {"six.exr", {256, 256, 6, "half", .tile = 0}, "sRGB", "sRGB", 2, 3, TOLERANCE},

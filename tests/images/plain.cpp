@@ -3,6 +3,7 @@
 
 #include "sozai_colour.h"
 
+#include <OpenImageIO/deepdata.h>
 #include <OpenImageIO/imageio.h>
 #include <OpenImageIO/texture.h>
 
@@ -35,6 +36,21 @@ bool plain_write(const char *path, const plain_picture *p, const float *data) {
                   output->close();
   if (!ok) std::fprintf(stderr, "%s: %s\n", path, output->geterror().c_str());
   return ok;
+}
+
+bool plain_write_deep(const char *path) {
+  auto output = OIIO::ImageOutput::create(path);
+  OIIO::ImageSpec spec(4, 4, 5, OIIO::TypeDesc::FLOAT);
+  spec.channelnames = {"R", "G", "B", "A", "Z"};
+  spec.alpha_channel = 3;
+  spec.z_channel = 4;
+  spec.deep = true;
+  OIIO::DeepData data(spec);
+  for (int pixel = 0; pixel < 16; pixel++) {
+    data.set_samples(pixel, 1);
+    for (int c = 0; c < 5; c++) data.set_deep_value(pixel, c, 0, 0.5f);
+  }
+  return output && output->open(path, spec) && output->write_deep_image(data) && output->close();
 }
 
 plain *plain_open(const char *path, uint32_t wrap) {
@@ -75,8 +91,8 @@ double plain_time(plain *p, uint32_t count, const float *s, const float *t, floa
   float sum = 0;
   for (uint32_t i = 0; i < count; i++) {
     float out[4];
-    p->system->texture(p->handle, thread, options, s[i], t[i], footprint, 0, 0, footprint,
-                       channels, out);
+    p->system->texture(p->handle, thread, options, s[i], t[i], footprint, 0, 0, footprint, channels,
+                       out);
     sum += out[0];
   }
   sink = sum;

@@ -15,17 +15,19 @@ extern "C" {
 
 typedef struct plain_picture {
   int width, height, channels;
-  const char *format;   /* "uint8", "uint16", "half", "float" */
-  int tile;             /* side, 0: rows */
-  int orientation;      /* 0: none */
-  bool unassociated;    /* the numbers are not multiplied by alpha */
-  bool windowed;        /* the next four count */
-  int x, y;             /* of the pixels in the window to be seen */
+  const char *format; /* "uint8", "uint16", "half", "float" */
+  int tile;           /* side, 0: rows */
+  int orientation;    /* 0: none */
+  bool unassociated;  /* the numbers are not multiplied by alpha */
+  bool windowed;      /* the next four count */
+  int x, y;           /* of the pixels in the window to be seen */
   int full_width, full_height;
 } plain_picture;
 
 /* Whether it worked; else it says why on standard error. */
 bool plain_write(const char *path, const plain_picture *picture, const float *data);
+
+bool plain_write_deep(const char *path); /* several numbers at a pixel */
 
 typedef struct plain plain;
 plain *plain_open(const char *path, uint32_t wrap); /* wrap: SOZAI_WRAP_* */

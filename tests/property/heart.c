@@ -1,0 +1,125 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Heartwood and sapwood: where the boundary runs, that the grain carries it, and
+ * that a footprint over it is the average.
+ */
+#include <math.h>
+
+#include "cmocka_all.h"
+#include "wood.h"
+
+/* Heartwood red, sapwood blue, and nothing else: red is the share of heartwood. */
+#define BARE                                                                                       \
+  "porosity=none; fibre_brightness=0; latewood_colour=1 0 0 @ lin_rec709; "                        \
+  "earlywood_colour=1 0 0 @ lin_rec709; sapwood_earlywood_colour=0 0 1 @ lin_rec709; "             \
+  "sapwood_latewood_colour=0 0 1 @ lin_rec709; "
+
+static void boundary(void **state) {
+  (void)state;
+  sozai_texture *t = wood_make("keyaki", BARE "grain=spiral; heartwood_years=20; "
+                                              "heartwood_stray=4; heartwood_edge=0.5");
+  points p = {0};
+  uniform_seed(71);
+  for (int i = 0; i < 40000; i++) {
+    double a = 6.2831853 * uniform(), r = 80 * sqrt(uniform());
+    points_add(&p, r * cos(a), 1000 * uniform(), r * sin(a), 0);
+  }
+  points_ask(&p, t);
+  double low = 1e9, high = 0, sum = 0;
+  int edge = 0;
+  for (unsigned i = 0; i < p.count; i++) {
+    double heart = (double)p.out[ALBEDO][i], year = (double)p.out[TIME][i];
+    sum = fmax(sum, fabs(heart + (double)p.out[ALBEDO + 2][i] - 1));
+    if (heart < 0.5) low = fmin(low, year);
+    if (heart > 0.5) high = fmax(high, year);
+    edge += heart > 0.01 && heart < 0.99;
+  }
+  CHECK(low > 16 - 1e-3 && high < 24 + 1e-3 && high - low > 2,
+        "20 rings of heartwood, straying by 4: the boundary runs from year %.2f to %.2f\n", low,
+        high);
+  CHECK(edge > 0 && edge < 2000, "%d of 40,000 points are on the edge\n", edge);
+  assert_true(sum < 1e-5);
+  points_free(&p);
+  textures->destroy(t);
+}
+
+/* Along a fibre wood stays what it is. */
+static void carried(void **state) {
+  (void)state;
+  sozai_texture *t = wood_make("sugi", BARE "grain=compound; heartwood_years=12; "
+                                            "heartwood_stray=5; heartwood_edge=3");
+  points a = {0}, b = {0};
+  uniform_seed(72);
+  for (int i = 0; i < 4000; i++) {
+    double angle = 6.2831853 * uniform(), r = 15 + 25 * uniform();
+    points_add(&a, r * cos(angle), 200 * uniform(), r * sin(angle), 0);
+  }
+  points_ask(&a, t);
+  double worst = 0;
+  int part = 0;
+  for (unsigned i = 0; i < a.count; i++) {
+    points_add(&b, (double)(a.point[0][i] + 0.5f * a.out[FIBER][i]),
+               (double)(a.point[1][i] + 0.5f * a.out[FIBER + 1][i]),
+               (double)(a.point[2][i] + 0.5f * a.out[FIBER + 2][i]), 0);
+  }
+  points_ask(&b, t);
+  for (unsigned i = 0; i < a.count; i++) {
+    worst = fmax(worst, fabs((double)(a.out[ALBEDO][i] - b.out[ALBEDO][i])));
+    part += a.out[ALBEDO][i] > 0.01f && a.out[ALBEDO][i] < 0.99f;
+  }
+  CHECK(worst < 2e-3 && part > 200,
+        "half a millimetre along the fibre changes heartwood by %.2g (%d points on the edge)\n",
+        worst, part);
+  points_free(&a);
+  points_free(&b);
+  textures->destroy(t);
+}
+
+static void filtered(void **state) {
+  (void)state;
+  enum { SIDE = 32, SAMPLES = SIDE * SIDE };
+  static const double sizes[] = {0.1, 1, 3, 10, 30};
+  static const char *const cuts[] = {"flat", "end"};
+  points p = {0};
+  uniform_seed(73);
+  double worst = 0;
+  for (int f = 0; f < 5; f++) {
+    double square = 0, mean = 0, n = 0;
+    for (int c = 0; c < 2; c++) {
+      char text[256];
+      snprintf(text, sizeof text, "cut=%s; cut_distance=25; heartwood_years=15", cuts[c]);
+      sozai_texture *t = wood_make("onigurumi", text);
+      for (int place = 0; place < 400; place++) {
+        double x = 80 * (uniform() - 0.5), y = (c ? 80 : 1200) * (uniform() - 0.5);
+        points_clear(&p);
+        for (int i = 0; i < SAMPLES; i++) {
+          points_add(&p, x + ((i % SIDE + uniform()) / SIDE - 0.5) * sizes[f],
+                     y + ((i / SIDE + uniform()) / SIDE - 0.5) * sizes[f], 0, 0);
+        }
+        points_add(&p, x, y, 0, sizes[f]);
+        points_ask(&p, t);
+        for (int ch = 0; ch < 3; ch++) {
+          double truth = 0;
+          for (int i = 0; i < SAMPLES; i++) truth += (double)p.out[ALBEDO + ch][i] / SAMPLES;
+          double error = (double)p.out[ALBEDO + ch][SAMPLES] - truth;
+          square += error * error;
+          mean += error;
+          n++;
+        }
+      }
+      textures->destroy(t);
+    }
+    double rms = sqrt(square / n);
+    worst = fmax(worst, fmax(rms, 5 * fabs(mean / n)));
+    print_message("footprint %g mm over the boundary: rms %.4f, mean %+.4f\n", sizes[f], rms,
+                  mean / n);
+  }
+  points_free(&p);
+  CHECK(worst <= 0.012, "worst %.4f\n", worst);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {cmocka_unit_test(boundary), cmocka_unit_test(carried),
+                                     cmocka_unit_test(filtered)};
+  return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
+}
