@@ -36,11 +36,10 @@ static bool draw_figure(session *s, const wood_figure *f, const char *folder, fa
 
 static bool draw_all(const session_options *shared, const char *folder, failure *why) {
   if (!folder) return fail(why, EXIT_BAD_INPUT, "figures: no output is given: -o DIR");
-  if (mkdir(folder, 0777) != 0 && errno != EEXIST)
-    return fail(why, EXIT_FAILURE, "cannot make the folder %s: %s", folder, strerror(errno));
   session s;
   if (!session_open(&s, shared, why)) return false;
-  bool ok = true;
+  bool ok = mkdir(folder, 0777) == 0 || errno == EEXIST ||
+            fail(why, EXIT_FAILURE, "cannot make the folder %s: %s", folder, strerror(errno));
   for (size_t i = 0; ok && i < wood_figure_count; i++) {
     ok = draw_figure(&s, &wood_figures[i], folder, why);
     if (ok) printf("%s/%s.png  %s\n", folder, wood_figures[i].name, wood_figures[i].title);
@@ -56,6 +55,7 @@ int run_figures(int argc, char **argv) {
   const char *folder = NULL;
   const option options[] = {
       {"output", 'o', OPTION_TEXT, &folder, "DIR", "folder for the figures; made if need be", 0, 0},
+      SESSION_DISPLAY_OPTIONS(shared),
       SESSION_RUN_OPTIONS(shared)};
   const command_line line = {.usage = "figures -o DIR [options]",
                              .about = "Draws the figures of the papers that the materials "

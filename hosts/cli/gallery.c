@@ -24,7 +24,7 @@
 
 typedef struct gallery {
   session session;
-  const char *folder, *view;
+  const char *folder;
   uint32_t spp;
   FILE *index;
   sheet sheet;
@@ -41,7 +41,7 @@ static bool write_film(const gallery *g, const film *f, const char *name, failur
   char path[PATH_SIZE];
   output_file o;
   if (!path_in(path, g, name, why) || !output_begin(&o, path, why)) return false;
-  if (film_write_png(f, o.writing, &g->session.colour, g->view, 0, 8, why))
+  if (film_write_png(f, o.writing, &g->session.colour, &g->session.shown, 0, 8, why))
     return output_commit(&o, why);
   output_discard(&o);
   return false;
@@ -183,9 +183,9 @@ static bool make_index(gallery *g, failure *why) {
   return false;
 }
 
-static bool make_gallery(const session_options *shared, const char *folder, const char *view,
-                         uint32_t spp, failure *why) {
-  gallery g = {.folder = folder, .view = view, .spp = spp};
+static bool make_gallery(const session_options *shared, const char *folder, uint32_t spp,
+                         failure *why) {
+  gallery g = {.folder = folder, .spp = spp};
   if (!folder) return fail(why, EXIT_BAD_INPUT, "gallery: no output is given: -o DIR");
   if (!session_open(&g.session, shared, why)) return false;
   bool ok = make_folder(folder, why) && make_index(&g, why);
@@ -202,13 +202,13 @@ int run_gallery(int argc, char **argv) {
   failure why = {0};
   session_options shared;
   if (!session_options_init(&shared, argc, &why)) return report(&why);
-  const char *folder = NULL, *view = NULL;
+  const char *folder = NULL;
   uint32_t spp = 16;
   const option options[] = {
       {"output", 'o', OPTION_TEXT, &folder, "DIR", "folder for the pictures; made if need be", 0,
        0},
       {"spp", 0, OPTION_COUNT, &spp, "N", "samples per pixel (default: 16)", 1, 65536},
-      {"view", 0, OPTION_TEXT, &view, "NAME", "the display's view", 0, 0},
+      SESSION_DISPLAY_OPTIONS(shared),
       SESSION_RUN_OPTIONS(shared)};
   const command_line line = {.usage = "gallery -o DIR [options]",
                              .about = "Renders every preset, and what wood can do, into a folder "
@@ -217,8 +217,7 @@ int run_gallery(int argc, char **argv) {
                              .option_count = sizeof options / sizeof options[0]};
   int parsed = options_parse(&line, argc, argv, NULL, &why);
   int code = 0;
-  if (parsed == OPTIONS_BAD ||
-      (parsed == OPTIONS_RUN && !make_gallery(&shared, folder, view, spp, &why)))
+  if (parsed == OPTIONS_BAD || (parsed == OPTIONS_RUN && !make_gallery(&shared, folder, spp, &why)))
     code = report(&why);
   session_options_free(&shared);
   return code;

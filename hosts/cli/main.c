@@ -19,8 +19,10 @@ static const command commands[] = {
     {"describe", "a material's parameters, presets and channels", run_describe},
     {"eval", "a material's answers at points of a CSV file", run_eval},
     {"render", "a picture of a material on a board, a sphere or a mesh", run_render},
+    {"colour", "the colour config in force, and what the materials ask of it", run_colour},
     {"figures", "the figures of the papers, with their measured numbers", run_figures},
     {"gallery", "a folder of pictures of every preset", run_gallery},
+    {"match", "a material's palette from a photograph", run_match},
 };
 #define COMMAND_COUNT (sizeof commands / sizeof commands[0])
 

@@ -131,7 +131,7 @@ int options_parse(const command_line *line, int argc, char **argv, const char **
     } else
       values[found++] = argv[i];
   }
-  if (found == line->positional_count) return OPTIONS_RUN;
+  if (found + line->optional_count >= line->positional_count) return OPTIONS_RUN;
   fail(why, EXIT_BAD_INPUT, "%s: no %s is given; see sozai %s --help", argv[0],
        line->positional[found], argv[0]);
   return OPTIONS_BAD;

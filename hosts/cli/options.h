@@ -36,7 +36,8 @@ typedef struct command_line {
   const option *options;
   size_t option_count;
   const char *const *positional; /* what each plain argument is called, for messages */
-  size_t positional_count;       /* all are required */
+  size_t positional_count;
+  size_t optional_count; /* of them, the last ones, that may be left out */
 } command_line;
 
 #define OPTIONS_RUN 0  /* go on */

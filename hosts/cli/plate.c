@@ -14,7 +14,7 @@ static size_t row_length(const plate *p) {
 }
 
 bool plate_init(plate *p, uint32_t panels, uint32_t width, uint32_t height, failure *why) {
-  *p = (plate){width, height, panels, NULL};
+  *p = (plate){.panel_width = width, .panel_height = height, .panels = panels, .srgb = true};
   size_t n = 3 * row_length(p) * height;
   p->rgb = malloc(n * sizeof *p->rgb);
   for (size_t i = 0; p->rgb && i < n; i++) p->rgb[i] = 1.0f;
@@ -42,11 +42,12 @@ void plate_ink(plate *p, uint32_t i, const float *share) {
 }
 
 bool plate_colour(plate *p, uint32_t i, float *const *rgb, const session *s, failure *why) {
+  p->srgb = display_is_srgb(&s->colour, &s->shown);
   for (uint32_t y = 0; y < p->panel_height; y++) {
     for (uint32_t x = 0; x < p->panel_width; x++) {
       for (int c = 0; c < 3; c++) pixel_of(p, i, x, y)[c] = rgb[c][(size_t)y * p->panel_width + x];
     }
-    if (!colour_to_display(&s->colour, NULL, NULL, pixel_of(p, i, 0, y), p->panel_width, why))
+    if (!display_apply(&s->colour, &s->shown, pixel_of(p, i, 0, y), p->panel_width, why))
       return false;
   }
   return true;
@@ -62,7 +63,8 @@ bool plate_write(const plate *p, const char *folder, const char *name, failure *
   image_channel channels[3];
   static const char *const names[3] = {"R", "G", "B"};
   for (int c = 0; c < 3; c++) channels[c] = (image_channel){names[c], p->rgb + c, 3, IMAGE_UINT8};
-  if (image_write(o.writing, (uint32_t)row_length(p), p->panel_height, channels, 3, why))
+  const image_colour space = {.srgb = p->srgb};
+  if (image_write(o.writing, (uint32_t)row_length(p), p->panel_height, channels, 3, &space, why))
     return output_commit(&o, why);
   output_discard(&o);
   return false;

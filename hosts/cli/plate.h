@@ -11,6 +11,7 @@
 typedef struct plate {
   uint32_t panel_width, panel_height, panels;
   float *rgb; /* display's 0 to 1 */
+  bool srgb;  /* which is an sRGB display */
 } plate;
 
 bool plate_init(plate *p, uint32_t panels, uint32_t width, uint32_t height, failure *why);

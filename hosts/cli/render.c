@@ -16,7 +16,7 @@
 typedef struct request {
   session_options shared;
   job_options look;
-  const char *output, *cut, *channels, *view;
+  const char *output, *cut, *channels;
   double bevel, scale, zoom, exposure, light_size, sky;
   uint32_t resolution[2], spp, bits;
   bool no_floor;
@@ -60,20 +60,14 @@ static bool fill_job(render_job *job, const request *q, const recipe *r, int kin
 
 static bool write_picture(const film *f, const session *s, const request *q, int kind,
                           const char *path, failure *why) {
-  if (kind == PICTURE_EXR) return film_write_exr(f, path, why);
-  return film_write_png(f, path, &s->colour, q->view, q->exposure, q->bits, why);
-}
-
-/* A misspelt view is found before the work, not after it. */
-static bool check_view(const session *s, const request *q, failure *why) {
-  float grey[3] = {0.18f, 0.18f, 0.18f};
-  return !q->view || colour_to_display(&s->colour, NULL, q->view, grey, 1, why);
+  if (kind == PICTURE_EXR) return film_write_exr(f, path, &s->colour, why);
+  return film_write_png(f, path, &s->colour, &s->shown, q->exposure, q->bits, why);
 }
 
 static bool render_to(const render_job *job, const session *s, const request *q, int kind,
                       failure *why) {
   output_file o;
-  if (!check_view(s, q, why) || !output_begin(&o, q->output, why)) return false;
+  if (!output_begin(&o, q->output, why)) return false;
   film f;
   bool ok = render(job, &f, why);
   if (ok) {
@@ -142,7 +136,7 @@ int run_render(int argc, char **argv) {
       {"sky", 0, OPTION_NUMBER, &q.sky, "F", "strength of the sky (default: 1)", 0, 1000},
       {"no-floor", 0, OPTION_FLAG, &q.no_floor, NULL, "no floor and no backdrop", 0, 0},
       {"channels", 0, OPTION_TEXT, &q.channels, "A,B", "layers of an EXR (default: all)", 0, 0},
-      {"view", 0, OPTION_TEXT, &q.view, "NAME", "the display's view, for PNG", 0, 0},
+      SESSION_DISPLAY_OPTIONS(q.shared),
       {"exposure", 0, OPTION_NUMBER, &q.exposure, "EV", "stops brighter, for PNG", -30, 30},
       {"bits", 0, OPTION_COUNT, &q.bits, "N", "8 or 16 to a channel, for PNG (default: 8)", 8, 16},
       SESSION_RUN_OPTIONS(q.shared)};

@@ -24,6 +24,12 @@ bool session_open(session *s, const session_options *o, failure *why) {
     plugin_close(&s->plugin);
     return false;
   }
+  s->shown = o->shown;
+  bool asked = s->shown.display || s->shown.view || s->shown.look;
+  if (asked && !display_check(&s->colour, &s->shown, why)) {
+    session_close(s);
+    return false;
+  }
   uint32_t threads = o->threads ? o->threads : parallel_default_threads();
   host_init(&s->host, threads, o->verbose, &s->colour, o->config);
   return true;

@@ -5,6 +5,7 @@
 #define SOZAI_CLI_SESSION_H
 
 #include "colour.h"
+#include "display.h"
 #include "host.h"
 #include "options.h"
 #include "plugin.h"
@@ -13,13 +14,15 @@
 typedef struct session {
   plugin plugin;
   colour colour;
-  host host; /* the session may not move once open: textures point here */
+  display_choice shown; /* checked */
+  host host;            /* the session may not move once open: textures point here */
 } session;
 
 /* The options that name a texture and how to run. */
 typedef struct session_options {
   const char *preset;
   option_texts params;
+  display_choice shown; /* of the commands that write PNG */
   const char *config;
   uint32_t threads; /* 0: as many as there are */
   bool verbose;
@@ -39,12 +42,20 @@ typedef struct session_options {
    .help = "threads (default: all)", .low = 1, .high = 256}, \
   {.name = "verbose", .kind = OPTION_FLAG, .target = &(s).verbose, \
    .help = "log what the plugin says"}
+#define SESSION_DISPLAY_OPTIONS(s) \
+  {.name = "display", .kind = OPTION_TEXT, .target = &(s).shown.display, .argument = "NAME", \
+   .help = "the display a PNG is for (default: the config's)"}, \
+  {.name = "view", .kind = OPTION_TEXT, .target = &(s).shown.view, .argument = "NAME", \
+   .help = "the display's view (default: the display's first)"}, \
+  {.name = "look", .kind = OPTION_TEXT, .target = &(s).shown.look, .argument = "NAME", \
+   .help = "look in place of the view's own; '' for none; several: 'a, -b'"}
 /* clang-format on */
 
 /* argc: how many -p there can be at most. */
 bool session_options_init(session_options *o, int argc, failure *why);
 void session_options_free(session_options *o);
 
+/* Names of displays, views and looks are checked here, before any work. */
 bool session_open(session *s, const session_options *o, failure *why);
 void session_close(session *s);
 

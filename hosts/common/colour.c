@@ -2,7 +2,6 @@
 #include "colour.h"
 
 #include <dlfcn.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -57,27 +56,4 @@ void colour_close(colour *c) {
   if (c->entry) c->entry->deinit();
   if (c->library) dlclose(c->library);
   memset(c, 0, sizeof *c);
-}
-
-static float srgb_encode(float linear) {
-  if (!(linear > 0)) return 0;
-  if (linear >= 1) return 1;
-  return linear <= 0.0031308f ? 12.92f * linear : 1.055f * powf(linear, 1 / 2.4f) - 0.055f;
-}
-
-bool colour_to_display(const colour *c, const char *display, const char *view, float *rgb,
-                       size_t count, failure *why) {
-  if (!c->display) {
-    if (display || view)
-      return fail(why, EXIT_FAILURE, "there is no colour service to look up view '%s' in",
-                  view ? view : display);
-    for (size_t i = 0; i < 3 * count; i++) rgb[i] = srgb_encode(rgb[i]);
-    return true;
-  }
-  char message[512] = "";
-  if (c->display->to_display(c->display->self, display, view, NULL, rgb, count, message,
-                             sizeof message) != SOZAI_OK)
-    return fail(why, display || view ? EXIT_BAD_INPUT : EXIT_FAILURE, "display transform: %s",
-                message);
-  return true;
 }

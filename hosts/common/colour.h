@@ -3,7 +3,6 @@
 #ifndef SOZAI_HOSTS_COLOUR_H
 #define SOZAI_HOSTS_COLOUR_H
 
-#include <stddef.h>
 #include "failure.h"
 #include "sozai_colour.h"
 
@@ -22,10 +21,5 @@ typedef struct colour {
  * asked for by name: the services are then NULL. */
 bool colour_open(colour *c, const char *plugin_path, const char *config, failure *why);
 void colour_close(colour *c);
-
-/* count pixels of r g b, from the working space to the display's 0 to 1, in
- * place. Without a service: the sRGB curve over linear Rec.709. */
-bool colour_to_display(const colour *c, const char *display, const char *view, float *rgb,
-                       size_t count, failure *why);
 
 #endif

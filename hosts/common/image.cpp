@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <memory>
 #include <vector>
 
 namespace {
@@ -25,8 +26,16 @@ OIIO::TypeDesc type_of(int type) {
   }
 }
 
+void describe(OIIO::ImageSpec &spec, const image_colour &colour) {
+  if (colour.space) spec.attribute("colorSpace", colour.space);
+  if (colour.chromaticities)
+    spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8),
+                   colour.chromaticities);
+  if (colour.srgb) spec.attribute("oiio:ColorSpace", "sRGB");
+}
+
 bool write(const char *path, uint32_t width, uint32_t height, const image_channel *channels,
-           size_t count, failure *why) {
+           size_t count, const image_colour *colour, failure *why) {
   auto output = OIIO::ImageOutput::create(path);
   if (!output)
     return fail(why, EXIT_FAILURE, "cannot write %s: %s", path, OIIO::geterror().c_str());
@@ -41,6 +50,7 @@ bool write(const char *path, uint32_t width, uint32_t height, const image_channe
   if (!mixed) spec.channelformats.clear();
   spec.attribute("Software", "sozai");
   spec.attribute("compression", "zip"); // lossless; PNG's own is the same
+  if (colour) describe(spec, *colour);
 
   size_t pixels = size_t(width) * height;
   std::vector<float> interleaved(pixels * count);
@@ -54,13 +64,36 @@ bool write(const char *path, uint32_t width, uint32_t height, const image_channe
   return ok || fail(why, EXIT_FAILURE, "cannot write %s: %s", path, output->geterror().c_str());
 }
 
-bool read(image *picture, const char *path, failure *why) {
+std::unique_ptr<OIIO::ImageInput> open(const char *path, failure *why) {
   auto input = OIIO::ImageInput::open(path);
-  if (!input)
-    return fail(why, EXIT_BAD_INPUT, "cannot read %s: %s", path, OIIO::geterror().c_str());
+  if (!input) {
+    fail(why, EXIT_BAD_INPUT, "cannot read %s: %s", path, OIIO::geterror().c_str());
+    return input;
+  }
+  const OIIO::ImageSpec &spec = input->spec();
+  if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.depth > 1 || spec.deep) {
+    fail(why, EXIT_BAD_INPUT, "cannot read %s: not a flat picture", path);
+    input.reset();
+  }
+  return input;
+}
+
+bool probe(const char *path, uint32_t *width, uint32_t *height, uint32_t *channels, bool *integers,
+           failure *why) {
+  auto input = open(path, why);
+  if (!input) return false;
+  const OIIO::ImageSpec &spec = input->spec();
+  *width = uint32_t(spec.width);
+  *height = uint32_t(spec.height);
+  *channels = uint32_t(spec.nchannels);
+  *integers = !spec.format.is_floating_point();
+  return true;
+}
+
+bool read(image *picture, const char *path, failure *why) {
+  auto input = open(path, why);
+  if (!input) return false;
   const OIIO::ImageSpec spec = input->spec();
-  if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.depth > 1)
-    return fail(why, EXIT_BAD_INPUT, "cannot read %s: not a flat picture", path);
   size_t count = size_t(spec.nchannels);
   picture->width = uint32_t(spec.width);
   picture->height = uint32_t(spec.height);
@@ -74,6 +107,9 @@ bool read(image *picture, const char *path, failure *why) {
     picture->names[picture->channels] = name;
   }
   if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, picture->data))
+    return fail(why, EXIT_BAD_INPUT, "cannot read %s: %s", path, input->geterror().c_str());
+  // a JPEG file cut short is filled up with grey, and only a warning says so
+  if (input->has_error())
     return fail(why, EXIT_BAD_INPUT, "cannot read %s: %s", path, input->geterror().c_str());
   return true;
 }
@@ -91,8 +127,8 @@ template <typename Function> bool guarded(failure *why, Function function) {
 } // namespace
 
 bool image_write(const char *path, uint32_t width, uint32_t height, const image_channel *channels,
-                 size_t count, failure *why) {
-  return guarded(why, [&] { return write(path, width, height, channels, count, why); });
+                 size_t count, const image_colour *colour, failure *why) {
+  return guarded(why, [&] { return write(path, width, height, channels, count, colour, why); });
 }
 
 bool image_read(image *picture, const char *path, failure *why) {
@@ -100,6 +136,11 @@ bool image_read(image *picture, const char *path, failure *why) {
   bool ok = guarded(why, [&] { return read(picture, path, why); });
   if (!ok) image_free(picture);
   return ok;
+}
+
+bool image_probe(const char *path, uint32_t *width, uint32_t *height, uint32_t *channels,
+                 bool *integers, failure *why) {
+  return guarded(why, [&] { return probe(path, width, height, channels, integers, why); });
 }
 
 void image_free(image *picture) {

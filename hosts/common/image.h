@@ -24,9 +24,17 @@ typedef struct image_channel {
   int type; /* IMAGE_*; channels may differ only in an EXR */
 } image_channel;
 
-/* The format is that of the path's ending. Integer types take 0 to 1. */
+/* What a file says of its colours. */
+typedef struct image_colour {
+  const char *space;           /* EXR: the attribute colorSpace; NULL: not said */
+  const float *chromaticities; /* EXR: 8, x y of red, green, blue, white; NULL: not said */
+  bool srgb;                   /* PNG: the chunk sRGB, and gAMA and cHRM that go with it */
+} image_colour;
+
+/* The format is that of the path's ending. Integer types take 0 to 1. colour
+ * may be NULL. */
 bool image_write(const char *path, uint32_t width, uint32_t height, const image_channel *channels,
-                 size_t count, failure *why);
+                 size_t count, const image_colour *colour, failure *why);
 
 /* A picture read: float whatever the file holds. */
 typedef struct image {
@@ -36,6 +44,9 @@ typedef struct image {
 } image;
 
 bool image_read(image *picture, const char *path, failure *why);
+/* Its size alone, and whether its numbers are integers; no pixel is read. */
+bool image_probe(const char *path, uint32_t *width, uint32_t *height, uint32_t *channels,
+                 bool *integers, failure *why);
 void image_free(image *picture);
 
 #ifdef __cplusplus

@@ -58,7 +58,7 @@ static void layer_name(char *name, const sozai_channel *c, uint32_t component) {
     snprintf(name, NAME_SIZE, "%s.%c", c->id, suffix);
 }
 
-bool film_write_exr(const film *f, const char *path, failure *why) {
+bool film_write_exr(const film *f, const char *path, const colour *c, failure *why) {
   uint32_t count = 4 + f->components;
   image_channel *channels = calloc(count, sizeof *channels);
   char(*names)[NAME_SIZE] = calloc(f->components + 1, NAME_SIZE);
@@ -76,25 +76,29 @@ bool film_write_exr(const film *f, const char *path, failure *why) {
     channels[4 + i] = (image_channel){names[i], f->layers + i, f->components,
                                       is_colour(f->channel_of[i]) ? IMAGE_HALF : IMAGE_FLOAT};
   }
-  bool ok = image_write(path, f->width, f->height, channels, count, why);
+  float xy[8];
+  image_colour space = {0};
+  if (display_working(c, &space.space, xy)) space.chromaticities = xy;
+  bool ok = image_write(path, f->width, f->height, channels, count, &space, why);
   free(channels);
   free(names);
   return ok;
 }
 
-bool film_write_png(const film *f, const char *path, const colour *c, const char *view,
+bool film_write_png(const film *f, const char *path, const colour *c, const display_choice *choice,
                     double exposure, uint32_t bits, failure *why) {
   size_t pixels = (size_t)f->width * f->height;
   float *shown = malloc(3 * pixels * sizeof *shown);
   if (!shown) return fail(why, EXIT_FAILURE, "out of memory");
   float gain = exp2f((float)exposure);
   for (size_t i = 0; i < 3 * pixels; i++) shown[i] = gain * f->beauty[i];
-  bool ok = colour_to_display(c, NULL, view, shown, pixels, why);
+  bool ok = display_apply(c, choice, shown, pixels, why);
   if (ok) {
     int type = bits == 16 ? IMAGE_UINT16 : IMAGE_UINT8;
     image_channel channels[3] = {
         {"R", shown, 3, type}, {"G", shown + 1, 3, type}, {"B", shown + 2, 3, type}};
-    ok = image_write(path, f->width, f->height, channels, 3, why);
+    image_colour space = {.srgb = display_is_srgb(c, choice)};
+    ok = image_write(path, f->width, f->height, channels, 3, &space, why);
   }
   free(shown);
   return ok;

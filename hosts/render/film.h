@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 #include "colour.h"
+#include "display.h"
 #include "failure.h"
 #include "sozai.h"
 
@@ -27,11 +28,11 @@ bool film_allocate(film *f, uint32_t width, uint32_t height, const sozai_texture
 void film_free(film *f);
 
 /* R G B, coverage, then every component by its channel: albedo.R, fiber.x, dive.
- * Colours in half, the rest in float. */
-bool film_write_exr(const film *f, const char *path, failure *why);
+ * Colours in half, the rest in float. The file says its space: see image_colour. */
+bool film_write_exr(const film *f, const char *path, const colour *c, failure *why);
 
 /* The beauty through the display transform. bits: 8 or 16. exposure: stops. */
-bool film_write_png(const film *f, const char *path, const colour *c, const char *view,
+bool film_write_png(const film *f, const char *path, const colour *c, const display_choice *choice,
                     double exposure, uint32_t bits, failure *why);
 
 #endif

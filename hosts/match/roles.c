@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "roles.h"
+
+#include <stdbool.h>
+#include <string.h>
+
+const match_material match_materials[] = {
+    {.id = "wood",
+     .roles = {{"earlywood_colour", "sapwood_earlywood_colour"},
+               {"latewood_colour", "sapwood_latewood_colour"},
+               {"vessel_colour", NULL}},
+     .brightness = "fibre_brightness",
+     .part = "heartwood",
+     .second_part = "sapwood",
+     .boundary = "heartwood_years",
+     .boundary_channel = "time",
+     .board = {{"cut", "flat"}}},
+};
+const uint32_t match_material_count = sizeof match_materials / sizeof match_materials[0];
+
+const match_material *match_material_find(const char *id) {
+  for (uint32_t i = 0; i < match_material_count; i++)
+    if (strcmp(match_materials[i].id, id) == 0) return &match_materials[i];
+  return NULL;
+}
+
+static bool has(const sozai_texture_info *info, const char *id, uint32_t kind) {
+  for (uint32_t i = 0; id && i < info->parameter_count; i++)
+    if (info->parameters[i]->kind == kind && strcmp(info->parameters[i]->id, id) == 0) return true;
+  return false;
+}
+
+match_material match_material_of(const match_material *m, const sozai_texture_info *info) {
+  match_material out = *m;
+  uint32_t count = 0;
+  memset(out.roles, 0, sizeof out.roles);
+  for (uint32_t i = 0; i < match_role_count(m); i++) {
+    match_role role = m->roles[i];
+    if (!has(info, role.colour, SOZAI_KIND_COLOUR)) continue;
+    if (!has(info, role.second, SOZAI_KIND_COLOUR)) role.second = NULL;
+    out.roles[count++] = role;
+  }
+  if (!has(info, out.brightness, SOZAI_KIND_FLOAT)) out.brightness = NULL;
+  if (!has(info, out.boundary, SOZAI_KIND_FLOAT)) out.boundary = NULL;
+  return out;
+}
+
+uint32_t match_role_count(const match_material *m) {
+  uint32_t count = 0;
+  while (count < MOST_ROLES && m->roles[count].colour) count++;
+  return count;
+}
