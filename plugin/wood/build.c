@@ -389,6 +389,39 @@ static void build_vessels(wood_constants *w, const settings *s) {
   w->late_vessel = (float)((double)w->pores.coverage * (tissue > 0.0 ? taken / tissue : 1.0));
 }
 
+/* ---- rays ------------------------------------------------------------- */
+
+static void build_rays(wood_constants *w, const settings *s) {
+  double density = num(s, P_RAY_DENSITY), height = num(s, P_RAY_HEIGHT);
+  double width = 1e-3 * num(s, P_RAY_WIDTH), length = num(s, P_RAY_LENGTH);
+  w->has_rays = density > 0.0;
+  if (!w->has_rays) return;
+  /* a cell holds the tallest, one and a half times the mean, with some to spare;
+   * of two sets of cells a radius meets half of the rays */
+  double cell = 1.9 * height, arc = 1.0 / (density * cell);
+  w->ray_length = (float)length;
+  w->inverse_ray_length = (float)(1.0 / length);
+  w->ray_per_radius = (float)(TWO_PI / arc);
+  w->inverse_ray_arc = (float)(1.0 / arc);
+  w->inverse_ray_cell = (float)(1.0 / cell);
+  w->ray_tall = (float)(0.5 * height / cell);
+  /* within its cell, whatever it was asked for: 0.3 to each side, of which its waves
+   * may take 0.1; 1.4 times the mean */
+  double half = 0.5 * width;
+  if (half > 0.14 * arc) half = 0.14 * arc;
+  w->ray_half = (float)half;
+  double stray = 3.0 * half < 0.1 * arc ? 3.0 * half : 0.1 * arc;
+  w->ray_stray = (float)(stray / 2147483648.0);
+  w->ray_wave_radial = (float)(1.0 / (4.0 + 0.2 * height));
+  w->ray_wave_along = (float)(1.0 / (0.5 * height));
+  /* the quintic fade's slope is at most 15/8, between values 2 apart */
+  double lean = stray * 3.75 * (double)w->ray_wave_radial;
+  double sway = stray * 3.75 * (double)w->ray_wave_along;
+  w->ray_lean2 = (float)(4.0 * (lean > sway ? lean * lean : sway * sway));
+  /* two thirds of a lens's height and width, less what the ends' taper takes */
+  w->ray_cover = (float)(density * height * 2.0 * half * 2.0 / 3.0 * 0.875);
+}
+
 /* ---- fibres, colour, figure ------------------------------------------- */
 
 static void build_fibres(wood_constants *w, const settings *s) {
@@ -407,6 +440,7 @@ static int32_t build_colour(wood_constants *w, const sozai_host *host, const set
   memcpy(w->early, colours[P_EARLY_COLOUR], sizeof w->early);
   memcpy(w->late, colours[P_LATE_COLOUR], sizeof w->late);
   memcpy(w->vessel, colours[P_VESSEL_COLOUR], sizeof w->vessel);
+  memcpy(w->ray, colours[P_RAY_COLOUR], sizeof w->ray);
   memcpy(w->sap_early, colours[P_SAP_EARLY], sizeof w->sap_early);
   memcpy(w->sap_late, colours[P_SAP_LATE], sizeof w->sap_late);
   w->heart_years = (float)num(s, P_HEART_YEARS);
@@ -465,6 +499,7 @@ int32_t wood_build(wood_constants *w, const sozai_host *host, const settings *s,
   if (r) return r;
   build_grain(w, s);
   build_vessels(w, s);
+  build_rays(w, s);
   build_fibres(w, s);
   r = build_colour(w, host, s, colours);
   if (r) return r;

@@ -7,6 +7,7 @@
 #include "grain.h"
 #include "heart.h"
 #include "picture.h"
+#include "rays.h"
 #include "vessels.h"
 
 #define PASTE_(a, b) a##b
@@ -97,7 +98,7 @@ static wood_wants wants_of(const wood_constants *w, const wood_io *io) {
   q.colour = wanted(io, WOOD_ALBEDO, 3) || q.radiance;
   q.fibre = wanted(io, WOOD_FIBER, 3);
   q.dive = wanted(io, WOOD_DIVE, 1);
-  q.vessel = wanted(io, WOOD_VESSEL, 1) || q.colour;
+  q.vessel = wanted(io, WOOD_VESSEL, 1) || wanted(io, WOOD_RAY, 1) || q.colour;
   q.late = wanted(io, WOOD_LATEWOOD, 1) || q.vessel;
   q.picture = w->picture && q.late;
   if (w->picture) q.late = q.vessel = 0;
@@ -170,7 +171,7 @@ typedef struct {
   vf fibre[3];    /* unit, log space */
   vf sine;        /* of the dive angle */
   vf b[3];        /* row of the map from surface to rho */
-  vf late, albedo[3];
+  vf late, ray, albedo[3];
 } block;
 
 INLINE void stage_load(const wood_constants *w, const wood_io *io, block *k) {
@@ -301,6 +302,11 @@ INLINE void stage_tissue(const wood_constants *w, const wood_io *io, const wood_
     rows = mix(rows, splat(w->row.coverage) * expected, v.rows_faded);
   }
   vf cover = pores + rows - pores * rows; /* they stand where they like */
+  k->ray = zero;
+  if (w->has_rays) {
+    k->ray = rays_at(w, stem->rho, k->c, k->sn, k->p[1], &f, k->s * (k->up2 * k->inverse_up));
+  }
+  store_lanes(io, WOOD_RAY, k->i, k->n, k->ray);
   store_lanes(io, WOOD_VESSEL, k->i, k->n, cover);
   if (!want->colour) return;
   /* earlywood rows stand where there is no latewood; pores everywhere */
@@ -316,7 +322,9 @@ INLINE void stage_tissue(const wood_constants *w, const wood_io *io, const wood_
       light = sel(pale, mix(splat(w->sap_early[c]), light, heart), light);
       deep = sel(pale, mix(splat(w->sap_late[c]), deep, heart), deep);
     }
-    k->albedo[c] = light * early + deep * dark + splat(w->vessel[c]) * cover;
+    vf tissue = light * early + deep * dark + splat(w->vessel[c]) * cover;
+    if (w->has_rays) tissue = mix(tissue, splat(w->ray[c]) * shift, k->ray);
+    k->albedo[c] = tissue;
     store_lanes(io, WOOD_ALBEDO + c, k->i, k->n, k->albedo[c]);
   }
 }
@@ -332,6 +340,8 @@ INLINE void stage_picture(const wood_constants *w, const wood_io *io, block *k) 
   picture_albedo(w, &p, k->c, k->sn, widen, &f, k->n, k->albedo);
   store_lanes(io, WOOD_LATEWOOD, k->i, k->n, picture_late(w, k->albedo));
   store_lanes(io, WOOD_VESSEL, k->i, k->n, splat(0.0f));
+  k->ray = splat(0.0f);
+  store_lanes(io, WOOD_RAY, k->i, k->n, k->ray);
   vf shift = splat(1.0f) + fibre_shift(w, p.x, p.z, f.aa + f.bb);
   for (int c = 0; c < 3; c++) {
     k->albedo[c] = k->albedo[c] * shift;
@@ -404,6 +414,13 @@ INLINE void stage_figure(const wood_constants *w, const wood_io *io, const wood_
     vf r[3], v[3];
     view_of(w, io, k, v);
     cone_radiance(w, l, v, k->nrm, k->fibre, k->sine, k->grain.variance, k->albedo, r);
+    if (w->has_rays) {
+      /* the cells of a ray lie along the radius */
+      vf axis[3] = {k->stem.c, zero, k->stem.s}, shine[3];
+      vf dive = zero - (axis[0] * k->nrm[0] + axis[2] * k->nrm[2]);
+      cone_radiance(w, l, v, k->nrm, axis, dive, zero, k->albedo, shine);
+      for (int c = 0; c < 3; c++) r[c] = mix(r[c], shine[c], k->ray);
+    }
     for (int c = 0; c < 3; c++) store_lit(io, k, c, r[c]);
     return;
   }

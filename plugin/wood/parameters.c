@@ -267,6 +267,37 @@ static const sozai_parameter row_jitter = {
    .doc = "How far a vessel may stray from even spacing along its row: 1 is the whole spacing.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.5}};
 
+static const sozai_parameter ray_density = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "ray_density", .label = "Ray density", .group = "rays", .unit = "1/mm2",
+   .doc = "Rays to an area of the tangential face; 0 for none that can be seen.",
+   .hard_min = 0, .hard_max = 20, .soft_min = 0, .soft_max = 4, .default_number = {0}};
+
+static const sozai_parameter ray_height = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "ray_height", .label = "Ray height", .group = "rays", .unit = "mm",
+   .doc = "Along the fibre, the mean; from half to one and a half times as much.",
+   .hard_min = 0.05, .hard_max = 100, .soft_min = 0.2, .soft_max = 40, .default_number = {1}};
+
+static const sozai_parameter ray_width = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "ray_width", .label = "Ray width", .group = "rays", .unit = "um",
+   .doc = "Across the fibre where a ray is thickest, the mean.",
+   .hard_min = 5, .hard_max = 1500, .soft_min = 20, .soft_max = 500, .default_number = {90}};
+
+static const sozai_parameter ray_length = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "ray_length", .label = "Ray length", .group = "rays", .unit = "mm",
+   .doc = "Along the radius, at most.",
+   .hard_min = 2, .hard_max = 500, .soft_min = 10, .soft_max = 100, .default_number = {50}};
+
+static const sozai_parameter ray_colour = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "ray_colour", .label = "Ray colour", .group = "rays", .unit = "",
+   .doc = "Of the rays' tissue.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.84, 0.71, 0.53},
+   .default_text = "sRGB"};
+
 static const sozai_parameter fibre_brightness = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "fibre_brightness", .label = "Fibre brightness", .group = "fibres", .unit = "",
@@ -436,7 +467,7 @@ static const sozai_parameter fibre_reflectance = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "fibre_reflectance", .label = "Fibre reflectance", .group = "figure", .unit = "",
    .doc = "fibre_cone: strength of the fibres' lobe in its brightest channel; its hue is that of specular_tint. Lessened at dive angles at which the lobe would reflect more than it receives.",
-   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 0.3, .default_number = {0.12}};
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 0.3, .default_number = {0.07}};
 
 static const sozai_parameter cone_width = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -501,6 +532,11 @@ const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_ROW_DIAMETER] = &row_diameter,
    [P_ROW_SPREAD] = &row_spread,
    [P_ROW_JITTER] = &row_jitter,
+   [P_RAY_DENSITY] = &ray_density,
+   [P_RAY_HEIGHT] = &ray_height,
+   [P_RAY_WIDTH] = &ray_width,
+   [P_RAY_LENGTH] = &ray_length,
+   [P_RAY_COLOUR] = &ray_colour,
    [P_FIBRE_BRIGHTNESS] = &fibre_brightness,
    [P_FIBRE_WIDTH] = &fibre_width,
    [P_EARLY_COLOUR] = &early_colour,
@@ -628,7 +664,14 @@ static const sozai_channel channel_coat = {
    .id = "coat", .unit = "", .suffixes = "",
    .doc = "Share of the surface's own reflection over it."};
 
+static const sozai_channel channel_ray = {
+   .size = sizeof(sozai_channel), .first = WOOD_RAY, .components = 1,
+   .needs = SOZAI_INPUT_POINT,
+   .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
+   .id = "ray", .unit = "", .suffixes = "",
+   .doc = "Share of the footprint that rays cover, 0 to 1."};
+
 const sozai_channel *const wood_channels[] = {
-   &channel_albedo, &channel_radiance, &channel_fiber, &channel_dive, &channel_specular, &channel_roughness, &channel_time, &channel_latewood, &channel_vessel, &channel_reference, &channel_cone_colour, &channel_cone_width, &channel_coat};
+   &channel_albedo, &channel_radiance, &channel_fiber, &channel_dive, &channel_specular, &channel_roughness, &channel_time, &channel_latewood, &channel_vessel, &channel_reference, &channel_cone_colour, &channel_cone_width, &channel_coat, &channel_ray};
 /* clang-format on */
 const uint32_t wood_channel_count = COUNT(wood_channels);

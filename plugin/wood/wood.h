@@ -38,6 +38,7 @@ enum {
   SEED_WAVE = SEED_SLOPE + 2,
   SEED_PORES,
   SEED_ROWS,
+  SEED_RAYS,
   SEED_FIBRE,
   WOOD_SEEDS = SEED_FIBRE + WOOD_FIBRE_OCTAVES
 };
@@ -109,13 +110,25 @@ typedef struct {
   float band;                              /* mm: the rows' band for the expected coverage */
   float late_vessel;                       /* expected vessel coverage of latewood tissue */
 
+  /* rays */
+  int32_t has_rays;
+  float ray_length, inverse_ray_length;    /* mm: of a shell */
+  float ray_per_radius;                    /* cells round a shell, to a mm of its radius */
+  float inverse_ray_arc, inverse_ray_cell; /* 1/mm: of a cell, along the arc and along y */
+  float ray_tall;                          /* half the mean height, in cells */
+  float ray_half;                          /* mm: half the mean width */
+  float ray_cover;                         /* expected */
+  float ray_stray;                         /* mm of a sheet's waves, over HASH_ONE */
+  float ray_wave_radial, ray_wave_along;   /* 1/mm */
+  float ray_lean2; /* most that a sheet leans, squared; doubled, for products of extents */
+
   /* shifted brightness */
   float fibre_amplitude[WOOD_FIBRE_OCTAVES];
   float fibre_frequency[WOOD_FIBRE_OCTAVES]; /* 1/mm */
   float fibre_size[WOOD_FIBRE_OCTAVES];      /* mm */
 
   /* colour, working space */
-  float early[3], late[3], vessel[3];
+  float early[3], late[3], vessel[3], ray[3];
 
   float sap_early[3], sap_late[3];
   float heart_years, heart_edge; /* years: where the heartwood ends, and how gradually */
@@ -179,7 +192,8 @@ enum {
   WOOD_CONE_COLOUR = 17,
   WOOD_CONE_WIDTH = 20,
   WOOD_COAT = 21,
-  WOOD_COMPONENTS = 22
+  WOOD_RAY = 22,
+  WOOD_COMPONENTS = 23
 };
 
 typedef void wood_evaluate(const wood_constants *w, const wood_io *io, uint32_t from, uint32_t to);

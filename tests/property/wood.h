@@ -26,7 +26,7 @@ const char *wood_preset(unsigned i);
 typedef struct {
   unsigned count, room;
   float *point[3], *normal[3], *light[3], *view[3], *footprint;
-  float *out[22];
+  float *out[23];
 } points;
 
 /* Components, as describe lists them. */
@@ -41,7 +41,8 @@ enum {
   REFERENCE,
   CONE_COLOUR = 17,
   CONE_WIDTH = 20,
-  COAT
+  COAT,
+  RAY
 };
 
 void points_clear(points *p);

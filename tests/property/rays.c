@@ -1,0 +1,212 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Rays: as many to an area of the tangential face as asked for, as high and as
+ * thick, at every radius; carried by the grain; averaged by a footprint.
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cmocka_all.h"
+#include "wood.h"
+
+#define ROUND                                                                                      \
+  "pith_wander=0; undulation=0; section_wobble=0; slope_noise=0; taper=0; porosity=none; "         \
+  "fibre_brightness=0; "
+
+/* A tangential face unrolled: `wide` along the arc at radius r, `tall` along y. */
+typedef struct {
+  double r, wide, tall, step;
+  int nx, ny;
+  unsigned char *ray; /* 1: more than half covered */
+} face;
+
+static void unroll(face *f, sozai_texture *t) {
+  points p = {0};
+  f->nx = (int)(f->wide / f->step);
+  f->ny = (int)(f->tall / f->step);
+  f->ray = malloc((size_t)(f->nx * f->ny));
+  for (int j = 0; j < f->ny; j++) {
+    points_clear(&p);
+    for (int i = 0; i < f->nx; i++) {
+      double a = (i + 0.5) * f->step / f->r;
+      unsigned n = points_add(&p, f->r * cos(a), (j + 0.5) * f->step, f->r * sin(a), 0);
+      p.normal[0][n] = (float)cos(a);
+      p.normal[2][n] = (float)sin(a);
+    }
+    points_ask(&p, t);
+    for (int i = 0; i < f->nx; i++) f->ray[j * f->nx + i] = p.out[RAY][i] > 0.5f;
+  }
+  points_free(&p);
+}
+
+/* One piece, from a cell of it: its extent. */
+typedef struct {
+  int cells, left, right, low, high;
+} piece;
+
+static piece take(face *f, int at) {
+  static int stack[1 << 20];
+  piece q = {0, f->nx, 0, f->ny, 0};
+  int depth = 0;
+  stack[depth++] = at;
+  f->ray[at] = 0;
+  while (depth) {
+    int k = stack[--depth], i = k % f->nx, j = k / f->nx;
+    q.cells++;
+    q.left = i < q.left ? i : q.left;
+    q.right = i > q.right ? i : q.right;
+    q.low = j < q.low ? j : q.low;
+    q.high = j > q.high ? j : q.high;
+    for (int d = 0; d < 8; d++) {
+      static const int dx[] = {-1, 0, 1, -1, 1, -1, 0, 1}, dy[] = {-1, -1, -1, 0, 0, 1, 1, 1};
+      int x = i + dx[d], y = j + dy[d];
+      if (x < 0 || y < 0 || x >= f->nx || y >= f->ny || !f->ray[y * f->nx + x]) continue;
+      f->ray[y * f->nx + x] = 0;
+      if (depth < (1 << 20)) stack[depth++] = y * f->nx + x;
+    }
+  }
+  return q;
+}
+
+static void counts(void **state) {
+  (void)state;
+  static const struct {
+    double density, height, width, radii[3], wide, tall, step;
+  } cases[] = {{0.5, 2.0, 130, {60, 83, 140}, 60, 60, 0.025},
+               {3.0, 0.5, 55, {45, 75, 130}, 25, 25, 0.0125},
+               {0.02, 20, 330, {100, 120, 180}, 300, 300, 0.1}};
+  for (int k = 0; k < 3; k++) {
+    char text[512];
+    snprintf(text, sizeof text, ROUND "ray_density=%g; ray_height=%g; ray_width=%g; ray_length=40",
+             cases[k].density, cases[k].height, cases[k].width);
+    sozai_texture *t = wood_make(NULL, text);
+    for (int r = 0; r < 3; r++) {
+      face f = {.r = cases[k].radii[r],
+                .wide = cases[k].wide,
+                .tall = cases[k].tall,
+                .step = cases[k].step};
+      unroll(&f, t);
+      double n = 0, height = 0, area = 0;
+      int whole = 0;
+      for (int at = 0; at < f.nx * f.ny; at++) {
+        if (!f.ray[at]) continue;
+        piece q = take(&f, at);
+        int cut = q.left == 0 || q.low == 0 || q.right == f.nx - 1 || q.high == f.ny - 1;
+        n += cut ? 0.5 : 1;
+        area += q.cells * f.step * f.step;
+        if (cut) continue;
+        height += (q.high - q.low + 1) * f.step;
+        whole++;
+      }
+      free(f.ray);
+      double want = cases[k].density * f.wide * f.tall;
+      double cover = cases[k].density * cases[k].height * 1e-3 * cases[k].width * 2 / 3 * 0.875;
+      print_message(
+          "%g/mm2 at %g mm: %.0f rays, %.0f wanted; mean height %.2f of %g mm; cover %.4f, "
+          "%.4f wanted\n",
+          cases[k].density, f.r, n, want, height / whole, cases[k].height, area / (f.wide * f.tall),
+          cover);
+      /* places within cells are less random than Poisson's; tapering ends are too
+       * thin to be seen, and the lens's tips */
+      assert_true(fabs(n - want) < 3 * sqrt(want) + 0.08 * want);
+      assert_true(fabs(height / whole - cases[k].height) < 0.27 * cases[k].height);
+      assert_true(fabs(area / (f.wide * f.tall) - cover) < 0.15 * cover);
+    }
+    textures->destroy(t);
+  }
+}
+
+/* Half a millimetre along the fibre changes little of a ray 20 mm high. */
+static void carried(void **state) {
+  (void)state;
+  sozai_texture *t =
+      wood_make(NULL, "grain=compound; porosity=none; ray_density=0.05; ray_height=20; "
+                      "ray_width=600");
+  points a = {0}, b = {0};
+  uniform_seed(81);
+  for (int i = 0; i < 20000; i++) {
+    double angle = 6.2831853 * uniform(), r = 60 + 60 * uniform();
+    points_add(&a, r * cos(angle), 150 * uniform(), r * sin(angle), 0);
+  }
+  points_ask(&a, t);
+  for (unsigned i = 0; i < a.count; i++) {
+    points_add(&b, (double)(a.point[0][i] + 0.5f * a.out[FIBER][i]),
+               (double)(a.point[1][i] + 0.5f * a.out[FIBER + 1][i]),
+               (double)(a.point[2][i] + 0.5f * a.out[FIBER + 2][i]), 0);
+  }
+  points_ask(&b, t);
+  int in = 0, stayed = 0, across = 0;
+  for (unsigned i = 0; i < a.count; i++) {
+    if (a.out[RAY][i] < 0.5f) continue;
+    in++;
+    stayed += b.out[RAY][i] > 0.5f;
+  }
+  /* as far across the fibre instead */
+  points_clear(&b);
+  for (unsigned i = 0; i < a.count; i++) {
+    double r = hypot((double)a.point[0][i], (double)a.point[2][i]);
+    points_add(&b, (double)a.point[0][i] - 0.5 * (double)a.point[2][i] / r, (double)a.point[1][i],
+               (double)a.point[2][i] + 0.5 * (double)a.point[0][i] / r, 0);
+  }
+  points_ask(&b, t);
+  for (unsigned i = 0; i < a.count; i++) across += a.out[RAY][i] >= 0.5f && b.out[RAY][i] > 0.5f;
+  CHECK(stayed > 0.93 * in && across < 0.3 * in,
+        "of %d points in rays %d stay along the fibre, %d across it\n", in, stayed, across);
+  points_free(&a);
+  points_free(&b);
+  textures->destroy(t);
+}
+
+static void filtered(void **state) {
+  (void)state;
+  enum { SIDE = 32, SAMPLES = SIDE * SIDE };
+  static const double sizes[] = {0.03, 0.1, 0.3, 1, 3, 10, 30};
+  static const char *const cuts[] = {"flat", "quarter", "end"};
+  points p = {0};
+  uniform_seed(83);
+  double worst = 0;
+  for (int f = 0; f < 7; f++) {
+    for (int k = 0; k < 2; k++) {
+      double square = 0, mean = 0, n = 0;
+      for (int c = 0; c < 3; c++) {
+        double part = 0;
+        char text[64];
+        snprintf(text, sizeof text, "cut=%s; cut_distance=70", cuts[c]);
+        sozai_texture *t = wood_make(k ? "itayakaede" : "mizunara", text);
+        for (int place = 0; place < 400; place++) {
+          double x = 80 * (uniform() - 0.5), y = (c == 2 ? 80 : 800) * (uniform() - 0.5);
+          points_clear(&p);
+          for (int i = 0; i < SAMPLES; i++) {
+            points_add(&p, x + ((i % SIDE + uniform()) / SIDE - 0.5) * sizes[f],
+                       y + ((i / SIDE + uniform()) / SIDE - 0.5) * sizes[f], 0, 0);
+          }
+          points_add(&p, x, y, 0, sizes[f]);
+          points_ask(&p, t);
+          for (int ch = 0; ch < 3; ch++) {
+            double truth = 0;
+            for (int i = 0; i < SAMPLES; i++) truth += (double)p.out[ALBEDO + ch][i] / SAMPLES;
+            double error = (double)p.out[ALBEDO + ch][SAMPLES] - truth;
+            square += error * error;
+            part += error * error / (3 * 400);
+            mean += error;
+            n++;
+          }
+        }
+        textures->destroy(t);
+        print_message("  %s %.4f", cuts[c], sqrt(part));
+      }
+      print_message("  %-10s footprint %-4g mm: albedo rms %.4f, mean %+.4f\n",
+                    k ? "itayakaede" : "mizunara", sizes[f], sqrt(square / n), mean / n);
+      worst = fmax(worst, fmax(sqrt(square / n), 5 * fabs(mean / n)));
+    }
+  }
+  points_free(&p);
+  CHECK(worst <= 0.01, "worst %.4f\n", worst);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {cmocka_unit_test(counts), cmocka_unit_test(carried),
+                                     cmocka_unit_test(filtered)};
+  return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
+}
