@@ -79,6 +79,13 @@ INLINE vf vsqrt(vf a) { return __builtin_sqrtf(a); }
 INLINE vf gather(const float *t, vi i) { return t[i]; }
 INLINE vi gatheri(const int32_t *t, vi i) { return t[i]; }
 INLINE vf lookup32(const float *t, vi i) { return t[i]; }
+#if defined(SOZAI_ISA_AVX2) || defined(SOZAI_ISA_AVX512)
+INLINE vf ROUND_DOWN_(vf x) {
+  __m128 v = _mm_set_ss(x);
+  return _mm_cvtss_f32(_mm_floor_ss(v, v));
+}
+#define ROUND_DOWN_ ROUND_DOWN_
+#endif
 
 #else
 
@@ -202,6 +209,16 @@ INLINE vf vsqrt(vf a) {
 }
 #endif
 
+/* ---- rounding ---------------------------------------------------------- */
+
+#if defined(SOZAI_ISA_AVX512) && LANES == 16
+#define ROUND_DOWN_(x) ((vf)_mm512_roundscale_ps((__m512)(x), _MM_FROUND_FLOOR | _MM_FROUND_NO_EXC))
+#elif defined(SOZAI_ISA_AVX2) && LANES == 8
+#define ROUND_DOWN_(x) ((vf)_mm256_floor_ps((__m256)(x)))
+#elif (defined(SOZAI_ISA_AVX2) || defined(SOZAI_ISA_AVX512)) && LANES == 4
+#define ROUND_DOWN_(x) ((vf)_mm_floor_ps((__m128)(x)))
+#endif
+
 /* ---- tables ----------------------------------------------------------- */
 
 #if defined(SOZAI_ISA_AVX512) && LANES == 16
@@ -249,13 +266,20 @@ INLINE vf clamp01(vf x) { return vmin(vmax(x, splat(0.0f)), splat(1.0f)); }
 INLINE vf mix(vf a, vf b, vf t) { return a + (b - a) * t; }
 
 /* The greatest whole number not above x, as a number and as an integer;
- * |x| < 2^31. Not roundps: SSE2 has none, and zero would keep its sign. */
+ * |x| < 2^31. Of -0 it is 0: the unit's own rounding keeps the sign, which the
+ * sum takes away again; and SSE2 has no rounding. */
 INLINE vf vfloor(vf x, vi *whole) {
+#ifdef ROUND_DOWN_
+  vf f = ROUND_DOWN_(x) + splat(0.0f);
+  *whole = to_int(f);
+  return f;
+#else
   vi i = to_int(x);
   vf f = to_float(i);
   vm above = gt(f, x);
   *whole = seli(above, i - splati(1), i);
   return sel(above, f - splat(1.0f), f);
+#endif
 }
 
 #endif

@@ -160,6 +160,7 @@ typedef struct {
   vf s;               /* footprint */
   vf up2, inverse_up; /* squared length of +y within the surface, its inverse root */
   stem_place stem;
+  undulation_sum undulation;
   ring_place ring;
   vf years, divisor, phase;
   grain_place grain;
@@ -189,8 +190,23 @@ INLINE void stage_load(const wood_constants *w, const wood_io *io, block *k) {
   k->inverse_up = inverse_root(vmax(k->up2, splat(1e-12f)));
 }
 
-INLINE void stage_stem(const wood_constants *w, const wood_io *io, block *k) {
-  k->stem = stem_at(w, k->p[0], k->p[1], k->p[2], k->s);
+INLINE void stage_pith(const wood_constants *w, block *k) {
+  k->stem.pith = pith_at(w, k->p[1]);
+  k->stem.lost = splat(0.0f);
+  k->undulation = undulation_none();
+}
+
+INLINE void stage_about(block *k) { stem_about(k->p[0], k->p[2], &k->stem); }
+
+INLINE void stage_undulation(const wood_constants *w, int o, block *k) {
+  undulation_add(w, o, k->p[1], k->s, &k->stem, &k->undulation);
+}
+
+INLINE void stage_rho(const wood_constants *w, block *k) {
+  stem_rho(w, k->p[1], &k->undulation, &k->stem);
+}
+
+INLINE void stage_ring(const wood_constants *w, const wood_io *io, block *k) {
   k->ring = ring_at(w, k->stem.rho);
   k->years = to_float(k->ring.ring) + k->ring.phase;
   store_lanes(io, WOOD_TIME, k->i, k->n, k->years);
@@ -376,7 +392,11 @@ INLINE void stage_figure(const wood_constants *w, const wood_io *io, const wood_
   }
 }
 
+#ifndef BLOCKS
 #define BLOCKS (LANES == 1 ? 1 : 2)
+#endif
+
+#define EACH(stage) for (uint32_t k = 0; k < count; k++) stage
 
 static void evaluate(const wood_constants *w, const wood_io *io, uint32_t from, uint32_t to) {
   wood_wants want = wants_of(w, io);
@@ -387,26 +407,19 @@ static void evaluate(const wood_constants *w, const wood_io *io, uint32_t from, 
       blocks[count].i = i;
       blocks[count].n = to - i < LANES ? to - i : LANES;
     }
-    for (uint32_t k = 0; k < count; k++) stage_load(w, io, &blocks[k]);
-    for (uint32_t k = 0; k < count; k++) stage_stem(w, io, &blocks[k]);
-    if (want.section) {
-      for (uint32_t k = 0; k < count; k++) stage_grain(w, io, &blocks[k]);
-    }
-    if (want.direction) {
-      for (uint32_t k = 0; k < count; k++) stage_fibre(w, io, &want, &blocks[k]);
-    }
-    if (want.late) {
-      for (uint32_t k = 0; k < count; k++) stage_rings(w, io, &blocks[k]);
-    }
-    if (want.vessel) {
-      for (uint32_t k = 0; k < count; k++) stage_tissue(w, io, &want, &blocks[k]);
-    }
-    if (want.picture) {
-      for (uint32_t k = 0; k < count; k++) stage_picture(w, io, &blocks[k]);
-    }
-    if (want.lobe) {
-      for (uint32_t k = 0; k < count; k++) stage_figure(w, io, &want, &blocks[k]);
-    }
+    EACH(stage_load(w, io, &blocks[k]));
+    EACH(stage_pith(w, &blocks[k]));
+    EACH(stage_about(&blocks[k]));
+    EACH(stage_undulation(w, 0, &blocks[k]));
+    EACH(stage_undulation(w, 1, &blocks[k]));
+    EACH(stage_rho(w, &blocks[k]));
+    EACH(stage_ring(w, io, &blocks[k]));
+    if (want.section) EACH(stage_grain(w, io, &blocks[k]));
+    if (want.direction) EACH(stage_fibre(w, io, &want, &blocks[k]));
+    if (want.late) EACH(stage_rings(w, io, &blocks[k]));
+    if (want.vessel) EACH(stage_tissue(w, io, &want, &blocks[k]));
+    if (want.picture) EACH(stage_picture(w, io, &blocks[k]));
+    if (want.lobe) EACH(stage_figure(w, io, &want, &blocks[k]));
   }
 }
 
