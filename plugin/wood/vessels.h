@@ -263,43 +263,48 @@ INLINE vf fade_beyond(vf e2, float reach) {
   return smooth_step(splat(0.6f * reach), splat(reach), vsqrt(e2));
 }
 
-/* One tap, `da` along the arc and `dr` along rho off the centre. */
-INLINE void vessels_tap(const wood_constants *w, const vessel_place *p, const row_place *row,
-                        const footprint_parts *part, vf da, vf dr, vf weight, vessel_cover_t *sum) {
+/* One tap of the pores, at (x, z) of the reference section under a footprint of
+ * (aa, ab, bb). */
+INLINE vf pores_tap(const wood_constants *w, const vessel_place *p, vf aa, vf ab, vf bb, vf x,
+                    vf z) {
   vf twelfth = splat(1.0f / 12.0f);
-  vf aa = part->aa * twelfth, ab = part->ab * twelfth, bb = part->bb * twelfth;
-  if (w->has_pores) {
-    matrix2 m = to_section(aa, ab, bb, p->c, p->s);
-    vf radius2 = splat(w->pores.radius * w->pores.radius);
-    if (w->pore_growth != 0.0f) {
-      vf size = splat(w->pore_early) + splat(w->pore_growth) * p->ring.phase;
-      radius2 = radius2 * size * size;
-    }
-    disc d = disc_blurred(radius2, m);
-    vf x = p->x + (dr * p->c - da * p->s), z = p->z + (dr * p->s + da * p->c);
-    sum->pores = sum->pores + pores_cover(w, x, z, &d) * weight;
+  matrix2 m = to_section(aa * twelfth, ab * twelfth, bb * twelfth, p->c, p->s);
+  vf radius2 = splat(w->pores.radius * w->pores.radius);
+  if (w->pore_growth != 0.0f) {
+    vf size = splat(w->pore_early) + splat(w->pore_growth) * p->ring.phase;
+    radius2 = radius2 * size * size;
   }
-  if (w->rows && any(row->near)) {
-    matrix2 m = {aa, ab, bb};
-    disc d = disc_blurred(splat(w->row.radius * w->row.radius), m);
-    sum->rows = sum->rows + rows_cover(w, row, p->rho, da, dr, &d) * weight;
-  }
+  disc d = disc_blurred(radius2, m);
+  return pores_cover(w, x, z, &d);
 }
 
-/* A footprint within reach is answered by one tap, a longer one by up to 8;
- * past the reach of those the expected coverage fades in. */
-INLINE vessel_cover_t vessels_at(const wood_constants *w, const vessel_place *p) {
+/* The same of the rows, da along the arc and dr along rho off the place. */
+INLINE vf rows_tap(const wood_constants *w, const vessel_place *p, const row_place *row, vf aa,
+                   vf ab, vf bb, vf da, vf dr) {
+  if (!any(row->near)) return splat(0.0f);
+  vf twelfth = splat(1.0f / 12.0f);
+  matrix2 m = {aa * twelfth, ab * twelfth, bb * twelfth};
+  disc d = disc_blurred(splat(w->row.radius * w->row.radius), m);
+  return rows_cover(w, row, p->rho, da, dr, &d);
+}
+
+INLINE row_place row_of(const wood_constants *w, const vessel_place *p) {
+  return row_at(w, &p->ring, p->rho, p->c, p->s, vsqrt(p->f.bb));
+}
+
+/* Which footprints are longer than what one tap answers. */
+INLINE vm vessels_cut(const wood_constants *w, const footprint2 *f) {
+  return gt(f->aa + f->bb, splat(w->vessel_reach * w->vessel_reach));
+}
+
+/* The lanes that are not cut are whole, in one tap, as they would be alone. A
+ * footprint longer than that is answered by up to 8; past the reach of those
+ * the expected coverage fades in. */
+INLINE vessel_cover_t vessels_in_parts(const wood_constants *w, const vessel_place *p, vm cut) {
   vf zero = splat(0.0f), one = splat(1.0f);
   vessel_cover_t v = {zero, zero, zero, zero};
   row_place row;
-  if (w->rows) row = row_at(w, &p->ring, p->rho, p->c, p->s, vsqrt(p->f.bb));
-  vm cut = gt(p->f.aa + p->f.bb, splat(w->vessel_reach * w->vessel_reach));
-  if (!any(cut)) {
-    footprint_parts whole = {cut, one, one, p->f.aa, p->f.ab, p->f.bb, 1};
-    vessels_tap(w, p, &row, &whole, zero, zero, one, &v);
-    return v;
-  }
-
+  if (w->rows) row = row_of(w, p);
   footprint_axes l = footprint_split(&p->f);
   footprint_parts part = footprint_cut(&p->f, &l, cut, w->vessel_reach);
   v.pores_faded = sel(part.most, fade_beyond(part.aa + part.bb, w->pores.reach), zero);
@@ -322,7 +327,13 @@ INLINE vessel_cover_t vessels_at(const wood_constants *w, const vessel_place *p)
     weight = sel(lt(at * part.beside, one), weight, zero);
     vf da = sel(cut, l.arc * a + l.rest_arc * side, zero);
     vf dr = sel(cut, l.rho * a + l.rest_rho * side, zero);
-    vessels_tap(w, p, &row, &part, da, dr, weight, &v);
+    if (w->has_pores) {
+      vf x = p->x + (dr * p->c - da * p->s), z = p->z + (dr * p->s + da * p->c);
+      v.pores = v.pores + pores_tap(w, p, part.aa, part.ab, part.bb, x, z) * weight;
+    }
+    if (w->rows) {
+      v.rows = v.rows + rows_tap(w, p, &row, part.aa, part.ab, part.bb, da, dr) * weight;
+    }
   }
   v.pores = sel(gone, zero, v.pores);
   v.rows = sel(gone, zero, v.rows);
