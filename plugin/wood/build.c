@@ -211,7 +211,13 @@ static int32_t build_rings(wood_constants *w, const settings *s) {
     /* a little early, so that rounding never puts a point before its bin */
     double at = (b - 0.001) / (double)w->bin_scale;
     while (j + 1 < WOOD_RINGS && (double)w->start[j + 1] <= at) j++;
-    w->bin[b] = j;
+    w->bin[b][0] = (float)j;
+    w->bin[b][1] = j + 1 < WOOD_RINGS ? w->start[j + 1] : 3e38f;
+  }
+  for (j = 0; j < WOOD_RINGS; j++) {
+    const float row[4] = {w->start[j], w->inverse_width[j], w->late_weight[j + 1],
+                          w->late_weight[j]};
+    memcpy(w->ring_row[j], row, sizeof row);
   }
   return SOZAI_OK;
 }
@@ -337,7 +343,7 @@ static void build_vessels(wood_constants *w, const settings *s) {
   double largest = (double)w->pores.radius * (1.0 + 2.5 * spread) * (late > 1.0 ? late : 1.0);
   w->pore_cell = (float)(1.0 / __builtin_sqrt(density));
   w->inverse_pore_cell = 1.0f / w->pore_cell;
-  w->pore_step = w->pore_cell / 2048.0f;
+  w->pore_step = w->pore_cell / 4294967296.0f;
   w->pores.reach = longest_footprint(0.5 * (double)w->pore_cell, largest);
   w->pores.coverage =
       (float)(0.5 * TWO_PI * (double)w->pores.radius * (double)w->pores.radius * square * density);
@@ -360,6 +366,8 @@ static void build_vessels(wood_constants *w, const settings *s) {
   w->row_start = (float)(0.55e-3 * row_d);
   w->row_jitter_arc = (float)num(s, P_ROW_JITTER);
   w->row_jitter_radial = (float)(0.4 * row_radius * num(s, P_ROW_JITTER));
+  w->row_step_arc = w->row_jitter_arc / 4294967296.0f;
+  w->row_step_radial = w->row_jitter_radial / 4294967296.0f;
   w->band = (float)(w->rows * row_spacing);
   double least = 1e30;
   for (int j = 0; j < WOOD_RINGS; j++) {

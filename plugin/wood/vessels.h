@@ -64,8 +64,7 @@ INLINE vf disc_distance(const disc *d, vf x, vf z) {
 /* Cover by one vessel at distance q, its radius drawn from the hash; over the
  * disc's height. */
 INLINE vf vessel_cover(const wood_vessels *v, const disc *d, vu h, vf q) {
-  vi i = (vi)((h >> 5) & splatu(WOOD_RADII - 1));
-  return clamp01(d->top - q * lookup32(v->inverse_square, i));
+  return clamp01(d->top - q * lookup16(v->inverse_square, h >> 5));
 }
 
 /* From the sum of covers to the share covered: discs overlap, and where they
@@ -76,38 +75,44 @@ INLINE vf vessel_overlap(const wood_vessels *v, const disc *d, vf sum) {
   return vmin(sum - sum * blurred * splat(v->overlap), splat(1.0f));
 }
 
+/* A hash as a whole number within +-HASH_ONE: a place within half a cell of the
+ * cell's middle. The second, from the bits below the first's ten, leaves those
+ * below 10 to the radius. */
+INLINE vf hash_place(vu h) { return to_float((vi)h); }
+INLINE vf hash_place2(vu h) { return to_float((vi)(h << 11)); }
+
 /* Coverage by the field's pores at (x, z) of the reference section. The four
- * nearest cells hold everything within half a cell. */
-INLINE vf pores_cover(const wood_constants *w, vf x, vf z, const disc *d) {
+ * nearest cells hold everything within half a cell. Places are kept in units of
+ * 2^-32 of a cell, which are the hash's own. */
+INLINE vf pores_cover(const wood_constants *w, vf x, vf z, const disc *blurred) {
   const wood_vessels *v = &w->pores;
-  vf inverse_cell = splat(w->inverse_pore_cell), cell = splat(w->pore_cell);
+  vf inverse_cell = splat(w->inverse_pore_cell), unit = splat(4294967296.0f);
+  vf square = splat(w->pore_step * w->pore_step), half = splat(0.5f);
+  disc d = {blurred->xx * square, blurred->xz * square, blurred->zz * square, blurred->top,
+            blurred->height};
   vi ix, iz;
-  vf fx = x * inverse_cell - splat(0.5f), fz = z * inverse_cell - splat(0.5f);
-  fx = fx - vfloor(fx, &ix) + splat(0.5f);
-  fz = fz - vfloor(fz, &iz) + splat(0.5f);
+  vf fx = x * inverse_cell - half, fz = z * inverse_cell - half;
+  fx = (fx - vfloor(fx, &ix)) * unit;
+  fz = (fz - vfloor(fz, &iz)) * unit;
   vu hx = (vu)ix * splatu(HASH_X) + wood_seed(w, SEED_PORES), hz = (vu)iz * splatu(HASH_Z);
   vf sum = splat(0.0f);
   UNROLL(4)
   for (int i = 0; i < 4; i++) {
     int a = i & 1, b = i >> 1;
     vu base = hash_upper(hx + hz + splatu((uint32_t)a * HASH_X + (uint32_t)b * HASH_Z));
-    vf ox = (fx - splat((float)a)) * cell, oz = (fz - splat((float)b)) * cell;
     /* two in every other cell, by the top bit; the rest gives their places */
-    vm there = lti((vi)base, splati(0));
-    if (idle(there)) continue;
-    ox = sel(there, ox, splat(1e6f));
+    if (idle(lti((vi)base, splati(0)))) continue;
+    vf ox = sel_top(base, a ? fx - unit : fx, splat(1e13f)), oz = b ? fz - unit : fz;
     vu h = base << 1;
     UNROLL(2)
     for (int k = 0; k < 2; k++) {
-      vf x1 = ox - to_float((vi)(h >> 21)) * splat(w->pore_step);
-      vf z1 = oz - to_float((vi)((h >> 10) & splatu(2047))) * splat(w->pore_step);
-      vf q = disc_distance(d, x1, z1);
+      vf q = disc_distance(&d, ox - hash_place(h), oz - hash_place2(h));
       /* past `farthest` the cover is exactly 0: passing over it changes nothing */
-      if (!idle(lt(q, splat(v->farthest)))) sum = sum + vessel_cover(v, d, h, q);
+      if (!idle(lt(q, splat(v->farthest)))) sum = sum + vessel_cover(v, &d, h, q);
       h = base * splatu(0x2c1b3c6du);
     }
   }
-  return vessel_overlap(v, d, sum);
+  return vessel_overlap(v, &d, sum);
 }
 
 /* The earlywood band nearest to a point, and the point's place along it. */
@@ -168,10 +173,8 @@ INLINE vf rows_cover(const wood_constants *w, const row_place *p, vf rho, vf da,
       k = seli(lti(k, splati(0)), k + p->n, k);
       k = seli(lti(k, p->n), k, k - p->n);
       vu h = hash_upper((vu)k * splatu(HASH_Y) + row_seed);
-      vf j = to_float((vi)(h >> 21)) * splat(1.0f / 2048.0f) - splat(0.5f);
-      vf i = to_float((vi)((h >> 10) & splatu(2047))) * splat(1.0f / 2048.0f) - splat(0.5f);
-      vf x = (within - splat((float)a) - j * splat(w->row_jitter_arc)) * p->arc;
-      vf z = radial - i * splat(w->row_jitter_radial);
+      vf x = (within - splat((float)a) - hash_place(h) * splat(w->row_step_arc)) * p->arc;
+      vf z = radial - hash_place2(h) * splat(w->row_step_radial);
       sum = sum + vessel_cover(&w->row, d, h, disc_distance(d, x, z));
     }
   }

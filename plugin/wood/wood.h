@@ -22,7 +22,7 @@
 #define WOOD_RINGS 256      /* rings before the table repeats */
 #define WOOD_BINS_MAX 16384 /* bins of the look-up from rho to ring */
 #define WOOD_HARMONICS 3    /* of the section's outline */
-#define WOOD_RADII 32       /* steps of the table of vessel radii */
+#define WOOD_RADII 16       /* steps of the table of vessel radii */
 #define WOOD_FIBRE_OCTAVES 3
 #define WOOD_RIM 256 /* directions in which the rim of a picture is known */
 
@@ -92,7 +92,7 @@ typedef struct {
   int32_t has_wave, has_wave_irregularity, has_interlocked, has_slope_noise;
 
   /* vessels */
-  float pore_cell, inverse_pore_cell, pore_step; /* mm: side of a lattice cell; 1/mm; mm, / 2048 */
+  float pore_cell, inverse_pore_cell, pore_step; /* mm: side of a lattice cell; 1/mm; mm, / 2^32 */
   wood_vessels pores;                            /* of the field: cells of the reference section */
   float pore_early, pore_growth; /* size at phase f, over the mean: early + growth f */
   float pore_ring_mean;          /* mean over the ring of size^2 */
@@ -103,6 +103,7 @@ typedef struct {
   float row_spacing;  /* mm, radially */
   float row_start;    /* mm, of the first row's centres after the ring's start */
   float row_jitter_arc, row_jitter_radial; /* of the spacing; mm */
+  float row_step_arc, row_step_radial;     /* the same, / 2^32 */
   float band;                              /* mm: the rows' band for the expected coverage */
   float late_vessel;                       /* expected vessel coverage of latewood tissue */
 
@@ -142,7 +143,10 @@ typedef struct {
   float inverse_width[WOOD_RINGS];
   float late_weight[WOOD_RINGS + 1]; /* how dark the latewood of ring j - 1 grows */
   float late_before[WOOD_RINGS + 1]; /* integral of the profile up to the ring */
-  int32_t bin[WOOD_BINS_MAX];        /* the ring that the bin's start lies in */
+  /* the same again as the kernel loads it: what belongs to a ring in one place */
+  float ring_row[WOOD_RINGS][4]; /* start, inverse width, weight of its latewood and of the last's */
+  /* of the bin: the ring that its start lies in, and where the next one begins */
+  float bin[WOOD_BINS_MAX][2];
 } wood_constants;
 
 /* Inputs and outputs of the kernel, checked. */
