@@ -475,7 +475,7 @@ INLINE void stage_radiance(const wood_constants *w, const streams *io, block *k)
 #endif
 #define EACH(stage) for (uint32_t k = 0; k < count; k++) stage
 
-static void evaluate_blocks(const wood_constants *w, const streams *io, const wood_wants *want,
+static void evaluate_blocks(const wood_constants *restrict w, const streams *restrict io, const wood_wants *restrict want,
                             block *blocks, uint32_t count) {
   EACH(stage_load(w, io, &blocks[k]));
   EACH(stage_pith(w, &blocks[k]));
