@@ -78,7 +78,21 @@ INLINE vf vmax(vf a, vf b) { return a > b ? a : b; }
 INLINE vf vsqrt(vf a) { return __builtin_sqrtf(a); }
 INLINE vf gather(const float *t, vi i) { return t[i]; }
 INLINE vi gatheri(const int32_t *t, vi i) { return t[i]; }
-INLINE vf lookup32(const float *t, vi i) { return t[i]; }
+INLINE vf lookup16(const float *t, vu i) { return t[i & 15]; }
+INLINE void gather2(const float (*t)[2], vi i, vf out[2]) {
+  for (int c = 0; c < 2; c++) out[c] = t[i][c];
+}
+INLINE void gather4(const float (*t)[4], vi i, vf out[4]) {
+  for (int c = 0; c < 4; c++) out[c] = t[i][c];
+}
+INLINE vf sel_top(vu m, vf a, vf b) { return m >> 31 ? a : b; }
+#if defined(SOZAI_ISA_AVX2) || defined(SOZAI_ISA_AVX512)
+INLINE vf ROUND_DOWN_(vf x) {
+  __m128 v = _mm_set_ss(x);
+  return _mm_cvtss_f32(_mm_floor_ss(v, v));
+}
+#define ROUND_DOWN_ ROUND_DOWN_
+#endif
 
 #else
 
@@ -202,19 +216,61 @@ INLINE vf vsqrt(vf a) {
 }
 #endif
 
+/* ---- rounding ---------------------------------------------------------- */
+
+#if defined(SOZAI_ISA_AVX512) && LANES == 16
+#define ROUND_DOWN_(x) ((vf)_mm512_roundscale_ps((__m512)(x), _MM_FROUND_FLOOR | _MM_FROUND_NO_EXC))
+#elif defined(SOZAI_ISA_AVX2) && LANES == 8
+#define ROUND_DOWN_(x) ((vf)_mm256_floor_ps((__m256)(x)))
+#elif (defined(SOZAI_ISA_AVX2) || defined(SOZAI_ISA_AVX512)) && LANES == 4
+#define ROUND_DOWN_(x) ((vf)_mm_floor_ps((__m128)(x)))
+#endif
+
 /* ---- tables ----------------------------------------------------------- */
 
 #if defined(SOZAI_ISA_AVX512) && LANES == 16
 INLINE vf gather(const float *t, vi i) { return (vf)_mm512_i32gather_ps((__m512i)i, t, 4); }
 INLINE vi gatheri(const int32_t *t, vi i) { return (vi)_mm512_i32gather_epi32((__m512i)i, t, 4); }
-/* From a table of 32: two registers hold it. */
-INLINE vf lookup32(const float *t, vi i) {
-  return (vf)_mm512_permutex2var_ps(_mm512_loadu_ps(t), (__m512i)i, _mm512_loadu_ps(t + 16));
+INLINE vf lookup16(const float *t, vu i) {
+  return (vf)_mm512_permutexvar_ps((__m512i)i, _mm512_loadu_ps(t));
 }
-#define LOOKUP32_
+#define LOOKUP16_
 #elif defined(SOZAI_ISA_AVX2) && LANES == 8
 INLINE vf gather(const float *t, vi i) { return (vf)_mm256_i32gather_ps(t, (__m256i)i, 4); }
 INLINE vi gatheri(const int32_t *t, vi i) { return (vi)_mm256_i32gather_epi32(t, (__m256i)i, 4); }
+INLINE vf lookup16(const float *t, vu i) {
+  __m256 a = _mm256_permutevar8x32_ps(_mm256_loadu_ps(t), (__m256i)i);
+  __m256 b = _mm256_permutevar8x32_ps(_mm256_loadu_ps(t + 8), (__m256i)i);
+  return (vf)_mm256_blendv_ps(a, b, (__m256)(i << 28));
+}
+#define LOOKUP16_
+/* Whole rows of a table are loaded and transposed: gathers are slow on many. */
+INLINE __m256 pair_(const float *a, const float *b) {
+  return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(a)), _mm_loadu_ps(b), 1);
+}
+INLINE void gather4(const float (*t)[4], vi i, vf out[4]) {
+  int32_t k[8];
+  memcpy(k, &i, sizeof k);
+  __m256 r0 = pair_(t[k[0]], t[k[4]]), r1 = pair_(t[k[1]], t[k[5]]);
+  __m256 r2 = pair_(t[k[2]], t[k[6]]), r3 = pair_(t[k[3]], t[k[7]]);
+  __m256d a = (__m256d)_mm256_unpacklo_ps(r0, r1), b = (__m256d)_mm256_unpackhi_ps(r0, r1);
+  __m256d c = (__m256d)_mm256_unpacklo_ps(r2, r3), d = (__m256d)_mm256_unpackhi_ps(r2, r3);
+  out[0] = (vf)_mm256_unpacklo_pd(a, c);
+  out[1] = (vf)_mm256_unpackhi_pd(a, c);
+  out[2] = (vf)_mm256_unpacklo_pd(b, d);
+  out[3] = (vf)_mm256_unpackhi_pd(b, d);
+}
+INLINE void gather2(const float (*t)[2], vi i, vf out[2]) {
+  int32_t k[8];
+  double v[8];
+  memcpy(k, &i, sizeof k);
+  for (int c = 0; c < 8; c++) memcpy(&v[c], t[k[c]], sizeof v[c]);
+  __m256 a = (__m256)_mm256_set_pd(v[5], v[4], v[1], v[0]);
+  __m256 b = (__m256)_mm256_set_pd(v[7], v[6], v[3], v[2]);
+  out[0] = (vf)_mm256_shuffle_ps(a, b, 0x88);
+  out[1] = (vf)_mm256_shuffle_ps(a, b, 0xdd);
+}
+#define GATHER_ROWS_
 #else
 INLINE vf gather(const float *t, vi i) {
   vf r = splat(0.0f);
@@ -228,8 +284,28 @@ INLINE vi gatheri(const int32_t *t, vi i) {
 }
 #endif
 
-#ifndef LOOKUP32_
-INLINE vf lookup32(const float *t, vi i) { return gather(t, i); }
+/* From a table of 16, by the lowest four bits. */
+#ifndef LOOKUP16_
+INLINE vf lookup16(const float *t, vu i) { return gather(t, (vi)(i & splatu(15))); }
+#endif
+
+/* All of a row of a table. */
+#ifndef GATHER_ROWS_
+INLINE void gather2(const float (*t)[2], vi i, vf out[2]) {
+  for (int c = 0; c < 2; c++) out[c] = gather(t[0] + c, i << 1);
+}
+INLINE void gather4(const float (*t)[4], vi i, vf out[4]) {
+  for (int c = 0; c < 4; c++) out[c] = gather(t[0] + c, i << 2);
+}
+#endif
+
+/* a where m's top bit is set. */
+#if defined(SOZAI_ISA_AVX2) && LANES == 8
+INLINE vf sel_top(vu m, vf a, vf b) {
+  return (vf)_mm256_blendv_ps((__m256)b, (__m256)a, (__m256)m);
+}
+#else
+INLINE vf sel_top(vu m, vf a, vf b) { return sel(lti((vi)m, splati(0)), a, b); }
 #endif
 
 #endif /* several lanes */
@@ -249,13 +325,20 @@ INLINE vf clamp01(vf x) { return vmin(vmax(x, splat(0.0f)), splat(1.0f)); }
 INLINE vf mix(vf a, vf b, vf t) { return a + (b - a) * t; }
 
 /* The greatest whole number not above x, as a number and as an integer;
- * |x| < 2^31. Not roundps: SSE2 has none, and zero would keep its sign. */
+ * |x| < 2^31. Of -0 it is 0: the unit's own rounding keeps the sign, which the
+ * sum takes away again; and SSE2 has no rounding. */
 INLINE vf vfloor(vf x, vi *whole) {
+#ifdef ROUND_DOWN_
+  vf f = ROUND_DOWN_(x) + splat(0.0f);
+  *whole = to_int(f);
+  return f;
+#else
   vi i = to_int(x);
   vf f = to_float(i);
   vm above = gt(f, x);
   *whole = seli(above, i - splati(1), i);
   return sel(above, f - splat(1.0f), f);
+#endif
 }
 
 #endif

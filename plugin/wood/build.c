@@ -212,7 +212,13 @@ static int32_t build_rings(wood_constants *w, const settings *s) {
     /* a little early, so that rounding never puts a point before its bin */
     double at = (b - 0.001) / (double)w->bin_scale;
     while (j + 1 < WOOD_RINGS && (double)w->start[j + 1] <= at) j++;
-    w->bin[b] = j;
+    w->bin[b][0] = (float)j;
+    w->bin[b][1] = j + 1 < WOOD_RINGS ? w->start[j + 1] : 3e38f;
+  }
+  for (j = 0; j < WOOD_RINGS; j++) {
+    const float row[4] = {w->start[j], w->inverse_width[j], w->late_weight[j + 1],
+                          w->late_weight[j]};
+    memcpy(w->ring_row[j], row, sizeof row);
   }
   return SOZAI_OK;
 }
@@ -338,7 +344,7 @@ static void build_vessels(wood_constants *w, const settings *s) {
   double largest = (double)w->pores.radius * (1.0 + 2.5 * spread) * (late > 1.0 ? late : 1.0);
   w->pore_cell = (float)(1.0 / __builtin_sqrt(density));
   w->inverse_pore_cell = 1.0f / w->pore_cell;
-  w->pore_step = w->pore_cell / 2048.0f;
+  w->pore_step = w->pore_cell / 4294967296.0f;
   w->pores.reach = longest_footprint(0.5 * (double)w->pore_cell, largest);
   w->pores.coverage =
       (float)(0.5 * TWO_PI * (double)w->pores.radius * (double)w->pores.radius * square * density);
@@ -361,6 +367,8 @@ static void build_vessels(wood_constants *w, const settings *s) {
   w->row_start = (float)(0.55e-3 * row_d);
   w->row_jitter_arc = (float)num(s, P_ROW_JITTER);
   w->row_jitter_radial = (float)(0.4 * row_radius * num(s, P_ROW_JITTER));
+  w->row_step_arc = w->row_jitter_arc / 4294967296.0f;
+  w->row_step_radial = w->row_jitter_radial / 4294967296.0f;
   w->band = (float)(w->rows * row_spacing);
   double least = 1e30;
   for (int j = 0; j < WOOD_RINGS; j++) {
@@ -411,13 +419,10 @@ static void build_rays(wood_constants *w, const settings *s) {
   if (half > 0.14 * arc) half = 0.14 * arc;
   w->ray_half = (float)half;
   double stray = 3.0 * half < 0.1 * arc ? 3.0 * half : 0.1 * arc;
+  w->ray_clear = (float)(0.329 - (1.4 * half + stray) / arc);
   w->ray_stray = (float)(stray / 2147483648.0);
   w->ray_wave_radial = (float)(1.0 / (4.0 + 0.2 * height));
   w->ray_wave_along = (float)(1.0 / (0.5 * height));
-  /* the quintic fade's slope is at most 15/8, between values 2 apart */
-  double lean = stray * 3.75 * (double)w->ray_wave_radial;
-  double sway = stray * 3.75 * (double)w->ray_wave_along;
-  w->ray_lean2 = (float)(4.0 * (lean > sway ? lean * lean : sway * sway));
   /* two thirds of a lens's height and width, less what the ends' taper takes */
   w->ray_cover = (float)(density * height * 2.0 * half * 2.0 / 3.0 * 0.875);
 }

@@ -12,20 +12,23 @@
 #include "stem.h"
 
 /* Relative shift of brightness at (x, z) of the reference section under a
- * footprint whose extent there has the square e2; within the sum of the
- * amplitudes. Kawai and Momoi repeat a small array of noise; hashing the cell
+ * footprint whose extent there has the square e2, by one octave; within its
+ * amplitude. Kawai and Momoi repeat a small array of noise; hashing the cell
  * costs no memory and does not repeat. */
+INLINE vf fibre_octave(const wood_constants *w, int o, vf x, vf z, vf e2) {
+  if (w->fibre_amplitude[o] == 0.0f) return splat(0.0f);
+  vf keep = filter_keep_square(e2, w->fibre_size[o]) * splat(w->fibre_amplitude[o] / HASH_ONE);
+  if (!any(gt(keep, splat(0.0f)))) return splat(0.0f);
+  vf f = splat(w->fibre_frequency[o]);
+  noise_axis ax = noise_split_cubic(x * f, HASH_X), az = noise_split_cubic(z * f, HASH_Z);
+  vf dx, dz; /* not wanted, and so not computed */
+  return keep * noise_value2(&ax, &az, wood_seed(w, SEED_FIBRE + (uint32_t)o), &dx, &dz);
+}
+
+/* One and all of them. */
 INLINE vf fibre_shift(const wood_constants *w, vf x, vf z, vf e2) {
-  vf sum = splat(0.0f);
-  for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) {
-    if (w->fibre_amplitude[o] == 0.0f) continue;
-    vf keep = filter_keep_square(e2, w->fibre_size[o]) * splat(w->fibre_amplitude[o] / HASH_ONE);
-    if (!any(gt(keep, splat(0.0f)))) continue;
-    vf f = splat(w->fibre_frequency[o]);
-    noise_axis ax = noise_split_cubic(x * f, HASH_X), az = noise_split_cubic(z * f, HASH_Z);
-    vf dx, dz; /* not wanted, and so not computed */
-    sum = sum + keep * noise_value2(&ax, &az, wood_seed(w, SEED_FIBRE + (uint32_t)o), &dx, &dz);
-  }
+  vf sum = splat(1.0f);
+  for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) sum = sum + fibre_octave(w, o, x, z, e2);
   return sum;
 }
 

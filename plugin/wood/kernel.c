@@ -28,19 +28,6 @@ INLINE vf load_lanes(const float *p, uint32_t i, uint32_t n) {
   return r;
 }
 
-INLINE void store_lanes(const wood_io *io, int channel, uint32_t i, uint32_t n, vf x) {
-  if (!(io->wanted >> channel & 1)) return;
-  float *p = io->out[channel];
-  const uint8_t *active = io->in->active;
-  if (n == LANES && !active) {
-    store(p + i, x);
-    return;
-  }
-  for (uint32_t k = 0; k < n; k++) {
-    if (!active || active[i + k]) p[i + k] = lane(x, k);
-  }
-}
-
 /* NaN to 0, and the rest within a kilometre. */
 INLINE vf finite_coordinate(vf x) {
   x = sel(eq(x, x), x, splat(0.0f));
@@ -155,26 +142,64 @@ INLINE vf rings_across(const wood_constants *w, int what, const stem_place *p,
 }
 
 /* A block of LANES points on its way through the stages. The stages run over a
- * few blocks each before the next begins: the blocks do not wait for one
- * another, and what one leaves idle of the processor the next one uses. */
+ * few blocks each before the next begins, and are short: the blocks do not wait
+ * for one another, and the processor sees far enough ahead to have the next one
+ * begin while this one waits for its own results. */
 typedef struct {
   uint32_t i, n;      /* the first point, and how many */
+  int whole;          /* all lanes are stored */
   vf p[3];            /* log space */
   vf nrm[3];          /* normal, log space */
   vf s;               /* footprint */
   vf up2, inverse_up; /* squared length of +y within the surface, its inverse root */
   stem_place stem;
+  undulation_sum undulation;
   ring_place ring;
   vf years, divisor, phase;
+  vf extent; /* mm, of the footprint along y */
   grain_place grain;
   vf c, sn, x, z; /* reference section: direction and place */
-  vf fibre[3];    /* unit, log space */
+  vf fibre[3];    /* direction, log space */
   vf sine;        /* of the dive angle */
   vf b[3];        /* row of the map from surface to rho */
-  vf late, ray, albedo[3];
+  footprint2 f;   /* over (arc, rho) of the reference section */
+  vessel_cover_t vessels;
+  int parts; /* the vessels have been looked up in parts */
+  vf shift;  /* of brightness, a factor */
+  vf late, over_late, cover, ray, albedo[3];
+  vf exponent, strength, incident, tilted; /* figure */
+  vf light[3];                             /* log space */
+  ray_place rays;
+  vf ray_share;
 } block;
 
-INLINE void stage_load(const wood_constants *w, const wood_io *io, block *k) {
+/* What is not wanted has a NULL here. */
+typedef struct {
+  const sozai_batch *in;
+  float *out[WOOD_COMPONENTS];
+} streams;
+
+/* The end of a batch, and what is not active. */
+static __attribute__((noinline)) void store_some(const uint8_t *active, const block *k, float *p,
+                                                 const float *x) {
+  for (uint32_t l = 0; l < k->n; l++) {
+    if (!active || active[k->i + l]) p[k->i + l] = x[l];
+  }
+}
+
+INLINE void store_lanes(const streams *io, int channel, const block *k, vf x) {
+  float *p = io->out[channel];
+  if (!p) return;
+  if (__builtin_expect(k->whole, 1)) {
+    store(p + k->i, x);
+    return;
+  }
+  float lanes[LANES];
+  store(lanes, x);
+  store_some(io->in->active, k, p, lanes);
+}
+
+INLINE void stage_load(const wood_constants *w, const streams *io, block *k) {
   vf p[3];
   for (int c = 0; c < 3; c++) p[c] = finite_coordinate(load_lanes(io->in->point[c], k->i, k->n));
   to_log(w, p, k->p);
@@ -192,18 +217,46 @@ INLINE void stage_load(const wood_constants *w, const wood_io *io, block *k) {
   to_log(w, normal, k->nrm);
   if (io->in->normal[0]) k->up2 = vmax(splat(1.0f) - k->nrm[1] * k->nrm[1], splat(0.0f));
   k->inverse_up = inverse_root(vmax(k->up2, splat(1e-12f)));
+  k->extent = k->s * (k->up2 * k->inverse_up);
 }
 
-INLINE void stage_stem(const wood_constants *w, const wood_io *io, block *k) {
-  k->stem = stem_at(w, k->p[0], k->p[1], k->p[2], k->s);
+INLINE void stage_pith(const wood_constants *w, block *k) {
+  k->stem.pith = pith_at(w, k->p[1]);
+  k->stem.lost = splat(0.0f);
+  k->undulation = undulation_none();
+}
+
+INLINE void stage_about(block *k) { stem_about(k->p[0], k->p[2], &k->stem); }
+
+INLINE void stage_undulation(const wood_constants *w, int o, block *k) {
+  undulation_add(w, o, k->p[1], k->s, &k->stem, &k->undulation);
+}
+
+INLINE void stage_rho(const wood_constants *w, block *k) {
+  stem_rho(w, k->p[1], &k->undulation, &k->stem);
+}
+
+INLINE void stage_ring(const wood_constants *w, const streams *io, block *k) {
   k->ring = ring_at(w, k->stem.rho);
   k->years = to_float(k->ring.ring) + k->ring.phase;
-  store_lanes(io, WOOD_TIME, k->i, k->n, k->years);
+  store_lanes(io, WOOD_TIME, k, k->years);
   k->divisor = grain_divisor(k->stem.rho);
 }
 
-INLINE void stage_grain(const wood_constants *w, const wood_io *io, block *k) {
-  k->grain = grain_at(w, k->p[1], k->years, k->s * (k->up2 * k->inverse_up));
+INLINE void stage_wave(const wood_constants *w, block *k) {
+  k->grain = grain_spiral(w, k->p[1]);
+  if (w->has_wave) grain_wave(w, k->p[1], k->years, k->extent, &k->grain);
+}
+
+INLINE void stage_interlocked(const wood_constants *w, block *k) {
+  if (w->has_interlocked) grain_interlocked(w, k->p[1], k->years, &k->grain);
+}
+
+INLINE void stage_grain_noise(const wood_constants *w, int o, block *k) {
+  if (w->has_slope_noise) grain_noise(w, o, k->p[1], k->years, k->extent, &k->grain);
+}
+
+INLINE void stage_section(const wood_constants *w, const streams *io, block *k) {
   k->phase = k->grain.d * k->divisor;
   vf s, c, unused;
   sine_cosine(k->phase, &s, &c);
@@ -212,15 +265,14 @@ INLINE void stage_grain(const wood_constants *w, const wood_io *io, block *k) {
   vf radius = k->stem.rho * (splat(1.0f) + outline_at(w, k->c, k->sn, &unused));
   k->x = radius * k->c;
   k->z = radius * k->sn;
-  store_lanes(io, WOOD_REFERENCE, k->i, k->n, k->x);
-  store_lanes(io, WOOD_REFERENCE + 1, k->i, k->n, k->z);
+  store_lanes(io, WOOD_REFERENCE, k, k->x);
+  store_lanes(io, WOOD_REFERENCE + 1, k, k->z);
 }
 
 /* The fibre's direction: theta' and rho are constant along it. */
-INLINE void stage_fibre(const wood_constants *w, const wood_io *io, const wood_wants *want,
-                        block *k) {
+INLINE void stage_fibre(block *k) {
   const stem_place *stem = &k->stem;
-  vf one = splat(1.0f), zero = splat(0.0f), f[3];
+  vf one = splat(1.0f), zero = splat(0.0f), *f = k->fibre;
   vf omega = k->grain.g_filtered * k->divisor;
   vf rho_r = stem->rho_x * stem->c + stem->rho_z * stem->s;
   vf rho_t = stem->r * (stem->rho_z * stem->c - stem->rho_x * stem->s);
@@ -231,8 +283,12 @@ INLINE void stage_fibre(const wood_constants *w, const wood_io *io, const wood_w
   f[1] = inverse_root(f[0] * f[0] + one + f[2] * f[2]);
   f[0] = f[0] * f[1];
   f[2] = f[2] * f[1];
-  for (int c = 0; c < 3; c++) k->fibre[c] = f[c];
   k->sine = zero - (f[0] * k->nrm[0] + f[1] * k->nrm[1] + f[2] * k->nrm[2]);
+}
+
+INLINE void stage_direction(const wood_constants *w, const streams *io, const wood_wants *want,
+                            block *k) {
+  const vf *f = k->fibre;
   if (want->fibre) {
     for (int c = 0; c < 3; c++) {
       vf back = f[c];
@@ -240,10 +296,10 @@ INLINE void stage_fibre(const wood_constants *w, const wood_io *io, const wood_w
         back =
             splat(w->turn[0][c]) * f[0] + splat(w->turn[1][c]) * f[1] + splat(w->turn[2][c]) * f[2];
       }
-      store_lanes(io, WOOD_FIBER + c, k->i, k->n, back);
+      store_lanes(io, WOOD_FIBER + c, k, back);
     }
   }
-  if (want->dive) store_lanes(io, WOOD_DIVE, k->i, k->n, arcsin(k->sine));
+  if (want->dive) store_lanes(io, WOOD_DIVE, k, arcsin(k->sine));
 }
 
 INLINE void stem_row(block *k) {
@@ -253,15 +309,15 @@ INLINE void stem_row(block *k) {
   k->b[2] = stem->rho_z;
 }
 
-INLINE void stage_rings(const wood_constants *w, const wood_io *io, block *k) {
+INLINE void stage_rings(const wood_constants *w, const streams *io, block *k) {
   const stem_place *stem = &k->stem;
   stem_row(k);
   k->late = rings_across(w, MEAN_LATE, stem, &k->ring, k->b, k->nrm, !io->in->normal[0], k->s);
-  store_lanes(io, WOOD_LATEWOOD, k->i, k->n, k->late);
+  store_lanes(io, WOOD_LATEWOOD, k, k->late);
 }
 
 /* The footprint over (arc, rho) of the reference section. */
-INLINE footprint2 footprint_in_section(const wood_io *io, const block *k) {
+INLINE footprint2 footprint_in_section(const streams *io, const block *k) {
   const stem_place *stem = &k->stem;
   vf zero = splat(0.0f);
   /* the row of the map from surface to arc */
@@ -276,44 +332,91 @@ INLINE footprint2 footprint_in_section(const wood_io *io, const block *k) {
   return footprint_through(a, k->b, k->nrm, !io->in->normal[0], k->s);
 }
 
-INLINE void stage_tissue(const wood_constants *w, const wood_io *io, const wood_wants *want,
-                         block *k) {
+INLINE vessel_place vessel_place_of(const block *k) {
+  return (vessel_place){k->x, k->z, k->c, k->sn, k->stem.rho, k->ring, k->f};
+}
+
+/* Long footprints here; what is within one tap goes through the two stages
+ * after this one. */
+INLINE void stage_vessel_parts(const wood_constants *w, const streams *io, block *k) {
+  vf zero = splat(0.0f);
+  k->f = footprint_in_section(io, k);
+  k->vessels = (vessel_cover_t){zero, zero, zero, zero};
+  vm cut = vessels_cut(w, &k->f);
+  k->parts = (w->has_pores || w->rows) && any(cut);
+  if (k->parts) {
+    vessel_place place = vessel_place_of(k);
+    k->vessels = vessels_in_parts(w, &place, cut);
+  }
+}
+
+INLINE void stage_pores(const wood_constants *w, block *k) {
+  if (k->parts || !w->has_pores) return;
+  vessel_place place = vessel_place_of(k);
+  k->vessels.pores = pores_tap(w, &place, k->f.aa, k->f.ab, k->f.bb, k->x, k->z);
+}
+
+INLINE void stage_rows(const wood_constants *w, block *k) {
+  if (k->parts || !w->rows) return;
+  vessel_place place = vessel_place_of(k);
+  row_place row = row_of(w, &place);
+  vf zero = splat(0.0f);
+  k->vessels.rows = rows_tap(w, &place, &row, k->f.aa, k->f.ab, k->f.bb, zero, zero);
+}
+
+/* Where the vessels could not be looked up, what is to be expected. */
+INLINE void stage_cover(const wood_constants *w, const streams *io, block *k) {
   const stem_place *stem = &k->stem;
+  const vessel_cover_t *v = &k->vessels;
   vf one = splat(1.0f), zero = splat(0.0f);
   int ball = !io->in->normal[0];
-  footprint2 f = footprint_in_section(io, k);
-
-  vessel_cover_t v = {zero, zero, zero, zero};
-  if (w->has_pores || w->rows) {
-    vessel_place place = {k->x, k->z, k->c, k->sn, stem->rho, k->ring, f};
-    v = vessels_at(w, &place);
-  }
-  vf pores = v.pores, rows = v.rows, over_late = v.pores;
-  if (w->has_pores && any(gt(v.pores_faded, zero))) {
+  vf pores = v->pores, rows = v->rows;
+  k->over_late = v->pores;
+  if (w->has_pores && any(gt(v->pores_faded, zero))) {
     vf expected = one;
     if (w->pore_growth != 0.0f) {
       expected = rings_across(w, MEAN_PORE, stem, &k->ring, k->b, k->nrm, ball, k->s);
     }
-    pores = mix(pores, splat(w->pores.coverage) * expected, v.pores_faded);
-    over_late = mix(over_late, splat(w->late_vessel), v.pores_faded);
+    pores = mix(pores, splat(w->pores.coverage) * expected, v->pores_faded);
+    k->over_late = mix(k->over_late, splat(w->late_vessel), v->pores_faded);
   }
-  if (w->rows && any(gt(v.rows_faded, zero))) {
+  if (w->rows && any(gt(v->rows_faded, zero))) {
     vf expected = rings_across(w, MEAN_ROW, stem, &k->ring, k->b, k->nrm, ball, k->s);
-    rows = mix(rows, splat(w->row.coverage) * expected, v.rows_faded);
+    rows = mix(rows, splat(w->row.coverage) * expected, v->rows_faded);
   }
-  vf cover = pores + rows - pores * rows; /* they stand where they like */
+  k->cover = pores + rows - pores * rows; /* they stand where they like */
   k->ray = zero;
-  if (w->has_rays) {
-    k->ray = rays_at(w, stem->rho, k->c, k->sn, k->p[1], &f, k->s * (k->up2 * k->inverse_up));
-  }
-  store_lanes(io, WOOD_RAY, k->i, k->n, k->ray);
-  store_lanes(io, WOOD_VESSEL, k->i, k->n, cover);
-  if (!want->colour) return;
+  if (!w->has_rays) store_lanes(io, WOOD_RAY, k, zero);
+  store_lanes(io, WOOD_VESSEL, k, k->cover);
+  k->shift = one;
+}
+
+INLINE void stage_ray_place(const wood_constants *w, block *k) {
+  k->ray = k->ray_share = splat(0.0f);
+  k->rays = ray_place_of(w, k->stem.rho, k->c, k->sn, k->p[1], &k->f, k->extent);
+}
+
+INLINE void stage_ray_set(const wood_constants *w, int set, block *k) {
+  vf share;
+  k->ray = k->ray + ray_set(w, &k->rays, set, &share);
+  k->ray_share = k->ray_share + share;
+}
+
+INLINE void stage_rays(const wood_constants *w, const streams *io, block *k) {
+  k->ray = rays_together(w, &k->rays, k->ray, k->ray_share);
+  store_lanes(io, WOOD_RAY, k, k->ray);
+}
+
+INLINE void stage_shift(const wood_constants *w, int o, block *k) {
+  k->shift = k->shift + fibre_octave(w, o, k->x, k->z, k->f.aa + k->f.bb);
+}
+
+INLINE void stage_colour(const wood_constants *w, const streams *io, block *k) {
+  vf one = splat(1.0f), zero = splat(0.0f);
   /* earlywood rows stand where there is no latewood; pores everywhere */
-  vf late = k->late * (one - vmin(over_late, one));
-  vf shift = one + fibre_shift(w, k->x, k->z, f.aa + f.bb);
-  vf early = vmax(one - cover - late, zero) * shift, dark = late * shift;
-  vf heart = heart_share(w, k->years, k->c, k->sn, vsqrt(f.bb) * k->ring.inverse_width);
+  vf late = k->late * (one - vmin(k->over_late, one));
+  vf early = vmax(one - k->cover - late, zero) * k->shift, dark = late * k->shift;
+  vf heart = heart_share(w, k->years, k->c, k->sn, vsqrt(k->f.bb) * k->ring.inverse_width);
   vm pale = lt(heart, one);
   int some = any(pale);
   for (int c = 0; c < 3; c++) {
@@ -322,45 +425,78 @@ INLINE void stage_tissue(const wood_constants *w, const wood_io *io, const wood_
       light = sel(pale, mix(splat(w->sap_early[c]), light, heart), light);
       deep = sel(pale, mix(splat(w->sap_late[c]), deep, heart), deep);
     }
-    vf tissue = light * early + deep * dark + splat(w->vessel[c]) * cover;
-    if (w->has_rays) tissue = mix(tissue, splat(w->ray[c]) * shift, k->ray);
+    vf tissue = light * early + deep * dark + splat(w->vessel[c]) * k->cover;
+    if (w->has_rays) tissue = mix(tissue, splat(w->ray[c]) * k->shift, k->ray);
     k->albedo[c] = tissue;
-    store_lanes(io, WOOD_ALBEDO + c, k->i, k->n, k->albedo[c]);
+    store_lanes(io, WOOD_ALBEDO + c, k, k->albedo[c]);
   }
 }
 
 /* The same from a picture of the section: it shows rings, vessels and fibres
  * down to its pixels, and the fibres' noise goes on below them. */
-INLINE void stage_picture(const wood_constants *w, const wood_io *io, block *k) {
+INLINE void stage_picture(const wood_constants *w, const streams *io, block *k) {
   const stem_place *stem = &k->stem;
   stem_row(k);
   footprint2 f = footprint_in_section(io, k);
   vf unused, widen = splat(1.0f) + outline_at(w, k->c, k->sn, &unused);
   picture_place p = picture_fold(w, k->x, k->z, k->c, k->sn, stem->rho);
   picture_albedo(w, &p, k->c, k->sn, widen, &f, k->n, k->albedo);
-  store_lanes(io, WOOD_LATEWOOD, k->i, k->n, picture_late(w, k->albedo));
-  store_lanes(io, WOOD_VESSEL, k->i, k->n, splat(0.0f));
+  store_lanes(io, WOOD_LATEWOOD, k, picture_late(w, k->albedo));
+  store_lanes(io, WOOD_VESSEL, k, splat(0.0f));
   k->ray = splat(0.0f);
-  store_lanes(io, WOOD_RAY, k->i, k->n, k->ray);
-  vf shift = splat(1.0f) + fibre_shift(w, p.x, p.z, f.aa + f.bb);
+  store_lanes(io, WOOD_RAY, k, k->ray);
+  vf shift = fibre_shift(w, p.x, p.z, f.aa + f.bb);
   for (int c = 0; c < 3; c++) {
     k->albedo[c] = k->albedo[c] * shift;
-    store_lanes(io, WOOD_ALBEDO + c, k->i, k->n, k->albedo[c]);
+    store_lanes(io, WOOD_ALBEDO + c, k, k->albedo[c]);
   }
 }
 
+/* Figure, Kawai's equation (4): the lobe's normal dives with the fibre; slopes
+ * that the footprint averages widen it instead. */
+INLINE void stage_lobe(const wood_constants *w, const streams *io, block *k) {
+  vf one = splat(1.0f);
+  vf roughness = splat(w->roughness);
+  k->exponent = splat(w->shininess);
+  k->strength = splat(w->specular);
+  vm widened = gt(k->grain.variance * k->exponent, splat(1e-4f));
+  if (any(widened)) {
+    vf across = k->nrm[2] * k->stem.c - k->nrm[0] * k->stem.s;
+    vf wide = one / (one + k->exponent * (k->grain.variance * across * across));
+    wide = sel(widened, wide, one);
+    k->exponent = k->exponent * wide;
+    k->strength = k->strength * vsqrt(wide);
+    roughness = vmin(vsqrt(splat(2.0f) / (k->exponent + splat(2.0f))), one);
+  }
+  store_lanes(io, WOOD_SPECULAR, k, k->strength);
+  store_lanes(io, WOOD_ROUGHNESS, k, roughness);
+}
+
+INLINE void stage_light(const wood_constants *w, const streams *io, block *k) {
+  vf one = splat(1.0f), zero = splat(0.0f), light[3], *l = k->light;
+  for (int c = 0; c < 3; c++) light[c] = load_lanes(io->in->light[c], k->i, k->n);
+  unit_direction(light);
+  to_log(w, light, l);
+  k->incident = l[0] * k->nrm[0] + l[1] * k->nrm[1] + l[2] * k->nrm[2];
+  /* up the stem within the surface */
+  vf rise = (l[1] - k->nrm[1] * k->incident) * k->inverse_up;
+  rise = sel(gt(k->up2, splat(1e-6f)), rise, zero);
+  vf cosine = vsqrt(vmax(one - k->sine * k->sine, zero));
+  k->tilted = clamp01(k->incident * cosine + rise * k->sine);
+}
+
 /* Radiance of a channel, under the light's colour. */
-INLINE void store_lit(const wood_io *io, const block *k, int c, vf r) {
+INLINE void store_lit(const streams *io, const block *k, int c, vf r) {
   if (io->in->light_colour[c]) {
     vf e = load_lanes(io->in->light_colour[c], k->i, k->n);
     r = r * sel(lt(vabs(e), splat(1e30f)), e, splat(0.0f));
   }
-  store_lanes(io, WOOD_RADIANCE + c, k->i, k->n, r);
+  store_lanes(io, WOOD_RADIANCE + c, k, r);
 }
 
 /* Towards the eye, log space; the normal where no view is given, or none that
  * is a direction. */
-INLINE void view_of(const wood_constants *w, const wood_io *io, const block *k, vf out[3]) {
+INLINE void view_of(const wood_constants *w, const streams *io, const block *k, vf out[3]) {
   for (int c = 0; c < 3; c++) out[c] = k->nrm[c];
   if (!io->in->view[0]) return;
   vf v[3], turned[3], size = splat(0.0f);
@@ -375,102 +511,111 @@ INLINE void view_of(const wood_constants *w, const wood_io *io, const block *k, 
 }
 
 /* What a host needs to build the cone itself. */
-INLINE void stage_cone(const wood_constants *w, const wood_io *io, block *k) {
+INLINE void stage_cone(const wood_constants *w, const streams *io, block *k) {
   cone_dive dive = cone_dive_of(k->sine);
   vf scale = w->cone ? cone_along(w->cone_scale, &dive) : splat(1.0f);
   for (int c = 0; c < 3; c++) {
-    store_lanes(io, WOOD_CONE_COLOUR + c, k->i, k->n, splat(w->fibre_colour[c]) * scale);
+    store_lanes(io, WOOD_CONE_COLOUR + c, k, splat(w->fibre_colour[c]) * scale);
   }
   vf width2 = splat(w->cone_width * w->cone_width) + splat(4.0f) * k->grain.variance;
-  store_lanes(io, WOOD_CONE_WIDTH, k->i, k->n, vsqrt(width2));
-  store_lanes(io, WOOD_COAT, k->i, k->n, splat(w->coat));
+  store_lanes(io, WOOD_CONE_WIDTH, k, vsqrt(width2));
+  store_lanes(io, WOOD_COAT, k, splat(w->coat));
 }
 
-/* Figure, Kawai's equation (4): the lobe's normal dives with the fibre; slopes
- * that the footprint averages widen it instead. */
-INLINE void stage_figure(const wood_constants *w, const wood_io *io, const wood_wants *want,
-                         block *k) {
-  vf one = splat(1.0f), zero = splat(0.0f);
-  vf exponent = splat(w->shininess), strength = splat(w->specular);
-  vf roughness = splat(w->roughness);
-  vm widened = gt(k->grain.variance * exponent, splat(1e-4f));
-  if (any(widened)) {
-    vf across = k->nrm[2] * k->stem.c - k->nrm[0] * k->stem.s;
-    vf wide = one / (one + exponent * (k->grain.variance * across * across));
-    wide = sel(widened, wide, one);
-    exponent = exponent * wide;
-    strength = strength * vsqrt(wide);
-    roughness = vmin(vsqrt(splat(2.0f) / (exponent + splat(2.0f))), one);
+INLINE void stage_cone_radiance(const wood_constants *w, const streams *io, block *k) {
+  vf r[3], v[3];
+  view_of(w, io, k, v);
+  cone_radiance(w, k->light, v, k->nrm, k->fibre, k->sine, k->grain.variance, k->albedo, r);
+  if (w->has_rays) {
+    /* the cells of a ray lie along the radius */
+    vf zero = splat(0.0f), axis[3] = {k->stem.c, zero, k->stem.s}, shine[3];
+    vf dive = zero - (axis[0] * k->nrm[0] + axis[2] * k->nrm[2]);
+    cone_radiance(w, k->light, v, k->nrm, axis, dive, zero, k->albedo, shine);
+    for (int c = 0; c < 3; c++) r[c] = mix(r[c], shine[c], k->ray);
   }
-  store_lanes(io, WOOD_SPECULAR, k->i, k->n, strength);
-  store_lanes(io, WOOD_ROUGHNESS, k->i, k->n, roughness);
-  if (!want->radiance) return;
+  for (int c = 0; c < 3; c++) store_lit(io, k, c, r[c]);
+}
 
-  vf light[3], l[3];
-  for (int c = 0; c < 3; c++) light[c] = load_lanes(io->in->light[c], k->i, k->n);
-  unit_direction(light);
-  to_log(w, light, l);
-  if (w->cone) {
-    vf r[3], v[3];
-    view_of(w, io, k, v);
-    cone_radiance(w, l, v, k->nrm, k->fibre, k->sine, k->grain.variance, k->albedo, r);
-    if (w->has_rays) {
-      /* the cells of a ray lie along the radius */
-      vf axis[3] = {k->stem.c, zero, k->stem.s}, shine[3];
-      vf dive = zero - (axis[0] * k->nrm[0] + axis[2] * k->nrm[2]);
-      cone_radiance(w, l, v, k->nrm, axis, dive, zero, k->albedo, shine);
-      for (int c = 0; c < 3; c++) r[c] = mix(r[c], shine[c], k->ray);
-    }
-    for (int c = 0; c < 3; c++) store_lit(io, k, c, r[c]);
-    return;
-  }
-  vf incident = l[0] * k->nrm[0] + l[1] * k->nrm[1] + l[2] * k->nrm[2];
-  /* up the stem within the surface */
-  vf rise = (l[1] - k->nrm[1] * incident) * k->inverse_up;
-  rise = sel(gt(k->up2, splat(1e-6f)), rise, zero);
-  vf cosine = vsqrt(vmax(one - k->sine * k->sine, zero));
-  vf tilted = clamp01(incident * cosine + rise * k->sine);
-  vf gloss = strength * power01(tilted, exponent);
-  vf diffuse = splat(w->diffuse) * vmax(incident, zero);
+INLINE void stage_radiance(const wood_constants *w, const streams *io, block *k) {
+  vf zero = splat(0.0f);
+  vf gloss = k->strength * power01(k->tilted, k->exponent);
+  vf diffuse = splat(w->diffuse) * vmax(k->incident, zero);
   for (int c = 0; c < 3; c++) {
     store_lit(io, k, c, diffuse * k->albedo[c] + gloss * splat(w->tint_colour[c]));
   }
 }
 
-#define BLOCKS (LANES == 1 ? 1 : 2)
+#ifndef BLOCKS
+#define BLOCKS (LANES == 1 ? 1 : 8)
+#endif
+#define EACH(stage)                                                                                \
+  for (uint32_t k = 0; k < count; k++) stage
+
+static void evaluate_blocks(const wood_constants *restrict w, const streams *restrict io,
+                            const wood_wants *restrict want, block *blocks, uint32_t count) {
+  EACH(stage_load(w, io, &blocks[k]));
+  EACH(stage_pith(w, &blocks[k]));
+  EACH(stage_about(&blocks[k]));
+  EACH(stage_undulation(w, 0, &blocks[k]));
+  EACH(stage_undulation(w, 1, &blocks[k]));
+  EACH(stage_rho(w, &blocks[k]));
+  EACH(stage_ring(w, io, &blocks[k]));
+  if (want->section) {
+    EACH(stage_wave(w, &blocks[k]));
+    EACH(stage_interlocked(w, &blocks[k]));
+    EACH(stage_grain_noise(w, 0, &blocks[k]));
+    EACH(stage_grain_noise(w, 1, &blocks[k]));
+    EACH(stage_section(w, io, &blocks[k]));
+  }
+  if (want->direction) {
+    EACH(stage_fibre(&blocks[k]));
+    EACH(stage_direction(w, io, want, &blocks[k]));
+  }
+  if (want->late) EACH(stage_rings(w, io, &blocks[k]));
+  if (want->vessel) {
+    EACH(stage_vessel_parts(w, io, &blocks[k]));
+    EACH(stage_pores(w, &blocks[k]));
+    EACH(stage_rows(w, &blocks[k]));
+    EACH(stage_cover(w, io, &blocks[k]));
+    if (w->has_rays) {
+      EACH(stage_ray_place(w, &blocks[k]));
+      EACH(stage_ray_set(w, 0, &blocks[k]));
+      EACH(stage_ray_set(w, 1, &blocks[k]));
+      EACH(stage_rays(w, io, &blocks[k]));
+    }
+  }
+  if (want->picture) {
+    EACH(stage_picture(w, io, &blocks[k]));
+  } else if (want->colour) {
+    for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) EACH(stage_shift(w, o, &blocks[k]));
+    EACH(stage_colour(w, io, &blocks[k]));
+  }
+  if (want->cone) EACH(stage_cone(w, io, &blocks[k]));
+  if (want->lobe) EACH(stage_lobe(w, io, &blocks[k]));
+  if (want->radiance) {
+    EACH(stage_light(w, io, &blocks[k]));
+    if (w->cone) {
+      EACH(stage_cone_radiance(w, io, &blocks[k]));
+    } else {
+      EACH(stage_radiance(w, io, &blocks[k]));
+    }
+  }
+}
 
 static void evaluate(const wood_constants *w, const wood_io *io, uint32_t from, uint32_t to) {
   wood_wants want = wants_of(w, io);
+  streams s = {.in = io->in};
+  for (int c = 0; c < WOOD_COMPONENTS; c++) s.out[c] = io->wanted >> c & 1 ? io->out[c] : 0;
   block blocks[BLOCKS];
   for (uint32_t i = from; i < to;) {
     uint32_t count = 0;
     for (; count < BLOCKS && i < to; count++, i += LANES) {
-      blocks[count].i = i;
-      blocks[count].n = to - i < LANES ? to - i : LANES;
+      block *k = &blocks[count];
+      k->i = i;
+      k->n = to - i < LANES ? to - i : LANES;
+      k->whole = k->n == LANES && !io->in->active;
     }
-    for (uint32_t k = 0; k < count; k++) stage_load(w, io, &blocks[k]);
-    for (uint32_t k = 0; k < count; k++) stage_stem(w, io, &blocks[k]);
-    if (want.section) {
-      for (uint32_t k = 0; k < count; k++) stage_grain(w, io, &blocks[k]);
-    }
-    if (want.direction) {
-      for (uint32_t k = 0; k < count; k++) stage_fibre(w, io, &want, &blocks[k]);
-    }
-    if (want.late) {
-      for (uint32_t k = 0; k < count; k++) stage_rings(w, io, &blocks[k]);
-    }
-    if (want.vessel) {
-      for (uint32_t k = 0; k < count; k++) stage_tissue(w, io, &want, &blocks[k]);
-    }
-    if (want.picture) {
-      for (uint32_t k = 0; k < count; k++) stage_picture(w, io, &blocks[k]);
-    }
-    if (want.cone) {
-      for (uint32_t k = 0; k < count; k++) stage_cone(w, io, &blocks[k]);
-    }
-    if (want.lobe) {
-      for (uint32_t k = 0; k < count; k++) stage_figure(w, io, &want, &blocks[k]);
-    }
+    evaluate_blocks(w, &s, &want, blocks, count);
   }
 }
 

@@ -16,6 +16,7 @@ typedef struct {
   vf turns;         /* times the table has repeated */
   vf start;         /* mm: rho of the ring's start, within the table */
   vf inverse_width; /* 1/mm */
+  vf weight, last;  /* of its latewood, and of the ring's before it */
   vf phase;         /* 0 at the ring's start, 1 at its end */
 } ring_place;
 
@@ -26,12 +27,15 @@ INLINE ring_place ring_at(const wood_constants *w, vf rho) {
   vf m = clamp(rho - p.turns * splat(w->ring_period), splat(0.0f), splat(w->ring_period));
   vi bin = to_int(vmin(m * splat(w->bin_scale), splat((float)w->bin_last)));
   /* a bin is narrower than any ring: at most one boundary lies in it */
-  vi j = gatheri(w->bin, bin);
-  vf next = gather(w->start + 1, j);
-  vm over = and_(le(next, m), lti(j, splati(WOOD_RINGS - 1)));
-  p.j = seli(over, j + splati(1), j);
-  p.start = sel(over, next, gather(w->start, j));
-  p.inverse_width = gather(w->inverse_width, p.j);
+  vf at[2], row[4];
+  gather2(w->bin, bin, at);
+  vf j = at[0] + sel(le(at[1], m), splat(1.0f), splat(0.0f));
+  p.j = to_int(j);
+  gather4(w->ring_row, p.j, row);
+  p.start = row[0];
+  p.inverse_width = row[1];
+  p.weight = row[2];
+  p.last = row[3];
   p.phase = clamp01((m - p.start) * p.inverse_width);
   p.ring = turns * splati(WOOD_RINGS) + p.j;
   return p;
@@ -74,8 +78,7 @@ INLINE vf integral_to(const wood_constants *w, int what, const ring_place *p) {
   vf width = splat(1.0f) / p->inverse_width;
   vf within = width * ring_integral(w, what, p->phase, p->inverse_width);
   if (what == MEAN_LATE) {
-    return p->turns * splat(w->late_period) + gather(w->late_before, p->j) +
-           gather(w->late_weight + 1, p->j) * within;
+    return p->turns * splat(w->late_period) + gather(w->late_before, p->j) + p->weight * within;
   }
   if (what == MEAN_PORE) {
     return splat(w->pore_ring_mean) * (p->turns * splat(w->ring_period) + p->start) + within;
@@ -97,16 +100,14 @@ INLINE vf ring_average(const wood_constants *w, int what, const ring_place *at, 
           ring_integral(w, what, g0, at->inverse_width)) /
          (g1 - g0);
   if (what == MEAN_LATE) {
-    vf weight = gather(w->late_weight + 1, at->j);
-    m = m * weight;
+    m = m * at->weight;
     /* across one edge, and narrow: past it there is only earlywood, before it
      * only the last ring's latewood */
     vm edge = and_(not_(inside), le(e, splat(w->safe)));
     if (any(edge)) {
-      vf last = gather(w->late_weight, at->j);
       vf width = splat(1.0f) / at->inverse_width;
-      vf within = weight * (late_integral(w, g1) - late_integral(w, g0));
-      vf before = vmax(splat(0.0f) - f0, splat(0.0f)) * last;
+      vf within = at->weight * (late_integral(w, g1) - late_integral(w, g0));
+      vf before = vmax(splat(0.0f) - f0, splat(0.0f)) * at->last;
       m = sel(edge, (within + before) * width / e, m);
       inside = or_(inside, edge);
     }

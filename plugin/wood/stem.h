@@ -51,56 +51,10 @@ INLINE vf outline_at(const wood_constants *w, vf c, vf s, vf *slope) {
   return sum;
 }
 
-/* u and its derivatives about the pith. Octaves finer than the footprint are
- * left out; `lost` is the variance, in mm^2, that went with them. */
-INLINE vf undulation_at(const wood_constants *w, vf x, vf y, vf z, vf r, vf c, vf s, vf footprint,
-                        vf d[3], vf *lost) {
-  vf n = splat(0.0f), nx = n, ny = n, nz = n;
-  *lost = n;
-  for (int o = 0; o < 2; o++) {
-    if (w->undulation[o] == 0.0f) continue;
-    vf f = splat(w->undulation_frequency_section[o]);
-    vf fy = splat(w->undulation_frequency_axis[o]);
-    noise_stem ay = noise_split_axial(y * fy, HASH_Y);
-    /* the second octave is turned by atan(3/4), so that lattices do not line up */
-    vf px = x, pz = z;
-    if (o == 1) {
-      px = splat(0.8f) * x - splat(0.6f) * z;
-      pz = splat(0.6f) * x + splat(0.8f) * z;
-    }
-    noise_axis ax = noise_split_cubic(px * f, HASH_X), az = noise_split_cubic(pz * f, HASH_Z);
-    vf keep = filter_keep(footprint, w->undulation_size[o]);
-    vf a = splat(w->undulation[o]) * keep;
-    vf gx, gy, gz;
-    vf v = noise_axial3(&ax, &ay, &az, wood_seed(w, SEED_UNDULATION + (uint32_t)o), &gx, &gy, &gz);
-    n = n + a * v;
-    gx = gx * (a * f);
-    gz = gz * (a * f);
-    ny = ny + gy * (a * fy);
-    if (o == 1) {
-      nx = nx + (splat(0.8f) * gx + splat(0.6f) * gz);
-      nz = nz + (splat(0.8f) * gz - splat(0.6f) * gx);
-    } else {
-      nx = nx + gx;
-      nz = nz + gz;
-    }
-    /* the noise's variance is about 1/40, measured */
-    vf gone = splat(1.0f) - keep * keep;
-    *lost = *lost + splat(0.025f * w->undulation[o] * w->undulation[o]) * gone;
-  }
-  /* nothing at the pith, where directions crowd */
-  vf t = vmin(r * splat(w->undulation_core), splat(1.0f));
-  vf envelope = t * t * (splat(3.0f) - t - t);
-  vf envelope_slope = splat(6.0f * w->undulation_core) * t * (splat(1.0f) - t);
-  d[0] = envelope * nx + envelope_slope * c * n;
-  d[1] = envelope * ny;
-  d[2] = envelope * nz + envelope_slope * s * n;
-  return envelope * n;
-}
-
 typedef struct {
   stem_pith pith;
-  vf r, c, s; /* distance from the pith and direction */
+  vf x, z;    /* mm, about the pith */
+  vf r, c, s; /* distance from it and direction */
   vf inverse_r;
   vf rho;          /* mm */
   vf rho_x, rho_z; /* derivatives about the pith at a fixed height */
@@ -108,33 +62,95 @@ typedef struct {
   vf lost;         /* mm^2: variance of rho that the footprint swallowed */
 } stem_place;
 
-INLINE stem_place stem_at(const wood_constants *w, vf x, vf y, vf z, vf footprint) {
-  stem_place p;
-  p.pith = pith_at(w, y);
-  x = x - p.pith.x;
-  z = z - p.pith.z;
-  vf square = x * x + z * z;
+/* Growing in steps, so that the kernel can take a few blocks through each: */
+
+/* the way from the pith, */
+INLINE void stem_about(vf x, vf z, stem_place *p) {
+  p->x = x - p->pith.x;
+  p->z = z - p->pith.z;
+  vf square = p->x * p->x + p->z * p->z;
   vm centre = lt(square, splat(1e-12f));
   square = vmax(square, splat(1e-12f));
-  p.inverse_r = inverse_root(square);
+  p->inverse_r = inverse_root(square);
   /* rounded as well as can be: shear along a fibre multiplies its error */
-  p.r = vsqrt(square);
-  p.c = sel(centre, splat(1.0f), x * p.inverse_r);
-  p.s = sel(centre, splat(0.0f), z * p.inverse_r);
+  p->r = vsqrt(square);
+  p->c = sel(centre, splat(1.0f), p->x * p->inverse_r);
+  p->s = sel(centre, splat(0.0f), p->z * p->inverse_r);
+}
 
-  vf slope, outline = outline_at(w, p.c, p.s, &slope);
+/* the sum of the undulation's octaves and its derivatives, before it dies out
+ * towards the pith, */
+typedef struct {
+  vf n, nx, ny, nz;
+} undulation_sum;
+
+INLINE undulation_sum undulation_none(void) {
+  vf zero = splat(0.0f);
+  return (undulation_sum){zero, zero, zero, zero};
+}
+
+/* Octaves finer than the footprint are left out; p->lost is the variance that
+ * went with them. */
+INLINE void undulation_add(const wood_constants *w, int o, vf y, vf footprint, stem_place *p,
+                           undulation_sum *u) {
+  if (w->undulation[o] == 0.0f) return;
+  vf f = splat(w->undulation_frequency_section[o]);
+  vf fy = splat(w->undulation_frequency_axis[o]);
+  noise_stem ay = noise_split_axial(y * fy, HASH_Y);
+  /* the second octave is turned by atan(3/4), so that lattices do not line up */
+  vf x = p->x, z = p->z;
+  if (o == 1) {
+    x = splat(0.8f) * p->x - splat(0.6f) * p->z;
+    z = splat(0.6f) * p->x + splat(0.8f) * p->z;
+  }
+  noise_axis ax = noise_split_cubic(x * f, HASH_X), az = noise_split_cubic(z * f, HASH_Z);
+  vf keep = filter_keep(footprint, w->undulation_size[o]);
+  vf a = splat(w->undulation[o]) * keep;
+  vf gx, gy, gz;
+  vf v = noise_axial3(&ax, &ay, &az, wood_seed(w, SEED_UNDULATION + (uint32_t)o), &gx, &gy, &gz);
+  u->n = u->n + a * v;
+  gx = gx * (a * f);
+  gz = gz * (a * f);
+  u->ny = u->ny + gy * (a * fy);
+  if (o == 1) {
+    u->nx = u->nx + (splat(0.8f) * gx + splat(0.6f) * gz);
+    u->nz = u->nz + (splat(0.8f) * gz - splat(0.6f) * gx);
+  } else {
+    u->nx = u->nx + gx;
+    u->nz = u->nz + gz;
+  }
+  /* the noise's variance is about 1/40, measured */
+  vf gone = splat(1.0f) - keep * keep;
+  p->lost = p->lost + splat(0.025f * w->undulation[o] * w->undulation[o]) * gone;
+}
+
+/* and rho with its derivatives. */
+INLINE void stem_rho(const wood_constants *w, vf y, const undulation_sum *u, stem_place *p) {
+  /* no undulation at the pith, where directions crowd */
+  vf t = vmin(p->r * splat(w->undulation_core), splat(1.0f));
+  vf envelope = t * t * (splat(3.0f) - t - t);
+  vf steep = splat(6.0f * w->undulation_core) * t * (splat(1.0f) - t) * u->n;
+
+  vf slope, outline = outline_at(w, p->c, p->s, &slope);
   vf widen = splat(1.0f) / (splat(1.0f) + outline);
   vf lean = splat(w->taper) * y;
   vf bounded = clamp(lean, splat(-0.9f), splat(0.9f));
   vf q = (splat(1.0f) + bounded) * widen;
   vf turn = q * slope * widen;
+  p->rho = vmax(p->r * q - envelope * u->n, splat(0.0f));
+  p->rho_x = q * p->c + turn * p->s - (envelope * u->nx + steep * p->c);
+  p->rho_z = q * p->s - turn * p->c - (envelope * u->nz + steep * p->s);
+  p->rho_y = sel(eq(lean, bounded), p->r * splat(w->taper) * widen, splat(0.0f)) - envelope * u->ny;
+}
 
-  vf u[3];
-  vf undulation = undulation_at(w, x, y, z, p.r, p.c, p.s, footprint, u, &p.lost);
-  p.rho = vmax(p.r * q - undulation, splat(0.0f));
-  p.rho_x = q * p.c + turn * p.s - u[0];
-  p.rho_z = q * p.s - turn * p.c - u[2];
-  p.rho_y = sel(eq(lean, bounded), p.r * splat(w->taper) * widen, splat(0.0f)) - u[1];
+INLINE stem_place stem_at(const wood_constants *w, vf x, vf y, vf z, vf footprint) {
+  stem_place p;
+  undulation_sum u = undulation_none();
+  p.pith = pith_at(w, y);
+  p.lost = splat(0.0f);
+  stem_about(x, z, &p);
+  for (int o = 0; o < 2; o++) undulation_add(w, o, y, footprint, &p, &u);
+  stem_rho(w, y, &u, &p);
   return p;
 }
 

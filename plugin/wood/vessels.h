@@ -64,8 +64,7 @@ INLINE vf disc_distance(const disc *d, vf x, vf z) {
 /* Cover by one vessel at distance q, its radius drawn from the hash; over the
  * disc's height. */
 INLINE vf vessel_cover(const wood_vessels *v, const disc *d, vu h, vf q) {
-  vi i = (vi)((h >> 5) & splatu(WOOD_RADII - 1));
-  return clamp01(d->top - q * lookup32(v->inverse_square, i));
+  return clamp01(d->top - q * lookup16(v->inverse_square, h >> 5));
 }
 
 /* From the sum of covers to the share covered: discs overlap, and where they
@@ -76,38 +75,44 @@ INLINE vf vessel_overlap(const wood_vessels *v, const disc *d, vf sum) {
   return vmin(sum - sum * blurred * splat(v->overlap), splat(1.0f));
 }
 
+/* A hash as a whole number within +-HASH_ONE: a place within half a cell of the
+ * cell's middle. The second, from the bits below the first's ten, leaves those
+ * below 10 to the radius. */
+INLINE vf hash_place(vu h) { return to_float((vi)h); }
+INLINE vf hash_place2(vu h) { return to_float((vi)(h << 11)); }
+
 /* Coverage by the field's pores at (x, z) of the reference section. The four
- * nearest cells hold everything within half a cell. */
-INLINE vf pores_cover(const wood_constants *w, vf x, vf z, const disc *d) {
+ * nearest cells hold everything within half a cell. Places are kept in units of
+ * 2^-32 of a cell, which are the hash's own. */
+INLINE vf pores_cover(const wood_constants *w, vf x, vf z, const disc *blurred) {
   const wood_vessels *v = &w->pores;
-  vf inverse_cell = splat(w->inverse_pore_cell), cell = splat(w->pore_cell);
+  vf inverse_cell = splat(w->inverse_pore_cell), unit = splat(4294967296.0f);
+  vf square = splat(w->pore_step * w->pore_step), half = splat(0.5f);
+  disc d = {blurred->xx * square, blurred->xz * square, blurred->zz * square, blurred->top,
+            blurred->height};
   vi ix, iz;
-  vf fx = x * inverse_cell - splat(0.5f), fz = z * inverse_cell - splat(0.5f);
-  fx = fx - vfloor(fx, &ix) + splat(0.5f);
-  fz = fz - vfloor(fz, &iz) + splat(0.5f);
+  vf fx = x * inverse_cell - half, fz = z * inverse_cell - half;
+  fx = (fx - vfloor(fx, &ix)) * unit;
+  fz = (fz - vfloor(fz, &iz)) * unit;
   vu hx = (vu)ix * splatu(HASH_X) + wood_seed(w, SEED_PORES), hz = (vu)iz * splatu(HASH_Z);
   vf sum = splat(0.0f);
   UNROLL(4)
   for (int i = 0; i < 4; i++) {
     int a = i & 1, b = i >> 1;
     vu base = hash_upper(hx + hz + splatu((uint32_t)a * HASH_X + (uint32_t)b * HASH_Z));
-    vf ox = (fx - splat((float)a)) * cell, oz = (fz - splat((float)b)) * cell;
     /* two in every other cell, by the top bit; the rest gives their places */
-    vm there = lti((vi)base, splati(0));
-    if (idle(there)) continue;
-    ox = sel(there, ox, splat(1e6f));
+    if (idle(lti((vi)base, splati(0)))) continue;
+    vf ox = sel_top(base, a ? fx - unit : fx, splat(1e13f)), oz = b ? fz - unit : fz;
     vu h = base << 1;
     UNROLL(2)
     for (int k = 0; k < 2; k++) {
-      vf x1 = ox - to_float((vi)(h >> 21)) * splat(w->pore_step);
-      vf z1 = oz - to_float((vi)((h >> 10) & splatu(2047))) * splat(w->pore_step);
-      vf q = disc_distance(d, x1, z1);
+      vf q = disc_distance(&d, ox - hash_place(h), oz - hash_place2(h));
       /* past `farthest` the cover is exactly 0: passing over it changes nothing */
-      if (!idle(lt(q, splat(v->farthest)))) sum = sum + vessel_cover(v, d, h, q);
+      if (!idle(lt(q, splat(v->farthest)))) sum = sum + vessel_cover(v, &d, h, q);
       h = base * splatu(0x2c1b3c6du);
     }
   }
-  return vessel_overlap(v, d, sum);
+  return vessel_overlap(v, &d, sum);
 }
 
 /* The earlywood band nearest to a point, and the point's place along it. */
@@ -168,10 +173,8 @@ INLINE vf rows_cover(const wood_constants *w, const row_place *p, vf rho, vf da,
       k = seli(lti(k, splati(0)), k + p->n, k);
       k = seli(lti(k, p->n), k, k - p->n);
       vu h = hash_upper((vu)k * splatu(HASH_Y) + row_seed);
-      vf j = to_float((vi)(h >> 21)) * splat(1.0f / 2048.0f) - splat(0.5f);
-      vf i = to_float((vi)((h >> 10) & splatu(2047))) * splat(1.0f / 2048.0f) - splat(0.5f);
-      vf x = (within - splat((float)a) - j * splat(w->row_jitter_arc)) * p->arc;
-      vf z = radial - i * splat(w->row_jitter_radial);
+      vf x = (within - splat((float)a) - hash_place(h) * splat(w->row_step_arc)) * p->arc;
+      vf z = radial - hash_place2(h) * splat(w->row_step_radial);
       sum = sum + vessel_cover(&w->row, d, h, disc_distance(d, x, z));
     }
   }
@@ -263,43 +266,48 @@ INLINE vf fade_beyond(vf e2, float reach) {
   return smooth_step(splat(0.6f * reach), splat(reach), vsqrt(e2));
 }
 
-/* One tap, `da` along the arc and `dr` along rho off the centre. */
-INLINE void vessels_tap(const wood_constants *w, const vessel_place *p, const row_place *row,
-                        const footprint_parts *part, vf da, vf dr, vf weight, vessel_cover_t *sum) {
+/* One tap of the pores, at (x, z) of the reference section under a footprint of
+ * (aa, ab, bb). */
+INLINE vf pores_tap(const wood_constants *w, const vessel_place *p, vf aa, vf ab, vf bb, vf x,
+                    vf z) {
   vf twelfth = splat(1.0f / 12.0f);
-  vf aa = part->aa * twelfth, ab = part->ab * twelfth, bb = part->bb * twelfth;
-  if (w->has_pores) {
-    matrix2 m = to_section(aa, ab, bb, p->c, p->s);
-    vf radius2 = splat(w->pores.radius * w->pores.radius);
-    if (w->pore_growth != 0.0f) {
-      vf size = splat(w->pore_early) + splat(w->pore_growth) * p->ring.phase;
-      radius2 = radius2 * size * size;
-    }
-    disc d = disc_blurred(radius2, m);
-    vf x = p->x + (dr * p->c - da * p->s), z = p->z + (dr * p->s + da * p->c);
-    sum->pores = sum->pores + pores_cover(w, x, z, &d) * weight;
+  matrix2 m = to_section(aa * twelfth, ab * twelfth, bb * twelfth, p->c, p->s);
+  vf radius2 = splat(w->pores.radius * w->pores.radius);
+  if (w->pore_growth != 0.0f) {
+    vf size = splat(w->pore_early) + splat(w->pore_growth) * p->ring.phase;
+    radius2 = radius2 * size * size;
   }
-  if (w->rows && any(row->near)) {
-    matrix2 m = {aa, ab, bb};
-    disc d = disc_blurred(splat(w->row.radius * w->row.radius), m);
-    sum->rows = sum->rows + rows_cover(w, row, p->rho, da, dr, &d) * weight;
-  }
+  disc d = disc_blurred(radius2, m);
+  return pores_cover(w, x, z, &d);
 }
 
-/* A footprint within reach is answered by one tap, a longer one by up to 8;
- * past the reach of those the expected coverage fades in. */
-INLINE vessel_cover_t vessels_at(const wood_constants *w, const vessel_place *p) {
+/* The same of the rows, da along the arc and dr along rho off the place. */
+INLINE vf rows_tap(const wood_constants *w, const vessel_place *p, const row_place *row, vf aa,
+                   vf ab, vf bb, vf da, vf dr) {
+  if (!any(row->near)) return splat(0.0f);
+  vf twelfth = splat(1.0f / 12.0f);
+  matrix2 m = {aa * twelfth, ab * twelfth, bb * twelfth};
+  disc d = disc_blurred(splat(w->row.radius * w->row.radius), m);
+  return rows_cover(w, row, p->rho, da, dr, &d);
+}
+
+INLINE row_place row_of(const wood_constants *w, const vessel_place *p) {
+  return row_at(w, &p->ring, p->rho, p->c, p->s, vsqrt(p->f.bb));
+}
+
+/* Which footprints are longer than what one tap answers. */
+INLINE vm vessels_cut(const wood_constants *w, const footprint2 *f) {
+  return gt(f->aa + f->bb, splat(w->vessel_reach * w->vessel_reach));
+}
+
+/* The lanes that are not cut are whole, in one tap, as they would be alone. A
+ * footprint longer than that is answered by up to 8; past the reach of those
+ * the expected coverage fades in. */
+INLINE vessel_cover_t vessels_in_parts(const wood_constants *w, const vessel_place *p, vm cut) {
   vf zero = splat(0.0f), one = splat(1.0f);
   vessel_cover_t v = {zero, zero, zero, zero};
   row_place row;
-  if (w->rows) row = row_at(w, &p->ring, p->rho, p->c, p->s, vsqrt(p->f.bb));
-  vm cut = gt(p->f.aa + p->f.bb, splat(w->vessel_reach * w->vessel_reach));
-  if (!any(cut)) {
-    footprint_parts whole = {cut, one, one, p->f.aa, p->f.ab, p->f.bb, 1};
-    vessels_tap(w, p, &row, &whole, zero, zero, one, &v);
-    return v;
-  }
-
+  if (w->rows) row = row_of(w, p);
   footprint_axes l = footprint_split(&p->f);
   footprint_parts part = footprint_cut(&p->f, &l, cut, w->vessel_reach);
   v.pores_faded = sel(part.most, fade_beyond(part.aa + part.bb, w->pores.reach), zero);
@@ -322,7 +330,13 @@ INLINE vessel_cover_t vessels_at(const wood_constants *w, const vessel_place *p)
     weight = sel(lt(at * part.beside, one), weight, zero);
     vf da = sel(cut, l.arc * a + l.rest_arc * side, zero);
     vf dr = sel(cut, l.rho * a + l.rest_rho * side, zero);
-    vessels_tap(w, p, &row, &part, da, dr, weight, &v);
+    if (w->has_pores) {
+      vf x = p->x + (dr * p->c - da * p->s), z = p->z + (dr * p->s + da * p->c);
+      v.pores = v.pores + pores_tap(w, p, part.aa, part.ab, part.bb, x, z) * weight;
+    }
+    if (w->rows) {
+      v.rows = v.rows + rows_tap(w, p, &row, part.aa, part.ab, part.bb, da, dr) * weight;
+    }
   }
   v.pores = sel(gone, zero, v.pores);
   v.rows = sel(gone, zero, v.rows);

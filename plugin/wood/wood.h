@@ -22,7 +22,7 @@
 #define WOOD_RINGS 256      /* rings before the table repeats */
 #define WOOD_BINS_MAX 16384 /* bins of the look-up from rho to ring */
 #define WOOD_HARMONICS 3    /* of the section's outline */
-#define WOOD_RADII 32       /* steps of the table of vessel radii */
+#define WOOD_RADII 16       /* steps of the table of vessel radii */
 #define WOOD_FIBRE_OCTAVES 3
 #define WOOD_CONE_PSI 65      /* steps of the sine of inclination, -1 to 1 */
 #define WOOD_CONE_DIVE 17     /* steps of the sine of the dive angle, 0 to 1 */
@@ -96,7 +96,7 @@ typedef struct {
   int32_t has_wave, has_wave_irregularity, has_interlocked, has_slope_noise;
 
   /* vessels */
-  float pore_cell, inverse_pore_cell, pore_step; /* mm: side of a lattice cell; 1/mm; mm, / 2048 */
+  float pore_cell, inverse_pore_cell, pore_step; /* mm: side of a lattice cell; 1/mm; mm, / 2^32 */
   wood_vessels pores;                            /* of the field: cells of the reference section */
   float pore_early, pore_growth; /* size at phase f, over the mean: early + growth f */
   float pore_ring_mean;          /* mean over the ring of size^2 */
@@ -107,6 +107,7 @@ typedef struct {
   float row_spacing;  /* mm, radially */
   float row_start;    /* mm, of the first row's centres after the ring's start */
   float row_jitter_arc, row_jitter_radial; /* of the spacing; mm */
+  float row_step_arc, row_step_radial;     /* the same, / 2^32 */
   float band;                              /* mm: the rows' band for the expected coverage */
   float late_vessel;                       /* expected vessel coverage of latewood tissue */
 
@@ -117,10 +118,10 @@ typedef struct {
   float inverse_ray_arc, inverse_ray_cell; /* 1/mm: of a cell, along the arc and along y */
   float ray_tall;                          /* half the mean height, in cells */
   float ray_half;                          /* mm: half the mean width */
+  float ray_clear;                         /* of a cell's arc, that its ray keeps from the edge */
   float ray_cover;                         /* expected */
   float ray_stray;                         /* mm of a sheet's waves, over HASH_ONE */
   float ray_wave_radial, ray_wave_along;   /* 1/mm */
-  float ray_lean2; /* most that a sheet leans, squared; doubled, for products of extents */
 
   /* shifted brightness */
   float fibre_amplitude[WOOD_FIBRE_OCTAVES];
@@ -167,7 +168,11 @@ typedef struct {
   float inverse_width[WOOD_RINGS];
   float late_weight[WOOD_RINGS + 1]; /* how dark the latewood of ring j - 1 grows */
   float late_before[WOOD_RINGS + 1]; /* integral of the profile up to the ring */
-  int32_t bin[WOOD_BINS_MAX];        /* the ring that the bin's start lies in */
+  /* the same again as the kernel loads it: what belongs to a ring in one place */
+  float ring_row[WOOD_RINGS]
+                [4]; /* start, inverse width, weight of its latewood and of the last's */
+  /* of the bin: the ring that its start lies in, and where the next one begins */
+  float bin[WOOD_BINS_MAX][2];
 } wood_constants;
 
 /* Inputs and outputs of the kernel, checked. */

@@ -47,8 +47,11 @@ enum {
   X(choose, 4, 4, DOMAIN_ANY, DOMAIN_ANY, DOMAIN_BITS, DOMAIN_BITS)                                \
   X(vsqrt, 1, 1, DOMAIN_EXTENT, 0, 0, 0)                                                           \
   X(vfloor, 1, 2, DOMAIN_WHOLE, 0, 0, 0)                                                           \
-  X(lookup32, 1, 1, DOMAIN_INDEX, 0, 0, 0)                                                         \
+  X(lookup16, 1, 1, DOMAIN_BITS, 0, 0, 0)                                                          \
   X(gather, 1, 1, DOMAIN_INDEX, 0, 0, 0)                                                           \
+  X(gather2, 1, 2, DOMAIN_INDEX, 0, 0, 0)                                                          \
+  X(gather4, 1, 4, DOMAIN_INDEX, 0, 0, 0)                                                          \
+  X(sel_top, 3, 1, DOMAIN_BITS, DOMAIN_ANY, DOMAIN_ANY, 0)                                         \
   X(inverse_root, 1, 1, DOMAIN_POSITIVE, 0, 0, 0)                                                  \
   X(sine_cosine, 1, 2, DOMAIN_ANGLE, 0, 0, 0)                                                      \
   X(sine_cosine_turns, 1, 2, DOMAIN_TURNS, 0, 0, 0)                                                \
