@@ -104,13 +104,15 @@ INLINE vf pores_cover(const wood_constants *w, vf x, vf z, const disc *blurred) 
     if (idle(lti((vi)base, splati(0)))) continue;
     vf ox = sel_top(base, a ? fx - unit : fx, splat(1e13f)), oz = b ? fz - unit : fz;
     vu h = base << 1;
+    vf two = splat(0.0f); /* apart from the sum, which would have each cell wait for the last */
     UNROLL(2)
     for (int k = 0; k < 2; k++) {
       vf q = disc_distance(&d, ox - hash_place(h), oz - hash_place2(h));
       /* past `farthest` the cover is exactly 0: passing over it changes nothing */
-      if (!idle(lt(q, splat(v->farthest)))) sum = sum + vessel_cover(v, &d, h, q);
+      if (!idle(lt(q, splat(v->farthest)))) two = two + vessel_cover(v, &d, h, q);
       h = base * splatu(0x2c1b3c6du);
     }
+    sum = sum + two;
   }
   return vessel_overlap(v, &d, sum);
 }
@@ -266,10 +268,8 @@ INLINE vf fade_beyond(vf e2, float reach) {
   return smooth_step(splat(0.6f * reach), splat(reach), vsqrt(e2));
 }
 
-/* One tap of the pores, at (x, z) of the reference section under a footprint of
- * (aa, ab, bb). */
-INLINE vf pores_tap(const wood_constants *w, const vessel_place *p, vf aa, vf ab, vf bb, vf x,
-                    vf z) {
+/* A pore at its mean radius under a footprint of (aa, ab, bb). */
+INLINE disc pores_disc(const wood_constants *w, const vessel_place *p, vf aa, vf ab, vf bb) {
   vf twelfth = splat(1.0f / 12.0f);
   matrix2 m = to_section(aa * twelfth, ab * twelfth, bb * twelfth, p->c, p->s);
   vf radius2 = splat(w->pores.radius * w->pores.radius);
@@ -277,11 +277,10 @@ INLINE vf pores_tap(const wood_constants *w, const vessel_place *p, vf aa, vf ab
     vf size = splat(w->pore_early) + splat(w->pore_growth) * p->ring.phase;
     radius2 = radius2 * size * size;
   }
-  disc d = disc_blurred(radius2, m);
-  return pores_cover(w, x, z, &d);
+  return disc_blurred(radius2, m);
 }
 
-/* The same of the rows, da along the arc and dr along rho off the place. */
+/* Cover by the rows under such a footprint, da along the arc and dr along rho off the place. */
 INLINE vf rows_tap(const wood_constants *w, const vessel_place *p, const row_place *row, vf aa,
                    vf ab, vf bb, vf da, vf dr) {
   if (!any(row->near)) return splat(0.0f);
@@ -307,6 +306,7 @@ INLINE vessel_cover_t vessels_in_parts(const wood_constants *w, const vessel_pla
   vf zero = splat(0.0f), one = splat(1.0f);
   vessel_cover_t v = {zero, zero, zero, zero};
   row_place row;
+  disc pore;
   if (w->rows) row = row_of(w, p);
   footprint_axes l = footprint_split(&p->f);
   footprint_parts part = footprint_cut(&p->f, &l, cut, w->vessel_reach);
@@ -320,6 +320,7 @@ INLINE vessel_cover_t vessels_in_parts(const wood_constants *w, const vessel_pla
   if (w->has_pores) gone = and_(gone, le(one, v.pores_faded));
   if (w->rows) gone = and_(gone, le(one, v.rows_faded));
   if (!any(not_(gone))) return v;
+  if (w->has_pores) pore = pores_disc(w, p, part.aa, part.ab, part.bb);
   for (int i = 0; i < part.taps; i++) {
     /* the i-th part: `along` runs first, then the other side */
     vf at = splat((float)i + 0.5f) * part.along;
@@ -332,7 +333,7 @@ INLINE vessel_cover_t vessels_in_parts(const wood_constants *w, const vessel_pla
     vf dr = sel(cut, l.rho * a + l.rest_rho * side, zero);
     if (w->has_pores) {
       vf x = p->x + (dr * p->c - da * p->s), z = p->z + (dr * p->s + da * p->c);
-      v.pores = v.pores + pores_tap(w, p, part.aa, part.ab, part.bb, x, z) * weight;
+      v.pores = v.pores + pores_cover(w, x, z, &pore) * weight;
     }
     if (w->rows) {
       v.rows = v.rows + rows_tap(w, p, &row, part.aa, part.ab, part.bb, da, dr) * weight;
