@@ -48,12 +48,6 @@ INLINE vf filter_keep(vf e, float size) {
   return splat(1.0f) - smooth_step(splat(0.5f * size), splat(2.0f * size), e);
 }
 
-/* The same from the extent's square, where that is what is at hand. */
-INLINE vf filter_keep_square(vf e2, float size) {
-  if (!any(gt(e2, splat(0.25f * size * size)))) return splat(1.0f);
-  return splat(1.0f) - smooth_step(splat(0.25f * size * size), splat(4.0f * size * size), e2);
-}
-
 /* The mean of sin or cos of 2 pi y / wavelength over a box of side e is its
  * value at the centre times this: sin(x)/x, x = pi e / wavelength, taken as
  * zero from its first zero on, and as 1 below a fiftieth of the wave, which is
