@@ -39,17 +39,13 @@ INLINE footprint2 footprint_through(const vf a[3], const vf b[3], const vf n[3],
   return f;
 }
 
+/* Whether filter_keep is below 1 for anyone. */
+INLINE int filter_touches(vf e, float size) { return any(gt(e, splat(0.5f * size))); }
+
 /* How much of a detail of the given size outlives a footprint of extent e:
  * 1 while e is below half the size, 0 from twice the size. */
 INLINE vf filter_keep(vf e, float size) {
-  if (!any(gt(e, splat(0.5f * size)))) return splat(1.0f); /* what the step would give */
   return splat(1.0f) - smooth_step(splat(0.5f * size), splat(2.0f * size), e);
-}
-
-/* The same from the extent's square, where that is what is at hand. */
-INLINE vf filter_keep_square(vf e2, float size) {
-  if (!any(gt(e2, splat(0.25f * size * size)))) return splat(1.0f);
-  return splat(1.0f) - smooth_step(splat(0.25f * size * size), splat(4.0f * size * size), e2);
 }
 
 /* The mean of sin or cos of 2 pi y / wavelength over a box of side e is its

@@ -67,10 +67,13 @@ typedef struct {
 } noise_stem;
 
 INLINE noise_stem noise_split_axial(vf y, uint32_t multiplier) {
-  noise_axis a = noise_split(y, multiplier);
-  vf k = splat(1.0f / HASH_ONE), v = a.w * k, u = k - v, back = a.f - splat(1.0f);
-  vf dw = a.dw * k;
-  noise_stem s = {a.low, a.high, a.f * u, back * v, u - a.f * dw, v + back * dw};
+  noise_axis a;
+  vf f = noise_cell(y, multiplier, &a), back = f - splat(1.0f), bump = f * back;
+  /* fade and its slope, over HASH_ONE: a power of two, which rounds nothing */
+  vf v = f * f * f *
+         (splat(10.0f / HASH_ONE) + f * (splat(-15.0f / HASH_ONE) + f * splat(6.0f / HASH_ONE)));
+  vf dw = splat(30.0f / HASH_ONE) * bump * bump, u = splat(1.0f / HASH_ONE) - v;
+  noise_stem s = {a.low, a.high, f * u, back * v, u - f * dw, v + back * dw};
   return s;
 }
 

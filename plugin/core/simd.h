@@ -94,6 +94,33 @@ INLINE vf ROUND_DOWN_(vf x) {
 #define ROUND_DOWN_ ROUND_DOWN_
 #endif
 
+/* Work of one point that is the same eight times over, in eight lanes: each
+ * does what a lane would in its turn. */
+#if defined(__AVX2__)
+#define WITHIN_A_POINT
+typedef float f4 __attribute__((vector_size(16)));
+typedef int32_t i4 __attribute__((vector_size(16)));
+typedef uint32_t u4 __attribute__((vector_size(16)));
+typedef float f8 __attribute__((vector_size(32)));
+typedef int32_t i8 __attribute__((vector_size(32)));
+typedef uint32_t u8 __attribute__((vector_size(32)));
+
+INLINE f8 join_f4(f4 a, f4 b) { return (f8)_mm256_set_m128((__m128)b, (__m128)a); }
+INLINE u8 join_u4(u4 a, u4 b) { return (u8)_mm256_set_m128i((__m128i)b, (__m128i)a); }
+INLINE f4 half_f8(f8 a, int upper) {
+  return upper ? (f4)_mm256_extractf128_ps((__m256)a, 1) : (f4)_mm256_castps256_ps128((__m256)a);
+}
+INLINE f8 to_f8(i8 x) { return __builtin_convertvector(x, f8); }
+INLINE f8 clamp01_f8(f8 x) {
+  return (f8)_mm256_min_ps(_mm256_max_ps((__m256)x, _mm256_setzero_ps()), _mm256_set1_ps(1.0f));
+}
+INLINE f8 lookup16_f8(const float *t, u8 i) {
+  __m256 a = _mm256_permutevar8x32_ps(_mm256_loadu_ps(t), (__m256i)i);
+  __m256 b = _mm256_permutevar8x32_ps(_mm256_loadu_ps(t + 8), (__m256i)i);
+  return (f8)_mm256_blendv_ps(a, b, (__m256)(i << 28));
+}
+#endif
+
 #else
 
 /* ---- several ---------------------------------------------------------- */

@@ -434,9 +434,10 @@ static void build_fibres(wood_constants *w, const settings *s) {
   static const double weight[WOOD_FIBRE_OCTAVES] = {0.42, 0.33, 0.25};
   for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) {
     double l = num(s, P_FIBRE_WIDTH) * size[o];
-    w->fibre_amplitude[o] = (float)(num(s, P_FIBRE_BRIGHTNESS) * weight[o]);
+    w->fibre_scale[o] = (float)(num(s, P_FIBRE_BRIGHTNESS) * weight[o] / 2147483648.0);
     w->fibre_frequency[o] = (float)(1.0 / l);
-    w->fibre_size[o] = (float)l;
+    w->fibre_near[o] = (float)(0.25 * l * l);
+    w->fibre_fade[o] = (float)(1.0 / (3.75 * l * l));
   }
 }
 

@@ -13,12 +13,17 @@
 
 /* Relative shift of brightness at (x, z) of the reference section under a
  * footprint whose extent there has the square e2, by one octave; within its
- * amplitude. Kawai and Momoi repeat a small array of noise; hashing the cell
+ * amplitude. It is whole while the extent is below half its size, and gone from
+ * twice its size on. Kawai and Momoi repeat a small array of noise; hashing the cell
  * costs no memory and does not repeat. */
 INLINE vf fibre_octave(const wood_constants *w, int o, vf x, vf z, vf e2) {
-  if (w->fibre_amplitude[o] == 0.0f) return splat(0.0f);
-  vf keep = filter_keep_square(e2, w->fibre_size[o]) * splat(w->fibre_amplitude[o] / HASH_ONE);
-  if (!any(gt(keep, splat(0.0f)))) return splat(0.0f);
+  vf keep = splat(w->fibre_scale[o]), near = splat(w->fibre_near[o]), zero = splat(0.0f);
+  if (w->fibre_scale[o] <= 0.0f) return zero;
+  if (any(gt(e2, near))) {
+    vf t = clamp01((e2 - near) * splat(w->fibre_fade[o]));
+    keep = keep * (splat(1.0f) - t * t * (splat(3.0f) - t - t));
+    if (!any(gt(keep, zero))) return zero;
+  }
   vf f = splat(w->fibre_frequency[o]);
   noise_axis ax = noise_split_cubic(x * f, HASH_X), az = noise_split_cubic(z * f, HASH_Z);
   vf dx, dz; /* not wanted, and so not computed */

@@ -40,26 +40,37 @@ INLINE grain_place grain_spiral(const wood_constants *w, vf y) {
   return p;
 }
 
-INLINE void grain_wave(const wood_constants *w, vf y, vf t, vf extent, grain_place *p) {
-  vf psi = y * splat(w->wave_frequency); /* in turns */
-  vf psi_y = splat(w->wave_number), psi_t = splat(0.0f);
+/* at: the year among those that slopes vary over */
+INLINE noise_axis grain_years(const wood_constants *w, vf t) {
+  return noise_split_cubic(t * splat(w->slope_noise_years), HASH_X);
+}
+
+/* The wave's phase, in turns, and its slopes. */
+typedef struct {
+  vf psi, y, t;
+} wave_phase;
+
+INLINE wave_phase wave_at(const wood_constants *w, vf y, const noise_axis *at) {
+  wave_phase q = {y * splat(w->wave_frequency), splat(w->wave_number), splat(0.0f)};
   if (w->has_wave_irregularity) {
     noise_stem ay = noise_split_axial(y * splat(w->wave_irregularity_frequency), HASH_Y);
-    noise_axis at = noise_split_cubic(t * splat(w->slope_noise_years), HASH_X);
-    vf ny, nt, n = noise_axial2(&ay, &at, wood_seed(w, SEED_WAVE), &ny, &nt);
-    vf k = splat(w->wave_irregularity);
-    psi = psi + k * splat(0.15915494f) * n;
-    psi_y = psi_y + k * splat(w->wave_irregularity_frequency) * ny;
-    psi_t = k * splat(w->slope_noise_years) * nt;
+    vf ny, nt, n = noise_axial2(&ay, at, wood_seed(w, SEED_WAVE), &ny, &nt);
+    q.psi = q.psi + splat(w->wave_irregularity * 0.15915494f) * n;
+    q.y = q.y + splat(w->wave_irregularity * w->wave_irregularity_frequency) * ny;
+    q.t = splat(w->wave_irregularity * w->slope_noise_years) * nt;
   }
+  return q;
+}
+
+INLINE void grain_wave(const wood_constants *w, const wave_phase *q, vf extent, grain_place *p) {
   vf sine, cosine, a = splat(w->wave_displacement);
-  sine_cosine_turns(psi, &sine, &cosine);
+  sine_cosine_turns(q->psi, &sine, &cosine);
   p->d = p->d + a * (splat(1.0f) - cosine);
-  vf slope = a * sine * psi_y;
+  vf slope = a * sine * q->y;
   vf keep = filter_wave(extent, w->wave_frequency);
   p->g = p->g + slope;
   p->g_filtered = p->g_filtered + slope * keep;
-  p->d_t = p->d_t + a * sine * psi_t;
+  p->d_t = p->d_t + a * sine * q->t;
   p->variance = splat(0.5f * w->wave_slope * w->wave_slope) * (splat(1.0f) - keep * keep);
 }
 
@@ -76,20 +87,22 @@ INLINE void grain_interlocked(const wood_constants *w, vf y, vf t, grain_place *
   p->d_t = p->d_t + reach * ct * splat(6.2831853f * w->interlocked_frequency);
 }
 
-INLINE void grain_noise(const wood_constants *w, int o, vf y, vf t, vf extent, grain_place *p) {
-  noise_axis at = noise_split_cubic(t * splat(w->slope_noise_years), HASH_X);
-  vf f = splat(w->slope_noise_frequency[o]), a = splat(w->slope_noise[o]);
-  noise_stem ay = noise_split_axial(y * f, HASH_Y);
-  vf ny, nt, n = noise_axial2(&ay, &at, wood_seed(w, SEED_SLOPE + (uint32_t)o), &ny, &nt);
-  vf keep = filter_keep(extent, w->slope_noise_size[o]);
+INLINE void grain_noise(const wood_constants *w, int o, vf y, const noise_axis *at, vf extent,
+                        grain_place *p) {
+  noise_stem ay = noise_split_axial(y * splat(w->slope_noise_frequency[o]), HASH_Y);
+  vf ny, nt, n = noise_axial2(&ay, at, wood_seed(w, SEED_SLOPE + (uint32_t)o), &ny, &nt);
   float scale = w->slope_noise[o] * w->slope_noise_frequency[o];
   vf slope = splat(scale) * ny;
-  p->d = p->d + a * n;
+  p->d = p->d + splat(w->slope_noise[o]) * n;
   p->g = p->g + slope;
-  p->g_filtered = p->g_filtered + slope * keep;
   p->d_t = p->d_t + splat(w->slope_noise[o] * w->slope_noise_years) * nt;
-  /* the slope's variance is about 0.3 of its scale's square, measured */
-  p->variance = p->variance + splat(0.3f * scale * scale) * (splat(1.0f) - keep * keep);
+  if (filter_touches(extent, w->slope_noise_size[o])) {
+    vf keep = filter_keep(extent, w->slope_noise_size[o]);
+    slope = slope * keep;
+    /* the slope's variance is about 0.3 of its scale's square, measured */
+    p->variance = p->variance + splat(0.3f * scale * scale) * (splat(1.0f) - keep * keep);
+  }
+  p->g_filtered = p->g_filtered + slope;
 }
 
 /* 1 / Rmean(t) for the phase: bounded at the pith. */

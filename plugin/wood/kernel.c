@@ -97,13 +97,17 @@ static wood_wants wants_of(const wood_constants *w, const wood_io *io) {
   return q;
 }
 
+/* How far a footprint reaches along rho. */
+INLINE vf rings_extent(const stem_place *p, const vf g[3], const vf n[3], int ball, vf s) {
+  footprint2 f = footprint_through(g, g, n, ball, s);
+  return vsqrt(f.aa + splat(12.0f) * p->lost);
+}
+
 /* Average of a ring's profile over a footprint that may be wide enough for the
  * rings' curvature: the surface is followed across the grain through five
- * nodes, and between two nodes rho runs in a straight line. */
+ * nodes, and between two nodes rho runs in a straight line. e: rings_extent. */
 INLINE vf rings_across(const wood_constants *w, int what, const stem_place *p,
-                       const ring_place *ring, const vf g[3], const vf n[3], int ball, vf s) {
-  footprint2 f = footprint_through(g, g, n, ball, s);
-  vf e = vsqrt(f.aa + splat(12.0f) * p->lost);
+                       const ring_place *ring, const vf g[3], const vf n[3], int ball, vf s, vf e) {
   vf mean = ring_average(w, what, ring, p->rho, e);
   /* the sag of s over a radius r is s^2 / 8 r at most */
   if (ball || !any(gt(s * s, splat(0.64f * w->ring_width) * p->r))) return mean;
@@ -156,19 +160,23 @@ typedef struct {
   undulation_sum undulation;
   ring_place ring;
   vf years, divisor, phase;
-  vf extent; /* mm, of the footprint along y */
+  vf extent;     /* mm, of the footprint along y */
+  noise_axis at; /* the year, for the grain's noises */
+  wave_phase wave;
   grain_place grain;
   vf c, sn, x, z; /* reference section: direction and place */
   vf fibre[3];    /* direction, log space */
   vf sine;        /* of the dive angle */
   vf b[3];        /* row of the map from surface to rho */
+  vf reach;       /* mm: rings_extent */
   footprint2 f;   /* over (arc, rho) of the reference section */
+  disc pore;
   vessel_cover_t vessels;
   int parts; /* the vessels have been looked up in parts */
   vf shift;  /* of brightness, a factor */
   vf late, over_late, cover, ray, albedo[3];
-  vf exponent, strength, incident, tilted; /* figure */
-  vf light[3];                             /* log space */
+  vf exponent, strength, incident, tilted, power; /* figure */
+  vf light[3];                                    /* log space */
   ray_place rays;
   vf ray_share;
 } block;
@@ -243,9 +251,14 @@ INLINE void stage_ring(const wood_constants *w, const streams *io, block *k) {
   k->divisor = grain_divisor(k->stem.rho);
 }
 
-INLINE void stage_wave(const wood_constants *w, block *k) {
+INLINE void stage_years(const wood_constants *w, block *k) {
   k->grain = grain_spiral(w, k->p[1]);
-  if (w->has_wave) grain_wave(w, k->p[1], k->years, k->extent, &k->grain);
+  k->at = grain_years(w, k->years);
+  if (w->has_wave) k->wave = wave_at(w, k->p[1], &k->at);
+}
+
+INLINE void stage_wave(const wood_constants *w, block *k) {
+  if (w->has_wave) grain_wave(w, &k->wave, k->extent, &k->grain);
 }
 
 INLINE void stage_interlocked(const wood_constants *w, block *k) {
@@ -253,15 +266,19 @@ INLINE void stage_interlocked(const wood_constants *w, block *k) {
 }
 
 INLINE void stage_grain_noise(const wood_constants *w, int o, block *k) {
-  if (w->has_slope_noise) grain_noise(w, o, k->p[1], k->years, k->extent, &k->grain);
+  if (w->has_slope_noise) grain_noise(w, o, k->p[1], &k->at, k->extent, &k->grain);
 }
 
-INLINE void stage_section(const wood_constants *w, const streams *io, block *k) {
+INLINE void stage_turn(block *k) {
   k->phase = k->grain.d * k->divisor;
-  vf s, c, unused;
+  vf s, c;
   sine_cosine(k->phase, &s, &c);
   k->c = k->stem.c * c + k->stem.s * s;
   k->sn = k->stem.s * c - k->stem.c * s;
+}
+
+INLINE void stage_section(const wood_constants *w, const streams *io, block *k) {
+  vf unused;
   vf radius = k->stem.rho * (splat(1.0f) + outline_at(w, k->c, k->sn, &unused));
   k->x = radius * k->c;
   k->z = radius * k->sn;
@@ -309,10 +326,14 @@ INLINE void stem_row(block *k) {
   k->b[2] = stem->rho_z;
 }
 
-INLINE void stage_rings(const wood_constants *w, const streams *io, block *k) {
-  const stem_place *stem = &k->stem;
+INLINE void stage_reach(const streams *io, block *k) {
   stem_row(k);
-  k->late = rings_across(w, MEAN_LATE, stem, &k->ring, k->b, k->nrm, !io->in->normal[0], k->s);
+  k->reach = rings_extent(&k->stem, k->b, k->nrm, !io->in->normal[0], k->s);
+}
+
+INLINE void stage_rings(const wood_constants *w, const streams *io, block *k) {
+  k->late = rings_across(w, MEAN_LATE, &k->stem, &k->ring, k->b, k->nrm, !io->in->normal[0], k->s,
+                         k->reach);
   store_lanes(io, WOOD_LATEWOOD, k, k->late);
 }
 
@@ -350,10 +371,15 @@ INLINE void stage_vessel_parts(const wood_constants *w, const streams *io, block
   }
 }
 
-INLINE void stage_pores(const wood_constants *w, block *k) {
+INLINE void stage_disc(const wood_constants *w, block *k) {
   if (k->parts || !w->has_pores) return;
   vessel_place place = vessel_place_of(k);
-  k->vessels.pores = pores_tap(w, &place, k->f.aa, k->f.ab, k->f.bb, k->x, k->z);
+  k->pore = pores_disc(w, &place, k->f.aa, k->f.ab, k->f.bb);
+}
+
+INLINE void stage_pores(const wood_constants *w, block *k) {
+  if (k->parts || !w->has_pores) return;
+  k->vessels.pores = pores_cover(w, k->x, k->z, &k->pore);
 }
 
 INLINE void stage_rows(const wood_constants *w, block *k) {
@@ -375,13 +401,13 @@ INLINE void stage_cover(const wood_constants *w, const streams *io, block *k) {
   if (w->has_pores && any(gt(v->pores_faded, zero))) {
     vf expected = one;
     if (w->pore_growth != 0.0f) {
-      expected = rings_across(w, MEAN_PORE, stem, &k->ring, k->b, k->nrm, ball, k->s);
+      expected = rings_across(w, MEAN_PORE, stem, &k->ring, k->b, k->nrm, ball, k->s, k->reach);
     }
     pores = mix(pores, splat(w->pores.coverage) * expected, v->pores_faded);
     k->over_late = mix(k->over_late, splat(w->late_vessel), v->pores_faded);
   }
   if (w->rows && any(gt(v->rows_faded, zero))) {
-    vf expected = rings_across(w, MEAN_ROW, stem, &k->ring, k->b, k->nrm, ball, k->s);
+    vf expected = rings_across(w, MEAN_ROW, stem, &k->ring, k->b, k->nrm, ball, k->s, k->reach);
     rows = mix(rows, splat(w->row.coverage) * expected, v->rows_faded);
   }
   k->cover = pores + rows - pores * rows; /* they stand where they like */
@@ -536,9 +562,11 @@ INLINE void stage_cone_radiance(const wood_constants *w, const streams *io, bloc
   for (int c = 0; c < 3; c++) store_lit(io, k, c, r[c]);
 }
 
+INLINE void stage_gloss(block *k) { k->power = power01_log2(k->tilted, k->exponent); }
+
 INLINE void stage_radiance(const wood_constants *w, const streams *io, block *k) {
   vf zero = splat(0.0f);
-  vf gloss = k->strength * power01(k->tilted, k->exponent);
+  vf gloss = k->strength * exp2_(k->power);
   vf diffuse = splat(w->diffuse) * vmax(k->incident, zero);
   for (int c = 0; c < 3; c++) {
     store_lit(io, k, c, diffuse * k->albedo[c] + gloss * splat(w->tint_colour[c]));
@@ -561,19 +589,25 @@ static void evaluate_blocks(const wood_constants *restrict w, const streams *res
   EACH(stage_rho(w, &blocks[k]));
   EACH(stage_ring(w, io, &blocks[k]));
   if (want->section) {
+    EACH(stage_years(w, &blocks[k]));
     EACH(stage_wave(w, &blocks[k]));
     EACH(stage_interlocked(w, &blocks[k]));
     EACH(stage_grain_noise(w, 0, &blocks[k]));
     EACH(stage_grain_noise(w, 1, &blocks[k]));
+    EACH(stage_turn(&blocks[k]));
     EACH(stage_section(w, io, &blocks[k]));
   }
   if (want->direction) {
     EACH(stage_fibre(&blocks[k]));
     EACH(stage_direction(w, io, want, &blocks[k]));
   }
-  if (want->late) EACH(stage_rings(w, io, &blocks[k]));
+  if (want->late) {
+    EACH(stage_reach(io, &blocks[k]));
+    EACH(stage_rings(w, io, &blocks[k]));
+  }
   if (want->vessel) {
     EACH(stage_vessel_parts(w, io, &blocks[k]));
+    EACH(stage_disc(w, &blocks[k]));
     EACH(stage_pores(w, &blocks[k]));
     EACH(stage_rows(w, &blocks[k]));
     EACH(stage_cover(w, io, &blocks[k]));
@@ -587,7 +621,9 @@ static void evaluate_blocks(const wood_constants *restrict w, const streams *res
   if (want->picture) {
     EACH(stage_picture(w, io, &blocks[k]));
   } else if (want->colour) {
-    for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) EACH(stage_shift(w, o, &blocks[k]));
+    EACH(stage_shift(w, 0, &blocks[k]));
+    EACH(stage_shift(w, 1, &blocks[k]));
+    EACH(stage_shift(w, 2, &blocks[k]));
     EACH(stage_colour(w, io, &blocks[k]));
   }
   if (want->cone) EACH(stage_cone(w, io, &blocks[k]));
@@ -597,6 +633,7 @@ static void evaluate_blocks(const wood_constants *restrict w, const streams *res
     if (w->cone) {
       EACH(stage_cone_radiance(w, io, &blocks[k]));
     } else {
+      EACH(stage_gloss(&blocks[k]));
       EACH(stage_radiance(w, io, &blocks[k]));
     }
   }

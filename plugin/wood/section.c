@@ -182,12 +182,12 @@ static int32_t set_fibres(wood_constants *w, const scan *g, const sozai_images_1
   /* the noise's own deviation is 0.41 of its amplitude */
   double amplitude = n ? __builtin_sqrt(square / n) / 0.41 : 0.0, total = 0.0;
   for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) {
-    if ((double)w->fibre_size[o] > 1.5 * pixel) w->fibre_amplitude[o] = 0.0f;
-    total += (double)w->fibre_amplitude[o];
+    if (1.0 / (double)w->fibre_frequency[o] > 1.5 * pixel) w->fibre_scale[o] = 0.0f;
+    total += (double)w->fibre_scale[o] * 2147483648.0;
   }
   double k = total > amplitude ? amplitude / total : 1.0;
   for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) {
-    w->fibre_amplitude[o] = (float)((double)w->fibre_amplitude[o] * k);
+    w->fibre_scale[o] = (float)((double)w->fibre_scale[o] * k);
   }
   return SOZAI_OK;
 }

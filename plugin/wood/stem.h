@@ -104,8 +104,14 @@ INLINE void undulation_add(const wood_constants *w, int o, vf y, vf footprint, s
     z = splat(0.6f) * p->x + splat(0.8f) * p->z;
   }
   noise_axis ax = noise_split_cubic(x * f, HASH_X), az = noise_split_cubic(z * f, HASH_Z);
-  vf keep = filter_keep(footprint, w->undulation_size[o]);
-  vf a = splat(w->undulation[o]) * keep;
+  vf a = splat(w->undulation[o]);
+  if (filter_touches(footprint, w->undulation_size[o])) {
+    vf keep = filter_keep(footprint, w->undulation_size[o]);
+    a = a * keep;
+    /* the noise's variance is about 1/40, measured */
+    vf gone = splat(1.0f) - keep * keep;
+    p->lost = p->lost + splat(0.025f * w->undulation[o] * w->undulation[o]) * gone;
+  }
   vf gx, gy, gz;
   vf v = noise_axial3(&ax, &ay, &az, wood_seed(w, SEED_UNDULATION + (uint32_t)o), &gx, &gy, &gz);
   u->n = u->n + a * v;
@@ -119,9 +125,6 @@ INLINE void undulation_add(const wood_constants *w, int o, vf y, vf footprint, s
     u->nx = u->nx + gx;
     u->nz = u->nz + gz;
   }
-  /* the noise's variance is about 1/40, measured */
-  vf gone = splat(1.0f) - keep * keep;
-  p->lost = p->lost + splat(0.025f * w->undulation[o] * w->undulation[o]) * gone;
 }
 
 /* and rho with its derivatives. */

@@ -81,38 +81,85 @@ INLINE vf vessel_overlap(const wood_vessels *v, const disc *d, vf sum) {
 INLINE vf hash_place(vu h) { return to_float((vi)h); }
 INLINE vf hash_place2(vu h) { return to_float((vi)(h << 11)); }
 
-/* Coverage by the field's pores at (x, z) of the reference section. The four
- * nearest cells hold everything within half a cell. Places are kept in units of
- * 2^-32 of a cell, which are the hash's own. */
-INLINE vf pores_cover(const wood_constants *w, vf x, vf z, const disc *blurred) {
-  const wood_vessels *v = &w->pores;
-  vf inverse_cell = splat(w->inverse_pore_cell), unit = splat(4294967296.0f);
-  vf square = splat(w->pore_step * w->pore_step), half = splat(0.5f);
-  disc d = {blurred->xx * square, blurred->xz * square, blurred->zz * square, blurred->top,
-            blurred->height};
+/* The four cells nearest to a point of the reference section, which hold
+ * everything within half a cell. Places are kept in units of 2^-32 of a cell,
+ * which are the hash's own. */
+typedef struct {
+  vf x, z; /* from the first cell's middle, 0..2^32 */
+  vu hash; /* of the first cell */
+  disc d;  /* in those units */
+} pore_cells;
+
+#define PORE_UNIT 4294967296.0f
+#define PORE_NOWHERE 1e13f      /* far from everything */
+#define PORE_SECOND 0x2c1b3c6du /* makes another hash of a cell's */
+
+INLINE pore_cells pores_near(const wood_constants *w, vf x, vf z, const disc *d) {
+  pore_cells p;
+  vf inverse_cell = splat(w->inverse_pore_cell), unit = splat(PORE_UNIT), half = splat(0.5f);
+  vf square = splat(w->pore_step * w->pore_step);
   vi ix, iz;
-  vf fx = x * inverse_cell - half, fz = z * inverse_cell - half;
-  fx = (fx - vfloor(fx, &ix)) * unit;
-  fz = (fz - vfloor(fz, &iz)) * unit;
-  vu hx = (vu)ix * splatu(HASH_X) + wood_seed(w, SEED_PORES), hz = (vu)iz * splatu(HASH_Z);
-  vf sum = splat(0.0f);
+  x = x * inverse_cell - half;
+  z = z * inverse_cell - half;
+  p.x = (x - vfloor(x, &ix)) * unit;
+  p.z = (z - vfloor(z, &iz)) * unit;
+  p.hash = (vu)ix * splatu(HASH_X) + (vu)iz * splatu(HASH_Z) + wood_seed(w, SEED_PORES);
+  p.d = (disc){d->xx * square, d->xz * square, d->zz * square, d->top, d->height};
+  return p;
+}
+
+/* The sum of the covers by their pores: two in every other cell, by its hash's
+ * top bit; the rest gives their places and radii. */
+#ifndef WITHIN_A_POINT
+INLINE vf pores_sum(const wood_vessels *v, const pore_cells *p) {
+  vf sum = splat(0.0f), unit = splat(PORE_UNIT);
   UNROLL(4)
   for (int i = 0; i < 4; i++) {
     int a = i & 1, b = i >> 1;
-    vu base = hash_upper(hx + hz + splatu((uint32_t)a * HASH_X + (uint32_t)b * HASH_Z));
-    /* two in every other cell, by the top bit; the rest gives their places */
+    vu base = hash_upper(p->hash + splatu((uint32_t)a * HASH_X + (uint32_t)b * HASH_Z));
     if (idle(lti((vi)base, splati(0)))) continue;
-    vf ox = sel_top(base, a ? fx - unit : fx, splat(1e13f)), oz = b ? fz - unit : fz;
+    vf x = sel_top(base, a ? p->x - unit : p->x, splat(PORE_NOWHERE)), z = b ? p->z - unit : p->z;
     vu h = base << 1;
+    vf two = splat(0.0f); /* apart from the sum, which would have each cell wait for the last */
     UNROLL(2)
     for (int k = 0; k < 2; k++) {
-      vf q = disc_distance(&d, ox - hash_place(h), oz - hash_place2(h));
+      vf q = disc_distance(&p->d, x - hash_place(h), z - hash_place2(h));
       /* past `farthest` the cover is exactly 0: passing over it changes nothing */
-      if (!idle(lt(q, splat(v->farthest)))) sum = sum + vessel_cover(v, &d, h, q);
-      h = base * splatu(0x2c1b3c6du);
+      if (!idle(lt(q, splat(v->farthest)))) two = two + vessel_cover(v, &p->d, h, q);
+      h = base * splatu(PORE_SECOND);
     }
+    sum = sum + two;
   }
-  return vessel_overlap(v, &d, sum);
+  return sum;
+}
+#else
+/* One point alone: the eight places are eight lanes, and the sum is taken in
+ * the same order. */
+INLINE vf pores_sum(const wood_vessels *v, const pore_cells *p) {
+  const u4 cell = {0, HASH_X, HASH_Z, HASH_X + HASH_Z};
+  u4 base = cell + p->hash;
+  base ^= base >> 16;
+  base *= 0x7feb352du;
+  base ^= base >> 15;
+  base *= 0x846ca68bu;
+  vf x1 = p->x - PORE_UNIT, z1 = p->z - PORE_UNIT;
+  f4 x = {p->x, x1, p->x, x1}, z = {p->z, p->z, z1, z1};
+  i4 there = (i4)base < 0;
+  x = (f4)(((i4)x & there) |
+           ((i4)(f4){PORE_NOWHERE, PORE_NOWHERE, PORE_NOWHERE, PORE_NOWHERE} & ~there));
+  u8 h = join_u4(base << 1, base * PORE_SECOND);
+  f8 dx = join_f4(x, x) - to_f8((i8)h), dz = join_f4(z, z) - to_f8((i8)(h << 11));
+  f8 q = (p->d.xx * dx + p->d.xz * dz) * dx + p->d.zz * dz * dz;
+  f8 cover = clamp01_f8(p->d.top - q * lookup16_f8(v->inverse_square, h >> 5));
+  f4 two = half_f8(cover, 0) + half_f8(cover, 1);
+  return two[0] + two[1] + two[2] + two[3];
+}
+#endif
+
+/* Coverage by the field's pores. */
+INLINE vf pores_cover(const wood_constants *w, vf x, vf z, const disc *d) {
+  pore_cells p = pores_near(w, x, z, d);
+  return vessel_overlap(&w->pores, d, pores_sum(&w->pores, &p));
 }
 
 /* The earlywood band nearest to a point, and the point's place along it. */
@@ -266,10 +313,8 @@ INLINE vf fade_beyond(vf e2, float reach) {
   return smooth_step(splat(0.6f * reach), splat(reach), vsqrt(e2));
 }
 
-/* One tap of the pores, at (x, z) of the reference section under a footprint of
- * (aa, ab, bb). */
-INLINE vf pores_tap(const wood_constants *w, const vessel_place *p, vf aa, vf ab, vf bb, vf x,
-                    vf z) {
+/* A pore at its mean radius under a footprint of (aa, ab, bb). */
+INLINE disc pores_disc(const wood_constants *w, const vessel_place *p, vf aa, vf ab, vf bb) {
   vf twelfth = splat(1.0f / 12.0f);
   matrix2 m = to_section(aa * twelfth, ab * twelfth, bb * twelfth, p->c, p->s);
   vf radius2 = splat(w->pores.radius * w->pores.radius);
@@ -277,11 +322,10 @@ INLINE vf pores_tap(const wood_constants *w, const vessel_place *p, vf aa, vf ab
     vf size = splat(w->pore_early) + splat(w->pore_growth) * p->ring.phase;
     radius2 = radius2 * size * size;
   }
-  disc d = disc_blurred(radius2, m);
-  return pores_cover(w, x, z, &d);
+  return disc_blurred(radius2, m);
 }
 
-/* The same of the rows, da along the arc and dr along rho off the place. */
+/* Cover by the rows under such a footprint, da along the arc and dr along rho off the place. */
 INLINE vf rows_tap(const wood_constants *w, const vessel_place *p, const row_place *row, vf aa,
                    vf ab, vf bb, vf da, vf dr) {
   if (!any(row->near)) return splat(0.0f);
@@ -307,6 +351,7 @@ INLINE vessel_cover_t vessels_in_parts(const wood_constants *w, const vessel_pla
   vf zero = splat(0.0f), one = splat(1.0f);
   vessel_cover_t v = {zero, zero, zero, zero};
   row_place row;
+  disc pore;
   if (w->rows) row = row_of(w, p);
   footprint_axes l = footprint_split(&p->f);
   footprint_parts part = footprint_cut(&p->f, &l, cut, w->vessel_reach);
@@ -320,6 +365,7 @@ INLINE vessel_cover_t vessels_in_parts(const wood_constants *w, const vessel_pla
   if (w->has_pores) gone = and_(gone, le(one, v.pores_faded));
   if (w->rows) gone = and_(gone, le(one, v.rows_faded));
   if (!any(not_(gone))) return v;
+  if (w->has_pores) pore = pores_disc(w, p, part.aa, part.ab, part.bb);
   for (int i = 0; i < part.taps; i++) {
     /* the i-th part: `along` runs first, then the other side */
     vf at = splat((float)i + 0.5f) * part.along;
@@ -332,7 +378,7 @@ INLINE vessel_cover_t vessels_in_parts(const wood_constants *w, const vessel_pla
     vf dr = sel(cut, l.rho * a + l.rest_rho * side, zero);
     if (w->has_pores) {
       vf x = p->x + (dr * p->c - da * p->s), z = p->z + (dr * p->s + da * p->c);
-      v.pores = v.pores + pores_tap(w, p, part.aa, part.ab, part.bb, x, z) * weight;
+      v.pores = v.pores + pores_cover(w, x, z, &pore) * weight;
     }
     if (w->rows) {
       v.rows = v.rows + rows_tap(w, p, &row, part.aa, part.ab, part.bb, da, dr) * weight;

@@ -124,9 +124,10 @@ typedef struct {
   float ray_wave_radial, ray_wave_along;   /* 1/mm */
 
   /* shifted brightness */
-  float fibre_amplitude[WOOD_FIBRE_OCTAVES];
+  float fibre_scale[WOOD_FIBRE_OCTAVES];     /* amplitude, over the noise's bound */
   float fibre_frequency[WOOD_FIBRE_OCTAVES]; /* 1/mm */
-  float fibre_size[WOOD_FIBRE_OCTAVES];      /* mm */
+  /* mm^2: up to which squared extent an octave is whole; 1/mm^2: how it fades from there */
+  float fibre_near[WOOD_FIBRE_OCTAVES], fibre_fade[WOOD_FIBRE_OCTAVES];
 
   /* colour, working space */
   float early[3], late[3], vessel[3], ray[3];
