@@ -70,8 +70,8 @@ INLINE noise_stem noise_split_axial(vf y, uint32_t multiplier) {
   noise_axis a;
   vf f = noise_cell(y, multiplier, &a), back = f - splat(1.0f), bump = f * back;
   /* fade and its slope, over HASH_ONE: a power of two, which rounds nothing */
-  vf v = f * f * f * (splat(10.0f / HASH_ONE) + f * (splat(-15.0f / HASH_ONE) +
-                                                     f * splat(6.0f / HASH_ONE)));
+  vf v = f * f * f *
+         (splat(10.0f / HASH_ONE) + f * (splat(-15.0f / HASH_ONE) + f * splat(6.0f / HASH_ONE)));
   vf dw = splat(30.0f / HASH_ONE) * bump * bump, u = splat(1.0f / HASH_ONE) - v;
   noise_stem s = {a.low, a.high, f * u, back * v, u - f * dw, v + back * dw};
   return s;

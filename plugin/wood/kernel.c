@@ -156,7 +156,7 @@ typedef struct {
   undulation_sum undulation;
   ring_place ring;
   vf years, divisor, phase;
-  vf extent; /* mm, of the footprint along y */
+  vf extent;     /* mm, of the footprint along y */
   noise_axis at; /* the year, for the grain's noises */
   wave_phase wave;
   grain_place grain;
@@ -495,7 +495,8 @@ INLINE void stage_radiance(const wood_constants *w, const wood_io *io, block *k)
 #ifndef BLOCKS
 #define BLOCKS (LANES == 1 ? 1 : 8)
 #endif
-#define EACH(stage) for (uint32_t k = 0; k < count; k++) stage
+#define EACH(stage)                                                                                \
+  for (uint32_t k = 0; k < count; k++) stage
 
 /* restrict: what is stored is no constant, so that those are loaded before the
  * loops and not in them. */

@@ -78,8 +78,7 @@ INLINE vf integral_to(const wood_constants *w, int what, const ring_place *p) {
   vf width = splat(1.0f) / p->inverse_width;
   vf within = width * ring_integral(w, what, p->phase, p->inverse_width);
   if (what == MEAN_LATE) {
-    return p->turns * splat(w->late_period) + gather(w->late_before, p->j) +
-           p->weight * within;
+    return p->turns * splat(w->late_period) + gather(w->late_before, p->j) + p->weight * within;
   }
   if (what == MEAN_PORE) {
     return splat(w->pore_ring_mean) * (p->turns * splat(w->ring_period) + p->start) + within;

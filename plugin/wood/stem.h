@@ -143,8 +143,7 @@ INLINE void stem_rho(const wood_constants *w, vf y, const undulation_sum *u, ste
   p->rho = vmax(p->r * q - envelope * u->n, splat(0.0f));
   p->rho_x = q * p->c + turn * p->s - (envelope * u->nx + steep * p->c);
   p->rho_z = q * p->s - turn * p->c - (envelope * u->nz + steep * p->s);
-  p->rho_y = sel(eq(lean, bounded), p->r * splat(w->taper) * widen, splat(0.0f)) -
-             envelope * u->ny;
+  p->rho_y = sel(eq(lean, bounded), p->r * splat(w->taper) * widen, splat(0.0f)) - envelope * u->ny;
 }
 
 INLINE stem_place stem_at(const wood_constants *w, vf x, vf y, vf z, vf footprint) {

@@ -91,7 +91,7 @@ typedef struct {
 } pore_cells;
 
 #define PORE_UNIT 4294967296.0f
-#define PORE_NOWHERE 1e13f       /* far from everything */
+#define PORE_NOWHERE 1e13f      /* far from everything */
 #define PORE_SECOND 0x2c1b3c6du /* makes another hash of a cell's */
 
 INLINE pore_cells pores_near(const wood_constants *w, vf x, vf z, const disc *d) {
@@ -145,7 +145,8 @@ INLINE vf pores_sum(const wood_vessels *v, const pore_cells *p) {
   vf x1 = p->x - PORE_UNIT, z1 = p->z - PORE_UNIT;
   f4 x = {p->x, x1, p->x, x1}, z = {p->z, p->z, z1, z1};
   i4 there = (i4)base < 0;
-  x = (f4)(((i4)x & there) | ((i4)(f4){PORE_NOWHERE, PORE_NOWHERE, PORE_NOWHERE, PORE_NOWHERE} & ~there));
+  x = (f4)(((i4)x & there) |
+           ((i4)(f4){PORE_NOWHERE, PORE_NOWHERE, PORE_NOWHERE, PORE_NOWHERE} & ~there));
   u8 h = join_u4(base << 1, base * PORE_SECOND);
   f8 dx = join_f4(x, x) - to_f8((i8)h), dz = join_f4(z, z) - to_f8((i8)(h << 11));
   f8 q = (p->d.xx * dx + p->d.xz * dz) * dx + p->d.zz * dz * dz;

@@ -145,7 +145,8 @@ typedef struct {
   float late_weight[WOOD_RINGS + 1]; /* how dark the latewood of ring j - 1 grows */
   float late_before[WOOD_RINGS + 1]; /* integral of the profile up to the ring */
   /* the same again as the kernel loads it: what belongs to a ring in one place */
-  float ring_row[WOOD_RINGS][4]; /* start, inverse width, weight of its latewood and of the last's */
+  float ring_row[WOOD_RINGS]
+                [4]; /* start, inverse width, weight of its latewood and of the last's */
   /* of the bin: the ring that its start lies in, and where the next one begins */
   float bin[WOOD_BINS_MAX][2];
 } wood_constants;

@@ -63,13 +63,13 @@ static const float thirty_two[32] = {0.0f,   1.5f,   -2.0f, 3.25f, 4e9f,  -5.0f,
                                      24.0f,  25.25f, 26.0f, 27.0f, 28.0f, 29.0f,  30.0f, -31.0f};
 CORE(lookup16, OUT(0, lookup16(thirty_two, (vu)BITS(0)));)
 CORE(gather, OUT(0, gather(thirty_two, BITS(0)));)
-static const float rows[32][4] = {{1.0f, -2.0f, 3.0f, 4.0f},  {5.0f, 6.0f, -7.0f, 8.0f},
-                                  [7] = {9.5f, 8e9f, 1e-9f},  [15] = {-1.0f, 2.25f, 3.5f, 4.75f},
-                                  [16] = {6.0f, 5.0f, 4.0f},  [23] = {7.0f, 1.0f, 8.0f, 2.0f},
-                                  [31] = {0.5f, 1.5f, 2.5f, 3.5f}};
-static const float pairs[32][2] = {{1.0f, -2.0f},       {5.0f, 6.0f},        [7] = {9.5f, 8e9f},
-                                   [15] = {-1.0f, 2.25f}, [16] = {6.0f, 5.0f}, [23] = {7.0f, 1.0f},
-                                   [31] = {0.5f, 1.5f}};
+static const float rows[32][4] = {
+    {1.0f, -2.0f, 3.0f, 4.0f},          {5.0f, 6.0f, -7.0f, 8.0f}, [7] = {9.5f, 8e9f, 1e-9f},
+    [15] = {-1.0f, 2.25f, 3.5f, 4.75f}, [16] = {6.0f, 5.0f, 4.0f}, [23] = {7.0f, 1.0f, 8.0f, 2.0f},
+    [31] = {0.5f, 1.5f, 2.5f, 3.5f}};
+static const float pairs[32][2] = {
+    {1.0f, -2.0f},       {5.0f, 6.0f},        [7] = {9.5f, 8e9f}, [15] = {-1.0f, 2.25f},
+    [16] = {6.0f, 5.0f}, [23] = {7.0f, 1.0f}, [31] = {0.5f, 1.5f}};
 CORE(gather2, vf v[2]; gather2(pairs, BITS(0), v); OUT(0, v[0]); OUT(1, v[1]);)
 CORE(gather4, vf v[4]; gather4(rows, BITS(0), v); for (int c = 0; c < 4; c++) OUT(c, v[c]);)
 CORE(sel_top, OUT(0, sel_top((vu)BITS(0), IN(1), IN(2)));)
