@@ -123,6 +123,8 @@ static uint32_t inputs_of(const sozai_batch *b) {
   return has;
 }
 
+static int in_part(const float *const v[3]) { return !v[0] != !v[1] || !v[1] != !v[2]; }
+
 static const char *input_name(uint32_t bit) {
   switch (bit & (~bit + 1u)) {
   case SOZAI_INPUT_POINT:
@@ -183,9 +185,8 @@ static int32_t evaluate(const sozai_texture *t, const sozai_batch *batch) {
     if (wanted & t->needs[k].channels) needs |= t->needs[k].inputs;
   }
   if (needs & ~has) return missing_input(t, wanted, has);
-  const uint32_t vectors =
-      SOZAI_INPUT_NORMAL | SOZAI_INPUT_LIGHT | SOZAI_INPUT_LIGHT_COLOUR | SOZAI_INPUT_VIEW;
-  if ((has & vectors) != vectors) {
+  if (in_part(batch->normal) || in_part(batch->light) || in_part(batch->light_colour) ||
+      in_part(batch->view)) {
     /* a vector with a part missing is none */
     if (batch != &copy) {
       copy = *batch;

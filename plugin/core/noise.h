@@ -113,6 +113,7 @@ INLINE vf noise_axial2(const noise_stem *y, const noise_axis *t, vu seed, vf *dy
 }
 
 /* Axial noise in y with gradients varying over x and z. */
+#ifndef WITHIN_A_POINT
 INLINE vf noise_axial3(const noise_axis *x, const noise_stem *y, const noise_axis *z, vu seed,
                        vf *dx, vf *dy, vf *dz) {
   vf x0, z0, x1, z1;
@@ -123,6 +124,24 @@ INLINE vf noise_axial3(const noise_axis *x, const noise_stem *y, const noise_axi
   *dy = g0 * y->d0 + g1 * y->d1;
   return g0 * y->n0 + g1 * y->n1;
 }
+#else
+/* One point alone: the eight corners are eight lanes, x fastest, then z. */
+INLINE vf noise_axial3(const noise_axis *x, const noise_stem *y, const noise_axis *z, vu seed,
+                       vf *dx, vf *dy, vf *dz) {
+  vu i = x->high - x->low, j = y->high - y->low, k = z->high - z->low;
+  u8 h = (u8){0, i, k, i + k, j, i + j, j + k, i + j + k} + (x->low + z->low + y->low + seed);
+  h ^= h >> 15;
+  h *= 0x2c1b3c6du;
+  f8 a = to_f8((i8)h), b = next_f8(a) - a;
+  f8 p = a + b * x->w, q = second_f8(p) - p;
+  f8 g = p + q * z->w;
+  f8 gx = (b + (second_f8(b) - b) * z->w) * x->dw, gz = q * z->dw;
+  *dx = gx[0] * y->n0 + gx[4] * y->n1;
+  *dz = gz[0] * y->n0 + gz[4] * y->n1;
+  *dy = g[0] * y->d0 + g[4] * y->d1;
+  return g[0] * y->n0 + g[4] * y->n1;
+}
+#endif
 
 /* One corner of gradient noise: a gradient of three components within +-1
  * from ten bits each, times the offset. */

@@ -110,6 +110,9 @@ INLINE u8 join_u4(u4 a, u4 b) { return (u8)_mm256_set_m128i((__m128i)b, (__m128i
 INLINE f4 half_f8(f8 a, int upper) {
   return upper ? (f4)_mm256_extractf128_ps((__m256)a, 1) : (f4)_mm256_castps256_ps128((__m256)a);
 }
+/* Every even lane's neighbour; and in each half the third lane in place of the first. */
+INLINE f8 next_f8(f8 a) { return (f8)_mm256_movehdup_ps((__m256)a); }
+INLINE f8 second_f8(f8 a) { return (f8)_mm256_permute_ps((__m256)a, 0x4e); }
 INLINE f8 to_f8(i8 x) { return __builtin_convertvector(x, f8); }
 INLINE f8 clamp01_f8(f8 x) {
   return (f8)_mm256_min_ps(_mm256_max_ps((__m256)x, _mm256_setzero_ps()), _mm256_set1_ps(1.0f));

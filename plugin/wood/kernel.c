@@ -181,12 +181,6 @@ typedef struct {
   vf ray_share;
 } block;
 
-/* What is not wanted has a NULL here. */
-typedef struct {
-  const sozai_batch *in;
-  float *out[WOOD_COMPONENTS];
-} streams;
-
 /* The end of a batch, and what is not active. */
 static __attribute__((noinline)) void store_some(const uint8_t *active, const block *k, float *p,
                                                  const float *x) {
@@ -195,7 +189,7 @@ static __attribute__((noinline)) void store_some(const uint8_t *active, const bl
   }
 }
 
-INLINE void store_lanes(const streams *io, int channel, const block *k, vf x) {
+INLINE void store_lanes(const wood_io *io, int channel, const block *k, vf x) {
   float *p = io->out[channel];
   if (!p) return;
   if (__builtin_expect(k->whole, 1)) {
@@ -207,7 +201,7 @@ INLINE void store_lanes(const streams *io, int channel, const block *k, vf x) {
   store_some(io->in->active, k, p, lanes);
 }
 
-INLINE void stage_load(const wood_constants *w, const streams *io, block *k) {
+INLINE void stage_load(const wood_constants *w, const wood_io *io, block *k) {
   vf p[3];
   for (int c = 0; c < 3; c++) p[c] = finite_coordinate(load_lanes(io->in->point[c], k->i, k->n));
   to_log(w, p, k->p);
@@ -244,7 +238,7 @@ INLINE void stage_rho(const wood_constants *w, block *k) {
   stem_rho(w, k->p[1], &k->undulation, &k->stem);
 }
 
-INLINE void stage_ring(const wood_constants *w, const streams *io, block *k) {
+INLINE void stage_ring(const wood_constants *w, const wood_io *io, block *k) {
   k->ring = ring_at(w, k->stem.rho);
   k->years = to_float(k->ring.ring) + k->ring.phase;
   store_lanes(io, WOOD_TIME, k, k->years);
@@ -277,7 +271,7 @@ INLINE void stage_turn(block *k) {
   k->sn = k->stem.s * c - k->stem.c * s;
 }
 
-INLINE void stage_section(const wood_constants *w, const streams *io, block *k) {
+INLINE void stage_section(const wood_constants *w, const wood_io *io, block *k) {
   vf unused;
   vf radius = k->stem.rho * (splat(1.0f) + outline_at(w, k->c, k->sn, &unused));
   k->x = radius * k->c;
@@ -303,7 +297,7 @@ INLINE void stage_fibre(block *k) {
   k->sine = zero - (f[0] * k->nrm[0] + f[1] * k->nrm[1] + f[2] * k->nrm[2]);
 }
 
-INLINE void stage_direction(const wood_constants *w, const streams *io, const wood_wants *want,
+INLINE void stage_direction(const wood_constants *w, const wood_io *io, const wood_wants *want,
                             block *k) {
   const vf *f = k->fibre;
   if (want->fibre) {
@@ -326,19 +320,19 @@ INLINE void stem_row(block *k) {
   k->b[2] = stem->rho_z;
 }
 
-INLINE void stage_reach(const streams *io, block *k) {
+INLINE void stage_reach(const wood_io *io, block *k) {
   stem_row(k);
   k->reach = rings_extent(&k->stem, k->b, k->nrm, !io->in->normal[0], k->s);
 }
 
-INLINE void stage_rings(const wood_constants *w, const streams *io, block *k) {
+INLINE void stage_rings(const wood_constants *w, const wood_io *io, block *k) {
   k->late = rings_across(w, MEAN_LATE, &k->stem, &k->ring, k->b, k->nrm, !io->in->normal[0], k->s,
                          k->reach);
   store_lanes(io, WOOD_LATEWOOD, k, k->late);
 }
 
 /* The footprint over (arc, rho) of the reference section. */
-INLINE footprint2 footprint_in_section(const streams *io, const block *k) {
+INLINE footprint2 footprint_in_section(const wood_io *io, const block *k) {
   const stem_place *stem = &k->stem;
   vf zero = splat(0.0f);
   /* the row of the map from surface to arc */
@@ -359,7 +353,7 @@ INLINE vessel_place vessel_place_of(const block *k) {
 
 /* Long footprints here; what is within one tap goes through the two stages
  * after this one. */
-INLINE void stage_vessel_parts(const wood_constants *w, const streams *io, block *k) {
+INLINE void stage_vessel_parts(const wood_constants *w, const wood_io *io, block *k) {
   vf zero = splat(0.0f);
   k->f = footprint_in_section(io, k);
   k->vessels = (vessel_cover_t){zero, zero, zero, zero};
@@ -391,7 +385,7 @@ INLINE void stage_rows(const wood_constants *w, block *k) {
 }
 
 /* Where the vessels could not be looked up, what is to be expected. */
-INLINE void stage_cover(const wood_constants *w, const streams *io, block *k) {
+INLINE void stage_cover(const wood_constants *w, const wood_io *io, block *k) {
   const stem_place *stem = &k->stem;
   const vessel_cover_t *v = &k->vessels;
   vf one = splat(1.0f), zero = splat(0.0f);
@@ -428,7 +422,7 @@ INLINE void stage_ray_set(const wood_constants *w, int set, block *k) {
   k->ray_share = k->ray_share + share;
 }
 
-INLINE void stage_rays(const wood_constants *w, const streams *io, block *k) {
+INLINE void stage_rays(const wood_constants *w, const wood_io *io, block *k) {
   k->ray = rays_together(w, &k->rays, k->ray, k->ray_share);
   store_lanes(io, WOOD_RAY, k, k->ray);
 }
@@ -437,7 +431,7 @@ INLINE void stage_shift(const wood_constants *w, int o, block *k) {
   k->shift = k->shift + fibre_octave(w, o, k->x, k->z, k->f.aa + k->f.bb);
 }
 
-INLINE void stage_colour(const wood_constants *w, const streams *io, block *k) {
+INLINE void stage_colour(const wood_constants *w, const wood_io *io, block *k) {
   vf one = splat(1.0f), zero = splat(0.0f);
   /* earlywood rows stand where there is no latewood; pores everywhere */
   vf late = k->late * (one - vmin(k->over_late, one));
@@ -460,7 +454,7 @@ INLINE void stage_colour(const wood_constants *w, const streams *io, block *k) {
 
 /* The same from a picture of the section: it shows rings, vessels and fibres
  * down to its pixels, and the fibres' noise goes on below them. */
-INLINE void stage_picture(const wood_constants *w, const streams *io, block *k) {
+INLINE void stage_picture(const wood_constants *w, const wood_io *io, block *k) {
   const stem_place *stem = &k->stem;
   stem_row(k);
   footprint2 f = footprint_in_section(io, k);
@@ -480,7 +474,7 @@ INLINE void stage_picture(const wood_constants *w, const streams *io, block *k) 
 
 /* Figure, Kawai's equation (4): the lobe's normal dives with the fibre; slopes
  * that the footprint averages widen it instead. */
-INLINE void stage_lobe(const wood_constants *w, const streams *io, block *k) {
+INLINE void stage_lobe(const wood_constants *w, const wood_io *io, block *k) {
   vf one = splat(1.0f);
   vf roughness = splat(w->roughness);
   k->exponent = splat(w->shininess);
@@ -498,7 +492,7 @@ INLINE void stage_lobe(const wood_constants *w, const streams *io, block *k) {
   store_lanes(io, WOOD_ROUGHNESS, k, roughness);
 }
 
-INLINE void stage_light(const wood_constants *w, const streams *io, block *k) {
+INLINE void stage_light(const wood_constants *w, const wood_io *io, block *k) {
   vf one = splat(1.0f), zero = splat(0.0f), light[3], *l = k->light;
   for (int c = 0; c < 3; c++) light[c] = load_lanes(io->in->light[c], k->i, k->n);
   unit_direction(light);
@@ -512,7 +506,7 @@ INLINE void stage_light(const wood_constants *w, const streams *io, block *k) {
 }
 
 /* Radiance of a channel, under the light's colour. */
-INLINE void store_lit(const streams *io, const block *k, int c, vf r) {
+INLINE void store_lit(const wood_io *io, const block *k, int c, vf r) {
   if (io->in->light_colour[c]) {
     vf e = load_lanes(io->in->light_colour[c], k->i, k->n);
     r = r * sel(lt(vabs(e), splat(1e30f)), e, splat(0.0f));
@@ -522,7 +516,7 @@ INLINE void store_lit(const streams *io, const block *k, int c, vf r) {
 
 /* Towards the eye, log space; the normal where no view is given, or none that
  * is a direction. */
-INLINE void view_of(const wood_constants *w, const streams *io, const block *k, vf out[3]) {
+INLINE void view_of(const wood_constants *w, const wood_io *io, const block *k, vf out[3]) {
   for (int c = 0; c < 3; c++) out[c] = k->nrm[c];
   if (!io->in->view[0]) return;
   vf v[3], turned[3], size = splat(0.0f);
@@ -537,7 +531,7 @@ INLINE void view_of(const wood_constants *w, const streams *io, const block *k, 
 }
 
 /* What a host needs to build the cone itself. */
-INLINE void stage_cone(const wood_constants *w, const streams *io, block *k) {
+INLINE void stage_cone(const wood_constants *w, const wood_io *io, block *k) {
   cone_dive dive = cone_dive_of(k->sine);
   vf scale = w->cone ? cone_along(w->cone_scale, &dive) : splat(1.0f);
   for (int c = 0; c < 3; c++) {
@@ -548,7 +542,7 @@ INLINE void stage_cone(const wood_constants *w, const streams *io, block *k) {
   store_lanes(io, WOOD_COAT, k, splat(w->coat));
 }
 
-INLINE void stage_cone_radiance(const wood_constants *w, const streams *io, block *k) {
+INLINE void stage_cone_radiance(const wood_constants *w, const wood_io *io, block *k) {
   vf r[3], v[3];
   view_of(w, io, k, v);
   cone_radiance(w, k->light, v, k->nrm, k->fibre, k->sine, k->grain.variance, k->albedo, r);
@@ -564,7 +558,7 @@ INLINE void stage_cone_radiance(const wood_constants *w, const streams *io, bloc
 
 INLINE void stage_gloss(block *k) { k->power = power01_log2(k->tilted, k->exponent); }
 
-INLINE void stage_radiance(const wood_constants *w, const streams *io, block *k) {
+INLINE void stage_radiance(const wood_constants *w, const wood_io *io, block *k) {
   vf zero = splat(0.0f);
   vf gloss = k->strength * exp2_(k->power);
   vf diffuse = splat(w->diffuse) * vmax(k->incident, zero);
@@ -579,7 +573,9 @@ INLINE void stage_radiance(const wood_constants *w, const streams *io, block *k)
 #define EACH(stage)                                                                                \
   for (uint32_t k = 0; k < count; k++) stage
 
-static void evaluate_blocks(const wood_constants *restrict w, const streams *restrict io,
+/* restrict: what is stored is no constant, so that those are loaded before the
+ * loops and not in them. */
+static void evaluate_blocks(const wood_constants *restrict w, const wood_io *restrict io,
                             const wood_wants *restrict want, block *blocks, uint32_t count) {
   EACH(stage_load(w, io, &blocks[k]));
   EACH(stage_pith(w, &blocks[k]));
@@ -641,8 +637,6 @@ static void evaluate_blocks(const wood_constants *restrict w, const streams *res
 
 static void evaluate(const wood_constants *w, const wood_io *io, uint32_t from, uint32_t to) {
   wood_wants want = wants_of(w, io);
-  streams s = {.in = io->in};
-  for (int c = 0; c < WOOD_COMPONENTS; c++) s.out[c] = io->wanted >> c & 1 ? io->out[c] : 0;
   block blocks[BLOCKS];
   for (uint32_t i = from; i < to;) {
     uint32_t count = 0;
@@ -652,7 +646,7 @@ static void evaluate(const wood_constants *w, const wood_io *io, uint32_t from, 
       k->n = to - i < LANES ? to - i : LANES;
       k->whole = k->n == LANES && !io->in->active;
     }
-    evaluate_blocks(w, &s, &want, blocks, count);
+    evaluate_blocks(w, io, &want, blocks, count);
   }
 }
 

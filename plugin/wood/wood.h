@@ -179,8 +179,8 @@ typedef struct {
 /* Inputs and outputs of the kernel, checked. */
 typedef struct {
   const sozai_batch *in;
-  float *const *out;
-  uint64_t wanted; /* bit c: out[c] is not NULL */
+  float *const *out; /* for every component */
+  uint64_t wanted;   /* bit c: out[c] is not NULL */
 } wood_io;
 
 /* Components of the output channels, in their order. */
