@@ -17,10 +17,12 @@ static sozai_value number(const char *id, double x) {
 
 bool wood_create(const wood *w, const char *picture, const plugin *p, sozai_texture **out,
                  failure *why) {
-  sozai_value values[10] = {choice("cut", w->cut ? w->cut : "flat"),
+  sozai_value values[12] = {choice("cut", w->cut ? w->cut : "flat"),
                             choice("grain", w->grain ? w->grain : "compound")};
   uint32_t count = 2;
   if (w->porosity) values[count++] = choice("porosity", w->porosity);
+  if (w->no_rays) values[count++] = number("ray_density", 0);
+  if (w->reflection) values[count++] = choice("reflection", w->reflection);
   if (w->pictured) {
     values[count++] = (sozai_value){.id = "section", .kind = SOZAI_KIND_IMAGE, .text = picture};
     values[count++] = number("section_width", PICTURE_MM);

@@ -10,7 +10,9 @@ typedef struct wood {
   const char *porosity; /* NULL: the preset's */
   const char *cpu;      /* an instruction set, or NULL for the best there is */
   const char *cut;      /* NULL: flat */
-  bool pictured;        /* its section is the yardstick's picture */
+  bool no_rays;
+  const char *reflection; /* NULL: the default */
+  bool pictured;          /* its section is the yardstick's picture */
 } wood;
 
 /* A flat-sawn board of the preset keyaki. Where the machine lacks the

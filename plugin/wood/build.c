@@ -405,26 +405,28 @@ static void build_rays(wood_constants *w, const settings *s) {
   w->has_rays = density > 0.0;
   if (!w->has_rays) return;
   /* a cell holds the tallest, one and a half times the mean, with some to spare;
-   * of two sets of cells a radius meets half of the rays */
-  double cell = 1.9 * height, arc = 1.0 / (density * cell);
+   * a radius meets three quarters of the rays */
+  double cell = 1.9 * height, arc = 0.75 / (density * cell);
   w->ray_length = (float)length;
   w->inverse_ray_length = (float)(1.0 / length);
-  w->ray_per_radius = (float)(TWO_PI / arc);
+  w->ray_per_radius = (float)(TWO_PI / (arc * 64.0));
   w->inverse_ray_arc = (float)(1.0 / arc);
   w->inverse_ray_cell = (float)(1.0 / cell);
   w->ray_tall = (float)(0.5 * height / cell);
-  /* within its cell, whatever it was asked for: 0.3 to each side, of which its waves
-   * may take 0.1; 1.4 times the mean */
-  double half = 0.5 * width;
-  if (half > 0.14 * arc) half = 0.14 * arc;
+  /* within its cell, whatever it was asked for: 0.33 to each side of where it may
+   * stand, for 1.4 times the mean and the waves */
+  double half = 0.5 * width, room = 0.329;
+  if (half > 0.2 * arc) half = 0.2 * arc;
   w->ray_half = (float)half;
-  double stray = 3.0 * half < 0.1 * arc ? 3.0 * half : 0.1 * arc;
-  w->ray_clear = (float)(0.329 - (1.4 * half + stray) / arc);
+  double left = room * arc - 1.4 * half, stray = 0.1 * arc;
+  if (stray > 3.0 * half) stray = 3.0 * half;
+  if (stray > left) stray = left;
+  w->ray_clear = (float)(room - (1.4 * half + stray) / arc);
   w->ray_stray = (float)(stray / 2147483648.0);
   w->ray_wave_radial = (float)(1.0 / (4.0 + 0.2 * height));
   w->ray_wave_along = (float)(1.0 / (0.5 * height));
   /* two thirds of a lens's height and width, less what the ends' taper takes */
-  w->ray_cover = (float)(density * height * 2.0 * half * 2.0 / 3.0 * 0.875);
+  w->ray_cover = (float)(density * height * 2.0 * half * 2.0 / 3.0 * 11.0 / 12.0);
 }
 
 /* ---- fibres, colour, figure ------------------------------------------- */

@@ -178,7 +178,6 @@ typedef struct {
   vf exponent, strength, incident, tilted, power; /* figure */
   vf light[3];                                    /* log space */
   ray_place rays;
-  vf ray_share;
 } block;
 
 /* The end of a batch, and what is not active. */
@@ -412,18 +411,12 @@ INLINE void stage_cover(const wood_constants *w, const wood_io *io, block *k) {
 }
 
 INLINE void stage_ray_place(const wood_constants *w, block *k) {
-  k->ray = k->ray_share = splat(0.0f);
   k->rays = ray_place_of(w, k->stem.rho, k->c, k->sn, k->p[1], &k->f, k->extent);
 }
 
-INLINE void stage_ray_set(const wood_constants *w, int set, block *k) {
-  vf share;
-  k->ray = k->ray + ray_set(w, &k->rays, set, &share);
-  k->ray_share = k->ray_share + share;
-}
-
 INLINE void stage_rays(const wood_constants *w, const wood_io *io, block *k) {
-  k->ray = rays_together(w, &k->rays, k->ray, k->ray_share);
+  vf share, found = rays_cover(w, &k->rays, &share);
+  k->ray = rays_faded(w, &k->rays, found, share);
   store_lanes(io, WOOD_RAY, k, k->ray);
 }
 
@@ -609,8 +602,6 @@ static void evaluate_blocks(const wood_constants *restrict w, const wood_io *res
     EACH(stage_cover(w, io, &blocks[k]));
     if (w->has_rays) {
       EACH(stage_ray_place(w, &blocks[k]));
-      EACH(stage_ray_set(w, 0, &blocks[k]));
-      EACH(stage_ray_set(w, 1, &blocks[k]));
       EACH(stage_rays(w, io, &blocks[k]));
     }
   }

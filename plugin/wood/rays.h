@@ -6,10 +6,9 @@
  *
  * They stand in cells of (theta', y) within shells of rho, one to a cell, at a
  * hashed place that keeps clear of the cell's edge, so that a point looks into
- * one cell. Two such sets, with shells that overlap by half, hold half of the
- * rays each: one begins within the inner half of its shell and ends within the
- * outer, evenly, so that the two sets together are as dense at every radius.
- * theta' moves with the grain.
+ * one cell. A ray begins in the inner quarter of its shell and ends in the outer.
+ * Round the pith there are sectors, and each has shells of its own, so that no
+ * radius is one at which all rays end. theta' moves with the grain.
  */
 #ifndef SOZAI_WOOD_RAYS_H
 #define SOZAI_WOOD_RAYS_H
@@ -24,6 +23,8 @@ typedef struct {
   noise_axis out, up;   /* of the sheets' waves */
 } ray_place;
 
+#define RAY_SECTORS 64
+
 /* Share of lo..hi that -w..w covers; hi > lo. */
 INLINE vf ray_overlap(vf lo, vf hi, vf w) {
   vf in = vmin(hi, w) - vmax(lo, splat(0.0f) - w);
@@ -36,10 +37,10 @@ INLINE vf ray_lens(vf x) {
   return x - x * x * x * splat(1.0f / 3.0f);
 }
 
-/* A set at a point: its cells round the pith, where in them the point is, and
- * what the waves of the sheets make of that. */
+/* The cells at a point, where in them it is, and what the waves of the sheets
+ * make of that. */
 typedef struct {
-  vi shell, column, count;
+  vi shell, column;
   vf within, x; /* of the shell, of the cell: 0..1 */
   vf arc;       /* mm: of a cell */
   vf stray;     /* mm: of the sheets along the arc */
@@ -47,18 +48,22 @@ typedef struct {
   vu seed;
 } ray_cells;
 
-INLINE ray_cells ray_cells_at(const wood_constants *w, const ray_place *p, int set) {
+INLINE ray_cells ray_cells_at(const wood_constants *w, const ray_place *p) {
   ray_cells q;
-  vf shells = p->rho * splat(w->inverse_ray_length) + splat(0.5f * (float)set);
+  vi sector;
+  vf round = p->turn * splat((float)RAY_SECTORS), x = round - vfloor(round, &sector);
+  q.seed = wood_seed(w, SEED_RAYS) + (vu)sector * splatu(HASH_Y);
+  vf offset = to_float((vi)(hash_upper(q.seed) >> 8)) * splat(1.0f / 16777216.0f);
+  vf shells = p->rho * splat(w->inverse_ray_length) + offset;
   vf low = vfloor(shells, &q.shell);
   q.within = shells - low;
-  vf middle = vmax(low + splat(0.5f - 0.5f * (float)set), splat(0.25f)) * splat(w->ray_length);
-  vf count = vmax(vfloor(middle * splat(w->ray_per_radius), &q.count), splat(3.0f));
-  q.count = to_int(count);
-  vf x = p->turn * count;
+  vf middle = vmax(low + (splat(0.5f) - offset), splat(0.25f)) * splat(w->ray_length);
+  vi unused;
+  vf count = vfloor(middle * splat(w->ray_per_radius) + splat(0.5f), &unused);
+  count = vmax(count, splat(1.0f));
+  x = x * count;
   q.x = x - vfloor(x, &q.column);
-  q.arc = vmax(p->rho, splat(0.05f)) * splat(6.2831853f) / count;
-  q.seed = wood_seed(w, SEED_RAYS) + splatu((uint32_t)set * 0x51ed270bu);
+  q.arc = vmax(p->rho, splat(0.05f)) * splat(6.2831853f / RAY_SECTORS) / count;
   /* the sheets are not flat: a cut along one leaves it and meets it again */
   vf lean, sway, stray = noise_value2(&p->out, &p->up, q.seed, &lean, &sway);
   q.stray = stray * splat(w->ray_stray);
@@ -71,12 +76,11 @@ INLINE ray_cells ray_cells_at(const wood_constants *w, const ray_place *p, int s
   return q;
 }
 
-/* Cover by the ray of the cell `side` columns on. */
+/* Cover by the ray of the cell `side` columns on. Past the sector's edge it is one
+ * that might be there: only footprints that blur it away look so far. */
 INLINE vf ray_of_cell(const wood_constants *w, const ray_place *p, const ray_cells *q, vi side) {
   vf one = splat(1.0f), half = splat(0.5f), k16 = splat(1.0f / 65536.0f);
   vi column = q->column + side, iy;
-  column = seli(lti(column, splati(0)), column + q->count, column);
-  column = seli(lti(column, q->count), column, column - q->count);
   vu root = hash_mix((vu)column * splatu(HASH_X) + (vu)q->shell * splatu(HASH_Z) + q->seed);
   /* columns of cells stand at heights of their own */
   vf rows = p->y * splat(w->inverse_ray_cell) + to_float((vi)(root >> 16)) * k16;
@@ -87,8 +91,8 @@ INLINE vf ray_of_cell(const wood_constants *w, const ray_place *p, const ray_cel
   vf tall = splat(w->ray_tall) * (half + u); /* half the height, in cells */
   vf centre = tall + v * (one - tall - tall);
   vf place = splat(0.33f) + splat(0.34f / 64.0f) * to_float((vi)(g >> 6 & splatu(63u)));
-  vf starts = to_float((vi)(g >> 12 & splatu(63u))) * splat(0.5f / 63.0f);
-  vf ends = one - to_float((vi)(g >> 18 & splatu(63u))) * splat(0.5f / 63.0f);
+  vf starts = to_float((vi)(g >> 12 & splatu(63u))) * splat(0.25f / 63.0f);
+  vf ends = one - to_float((vi)(g >> 18 & splatu(63u))) * splat(0.25f / 63.0f);
   /* thinner rays are as many as thick ones */
   vf thick = splat(w->ray_half) * (splat(0.6f) + splat(0.8f / 255.0f) * to_float((vi)(g >> 24)));
   /* they taper to their ends along the radius */
@@ -103,10 +107,10 @@ INLINE vf ray_of_cell(const wood_constants *w, const ray_place *p, const ray_cel
   return ray_overlap(a - q->reach, a + q->reach, thick * taper * lens);
 }
 
-/* Cover by the rays of one set. A ray keeps clear of its cell's edge, so that
+/* Cover by rays. A ray keeps clear of its cell's edge, so that
  * most footprints meet no other cell's. share: of the rays that are expected. */
-INLINE vf ray_set(const wood_constants *w, const ray_place *p, int set, vf *share) {
-  ray_cells q = ray_cells_at(w, p, set);
+INLINE vf rays_cover(const wood_constants *w, const ray_place *p, vf *share) {
+  ray_cells q = ray_cells_at(w, p);
   vf zero = splat(0.0f), one = splat(1.0f);
   vf sum = ray_of_cell(w, p, &q, splati(0));
   vf reach = q.reach / q.arc;
@@ -119,8 +123,8 @@ INLINE vf ray_set(const wood_constants *w, const ray_place *p, int set, vf *shar
   if (any(meets)) sum = sum + sel(meets, ray_of_cell(w, p, &q, splati(0) - nearer), zero);
   /* a shell's cells widen outwards, and a radius meets more rays the nearer it
    * is to the shell's middle */
-  vf inside = vmin(q.within, one - q.within);
-  *share = (inside + inside) / (q.arc * splat(w->inverse_ray_arc));
+  vf inside = vmin(vmin(q.within, one - q.within) * splat(4.0f), one);
+  *share = inside * splat(4.0f / 3.0f) / (q.arc * splat(w->inverse_ray_arc));
   return sum;
 }
 
@@ -141,8 +145,7 @@ INLINE ray_place ray_place_of(const wood_constants *w, vf rho, vf c, vf s, vf y,
   return p;
 }
 
-/* The two sets together. */
-INLINE vf rays_together(const wood_constants *w, const ray_place *p, vf found, vf share) {
+INLINE vf rays_faded(const wood_constants *w, const ray_place *p, vf found, vf share) {
   /* past the cells looked at the expected cover takes over */
   vf far =
       vmax(vsqrt(p->aa) * splat(0.5f * w->inverse_ray_arc), p->along * splat(w->inverse_ray_cell));

@@ -147,7 +147,7 @@ static const sozai_value values_mizunara[] = {
     NUMBER("fibre_brightness", 0.12),
     SRGB("earlywood_colour", 203, 171, 128),
     SRGB("latewood_colour", 180, 144, 100),
-    SRGB("vessel_colour", 164, 133, 95),
+    SRGB("vessel_colour", 169, 138, 99),
     SRGB("sapwood_earlywood_colour", 220, 199, 162),
     SRGB("sapwood_latewood_colour", 200, 176, 136),
     NUMBER("heartwood_years", 150.0),
@@ -156,7 +156,7 @@ static const sozai_value values_mizunara[] = {
     NUMBER("ray_height", 20.0),
     NUMBER("ray_width", 300.0),
     NUMBER("ray_length", 36.0),
-    SRGB("ray_colour", 210, 179, 138),
+    SRGB("ray_colour", 208, 177, 135),
 };
 SPECIES(mizunara, "Mizunara, Japanese oak (Quercus crispula)",
         "Light brown; one to three rows of very large earlywood vessels.", ITOH "; " INSIDEWOOD);
@@ -181,7 +181,7 @@ static const sozai_value values_harunire[] = {
     NUMBER("fibre_brightness", 0.14),
     SRGB("earlywood_colour", 196, 158, 116),
     SRGB("latewood_colour", 160, 118, 78),
-    SRGB("vessel_colour", 154, 119, 84),
+    SRGB("vessel_colour", 158, 122, 86),
     SRGB("sapwood_earlywood_colour", 222, 200, 160),
     SRGB("sapwood_latewood_colour", 192, 164, 122),
     NUMBER("heartwood_years", 120.0),
@@ -190,7 +190,7 @@ static const sozai_value values_harunire[] = {
     NUMBER("ray_height", 0.5),
     NUMBER("ray_width", 60.0),
     NUMBER("ray_length", 30.0),
-    SRGB("ray_colour", 202, 166, 124),
+    SRGB("ray_colour", 199, 162, 120),
 };
 SPECIES(harunire, "Harunire, Japanese elm (Ulmus davidiana var. japonica)",
         "Brown and lively; large earlywood vessels, many small ones in the latewood.",

@@ -114,7 +114,7 @@ typedef struct {
   /* rays */
   int32_t has_rays;
   float ray_length, inverse_ray_length;    /* mm: of a shell */
-  float ray_per_radius;                    /* cells round a shell, to a mm of its radius */
+  float ray_per_radius;                    /* cells to a sector, to a mm of its shell's radius */
   float inverse_ray_arc, inverse_ray_cell; /* 1/mm: of a cell, along the arc and along y */
   float ray_tall;                          /* half the mean height, in cells */
   float ray_half;                          /* mm: half the mean width */

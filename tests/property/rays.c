@@ -73,9 +73,9 @@ static void counts(void **state) {
   (void)state;
   static const struct {
     double density, height, width, radii[3], wide, tall, step;
-  } cases[] = {{0.5, 2.0, 130, {60, 83, 140}, 60, 60, 0.025},
-               {3.0, 0.5, 55, {45, 75, 130}, 25, 25, 0.0125},
-               {0.02, 20, 330, {100, 120, 180}, 300, 300, 0.1}};
+  } cases[] = {{0.5, 2.0, 130, {60, 83, 140}, 300, 12, 0.025},
+               {3.0, 0.5, 55, {45, 75, 130}, 250, 2.5, 0.0125},
+               {0.02, 20, 330, {100, 120, 180}, 600, 150, 0.1}};
   for (int k = 0; k < 3; k++) {
     char text[512];
     snprintf(text, sizeof text, ROUND "ray_density=%g; ray_height=%g; ray_width=%g; ray_length=40",
@@ -101,7 +101,7 @@ static void counts(void **state) {
       }
       free(f.ray);
       double want = cases[k].density * f.wide * f.tall;
-      double cover = cases[k].density * cases[k].height * 1e-3 * cases[k].width * 2 / 3 * 0.875;
+      double cover = cases[k].density * cases[k].height * 1e-3 * cases[k].width * 2 / 3 * 11 / 12;
       print_message(
           "%g/mm2 at %g mm: %.0f rays, %.0f wanted; mean height %.2f of %g mm; cover %.4f, "
           "%.4f wanted\n",
