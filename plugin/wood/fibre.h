@@ -15,7 +15,7 @@
  * footprint whose extent there has the square e2; within the sum of the
  * amplitudes. Kawai and Momoi repeat a small array of noise; hashing the cell
  * costs no memory and does not repeat. */
-INLINE vf fibre_shift(const wood_constants *w, vf x, vf z, vf e2) {
+INLINE vf fibre_shift(const wood_constants *w, vu own, vf x, vf z, vf e2) {
   vf sum = splat(0.0f);
   for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) {
     if (w->fibre_amplitude[o] == 0.0f) continue;
@@ -24,7 +24,7 @@ INLINE vf fibre_shift(const wood_constants *w, vf x, vf z, vf e2) {
     vf f = splat(w->fibre_frequency[o]);
     noise_axis ax = noise_split_cubic(x * f, HASH_X), az = noise_split_cubic(z * f, HASH_Z);
     vf dx, dz; /* not wanted, and so not computed */
-    sum = sum + keep * noise_value2(&ax, &az, wood_seed(w, SEED_FIBRE + (uint32_t)o), &dx, &dz);
+    sum = sum + keep * noise_value2(&ax, &az, wood_seed(w, own, SEED_FIBRE + (uint32_t)o), &dx, &dz);
   }
   return sum;
 }

@@ -31,7 +31,7 @@ typedef struct {
 } grain_place;
 
 /* extent: mm, of the footprint along y. */
-INLINE grain_place grain_at(const wood_constants *w, vf y, vf t, vf extent) {
+INLINE grain_place grain_at(const wood_constants *w, vu own, vf y, vf t, vf extent) {
   grain_place p;
   vf zero = splat(0.0f);
   p.d = splat(w->spiral) * y;
@@ -43,7 +43,7 @@ INLINE grain_place grain_at(const wood_constants *w, vf y, vf t, vf extent) {
     if (w->has_wave_irregularity) {
       noise_stem ay = noise_split_axial(y * splat(w->wave_irregularity_frequency), HASH_Y);
       noise_axis at = noise_split_cubic(t * splat(w->slope_noise_years), HASH_X);
-      vf ny, nt, n = noise_axial2(&ay, &at, wood_seed(w, SEED_WAVE), &ny, &nt);
+      vf ny, nt, n = noise_axial2(&ay, &at, wood_seed(w, own, SEED_WAVE), &ny, &nt);
       vf k = splat(w->wave_irregularity);
       psi = psi + k * splat(0.15915494f) * n;
       psi_y = psi_y + k * splat(w->wave_irregularity_frequency) * ny;
@@ -76,7 +76,7 @@ INLINE grain_place grain_at(const wood_constants *w, vf y, vf t, vf extent) {
     for (int o = 0; o < 2; o++) {
       vf f = splat(w->slope_noise_frequency[o]), a = splat(w->slope_noise[o]);
       noise_stem ay = noise_split_axial(y * f, HASH_Y);
-      vf ny, nt, n = noise_axial2(&ay, &at, wood_seed(w, SEED_SLOPE + (uint32_t)o), &ny, &nt);
+      vf ny, nt, n = noise_axial2(&ay, &at, wood_seed(w, own, SEED_SLOPE + (uint32_t)o), &ny, &nt);
       vf keep = filter_keep(extent, w->slope_noise_size[o]);
       vf slope = splat(w->slope_noise[o] * w->slope_noise_frequency[o]) * ny;
       p.d = p.d + a * n;

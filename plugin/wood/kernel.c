@@ -2,6 +2,7 @@
  *
  * Wood's evaluate: compiled once for each instruction set and width.
  */
+#include "boards.h"
 #include "cone.h"
 #include "fibre.h"
 #include "grain.h"
@@ -70,21 +71,10 @@ INLINE void unit_direction(vf v[3]) {
   for (int c = 0; c < 3; c++) v[c] = v[c] * l;
 }
 
-INLINE void to_log(const wood_constants *w, const vf p[3], vf out[3]) {
-  if (!w->turned) {
-    for (int c = 0; c < 3; c++) out[c] = p[c];
-    return;
-  }
-  for (int c = 0; c < 3; c++) {
-    out[c] =
-        splat(w->turn[c][0]) * p[0] + splat(w->turn[c][1]) * p[1] + splat(w->turn[c][2]) * p[2];
-  }
-}
-
 /* What has been asked for, and the stages that it takes. */
 typedef struct {
   int radiance, colour, fibre, dive;
-  int late, vessel, lobe, direction, section, picture, cone;
+  int late, vessel, lobe, direction, section, picture, cone, board;
 } wood_wants;
 
 static int wanted(const wood_io *io, int first, int count) {
@@ -103,6 +93,7 @@ static wood_wants wants_of(const wood_constants *w, const wood_io *io) {
   if (w->picture) q.late = q.vessel = 0;
   q.lobe = wanted(io, WOOD_SPECULAR, 2) || q.radiance;
   q.cone = wanted(io, WOOD_CONE_COLOUR, 5);
+  q.board = wanted(io, WOOD_BOARD_ID, WOOD_COMPONENTS - WOOD_BOARD_ID);
   q.direction = q.fibre || q.dive || q.radiance || q.cone;
   q.section =
       q.direction || q.vessel || q.picture || q.lobe || q.cone || wanted(io, WOOD_REFERENCE, 2);
@@ -171,16 +162,68 @@ typedef struct {
   vf sine;        /* of the dive angle */
   vf b[3];        /* row of the map from surface to rho */
   vf late, albedo[3];
+  vu own;           /* the board's offset to the seeds */
+  wood_board board; /* where there are boards */
 } block;
 
-INLINE void stage_load(const wood_constants *w, const wood_io *io, block *k) {
+INLINE void to_log(const wood_constants *w, const block *k, const vf p[3], vf out[3]) {
+  if (w->boards.layout.kind) {
+    const vf(*t)[3] = k->board.turn;
+    for (int c = 0; c < 3; c++) out[c] = t[c][0] * p[0] + t[c][1] * p[1] + t[c][2] * p[2];
+    return;
+  }
+  if (!w->turned) {
+    for (int c = 0; c < 3; c++) out[c] = p[c];
+    return;
+  }
+  for (int c = 0; c < 3; c++) {
+    out[c] =
+        splat(w->turn[c][0]) * p[0] + splat(w->turn[c][1]) * p[1] + splat(w->turn[c][2]) * p[2];
+  }
+}
+
+/* The board's channels, and the normal of its bevelled edges and cupped face. */
+INLINE void stage_board(const wood_constants *w, const wood_io *io, block *k, vf normal[3]) {
+  vf zero = splat(0.0f), id = zero, u = zero, v = zero, edge = zero, height = zero;
+  if (w->boards.layout.kind) {
+    const layout_unit *unit = &k->board.unit;
+    layout_height h = layout_relief(&w->boards.layout, &w->boards.profile, unit, k->s);
+    id = layout_number(unit->id);
+    u = unit->u;
+    v = unit->v;
+    edge = unit->edge;
+    height = h.height;
+    if (io->in->normal[0]) {
+      /* the face is tilted, the sides are not */
+      vf face = vmax(normal[2], zero);
+      normal[0] = normal[0] - face * h.slope_x;
+      normal[1] = normal[1] - face * h.slope_y;
+      unit_direction(normal);
+    }
+  }
+  store_lanes(io, WOOD_BOARD_ID, k->i, k->n, id);
+  store_lanes(io, WOOD_BOARD_U, k->i, k->n, u);
+  store_lanes(io, WOOD_BOARD_V, k->i, k->n, v);
+  store_lanes(io, WOOD_BOARD_EDGE, k->i, k->n, edge);
+  for (int c = 0; c < 3; c++) store_lanes(io, WOOD_NORMAL + c, k->i, k->n, normal[c]);
+  store_lanes(io, WOOD_HEIGHT, k->i, k->n, height);
+}
+
+INLINE void stage_load(const wood_constants *w, const wood_io *io, const wood_wants *want,
+                       block *k) {
   vf p[3];
   for (int c = 0; c < 3; c++) p[c] = finite_coordinate(load_lanes(io->in->point[c], k->i, k->n));
-  to_log(w, p, k->p);
-  for (int c = 0; c < 3; c++) k->p[c] = k->p[c] + splat(w->shift[c]);
   k->s = splat(0.0f);
   if (io->in->footprint) {
     k->s = clamp(load_lanes(io->in->footprint, k->i, k->n), splat(0.0f), splat(1e4f));
+  }
+  if (w->boards.layout.kind) {
+    board_at(w, p, k->s, &k->board, k->p);
+    k->own = k->board.own;
+  } else {
+    k->own = splatu(0);
+    to_log(w, k, p, k->p);
+    for (int c = 0; c < 3; c++) k->p[c] = k->p[c] + splat(w->shift[c]);
   }
   k->up2 = splat(1.0f);
   vf normal[3] = {splat(0.0f), splat(0.0f), splat(1.0f)};
@@ -188,13 +231,14 @@ INLINE void stage_load(const wood_constants *w, const wood_io *io, block *k) {
     for (int c = 0; c < 3; c++) normal[c] = load_lanes(io->in->normal[c], k->i, k->n);
     unit_direction(normal);
   }
-  to_log(w, normal, k->nrm);
+  if (want->board || w->boards.layout.kind) stage_board(w, io, k, normal);
+  to_log(w, k, normal, k->nrm);
   if (io->in->normal[0]) k->up2 = vmax(splat(1.0f) - k->nrm[1] * k->nrm[1], splat(0.0f));
   k->inverse_up = inverse_root(vmax(k->up2, splat(1e-12f)));
 }
 
 INLINE void stage_stem(const wood_constants *w, const wood_io *io, block *k) {
-  k->stem = stem_at(w, k->p[0], k->p[1], k->p[2], k->s);
+  k->stem = stem_at(w, k->own, k->p[0], k->p[1], k->p[2], k->s);
   k->ring = ring_at(w, k->stem.rho);
   k->years = to_float(k->ring.ring) + k->ring.phase;
   store_lanes(io, WOOD_TIME, k->i, k->n, k->years);
@@ -202,7 +246,7 @@ INLINE void stage_stem(const wood_constants *w, const wood_io *io, block *k) {
 }
 
 INLINE void stage_grain(const wood_constants *w, const wood_io *io, block *k) {
-  k->grain = grain_at(w, k->p[1], k->years, k->s * (k->up2 * k->inverse_up));
+  k->grain = grain_at(w, k->own, k->p[1], k->years, k->s * (k->up2 * k->inverse_up));
   k->phase = k->grain.d * k->divisor;
   vf s, c, unused;
   sine_cosine(k->phase, &s, &c);
@@ -235,7 +279,10 @@ INLINE void stage_fibre(const wood_constants *w, const wood_io *io, const wood_w
   if (want->fibre) {
     for (int c = 0; c < 3; c++) {
       vf back = f[c];
-      if (w->turned) {
+      if (w->boards.layout.kind) {
+        const vf(*t)[3] = k->board.turn;
+        back = t[0][c] * f[0] + t[1][c] * f[1] + t[2][c] * f[2];
+      } else if (w->turned) {
         back =
             splat(w->turn[0][c]) * f[0] + splat(w->turn[1][c]) * f[1] + splat(w->turn[2][c]) * f[2];
       }
@@ -284,7 +331,7 @@ INLINE void stage_tissue(const wood_constants *w, const wood_io *io, const wood_
 
   vessel_cover_t v = {zero, zero, zero, zero};
   if (w->has_pores || w->rows) {
-    vessel_place place = {k->x, k->z, k->c, k->sn, stem->rho, k->ring, f};
+    vessel_place place = {k->x, k->z, k->c, k->sn, stem->rho, k->ring, f, k->own};
     v = vessels_at(w, &place);
   }
   vf pores = v.pores, rows = v.rows, over_late = v.pores;
@@ -305,7 +352,7 @@ INLINE void stage_tissue(const wood_constants *w, const wood_io *io, const wood_
   if (!want->colour) return;
   /* earlywood rows stand where there is no latewood; pores everywhere */
   vf late = k->late * (one - vmin(over_late, one));
-  vf shift = one + fibre_shift(w, k->x, k->z, f.aa + f.bb);
+  vf shift = one + fibre_shift(w, k->own, k->x, k->z, f.aa + f.bb);
   vf early = vmax(one - cover - late, zero) * shift, dark = late * shift;
   vf heart = heart_share(w, k->years, k->c, k->sn, vsqrt(f.bb) * k->ring.inverse_width);
   vm pale = lt(heart, one);
@@ -317,6 +364,7 @@ INLINE void stage_tissue(const wood_constants *w, const wood_io *io, const wood_
       deep = sel(pale, mix(splat(w->sap_late[c]), deep, heart), deep);
     }
     k->albedo[c] = light * early + deep * dark + splat(w->vessel[c]) * cover;
+    if (w->boards.layout.kind) k->albedo[c] = board_albedo(w, &k->board, c, k->albedo[c]);
     store_lanes(io, WOOD_ALBEDO + c, k->i, k->n, k->albedo[c]);
   }
 }
@@ -332,9 +380,10 @@ INLINE void stage_picture(const wood_constants *w, const wood_io *io, block *k) 
   picture_albedo(w, &p, k->c, k->sn, widen, &f, k->n, k->albedo);
   store_lanes(io, WOOD_LATEWOOD, k->i, k->n, picture_late(w, k->albedo));
   store_lanes(io, WOOD_VESSEL, k->i, k->n, splat(0.0f));
-  vf shift = splat(1.0f) + fibre_shift(w, p.x, p.z, f.aa + f.bb);
+  vf shift = splat(1.0f) + fibre_shift(w, k->own, p.x, p.z, f.aa + f.bb);
   for (int c = 0; c < 3; c++) {
     k->albedo[c] = k->albedo[c] * shift;
+    if (w->boards.layout.kind) k->albedo[c] = board_albedo(w, &k->board, c, k->albedo[c]);
     store_lanes(io, WOOD_ALBEDO + c, k->i, k->n, k->albedo[c]);
   }
 }
@@ -360,7 +409,7 @@ INLINE void view_of(const wood_constants *w, const wood_io *io, const block *k, 
   }
   vm given = and_(gt(size, splat(0.0f)), lt(size, splat(1e38f)));
   unit_direction(v);
-  to_log(w, v, turned);
+  to_log(w, k, v, turned);
   for (int c = 0; c < 3; c++) out[c] = sel(given, turned[c], k->nrm[c]);
 }
 
@@ -383,6 +432,7 @@ INLINE void stage_figure(const wood_constants *w, const wood_io *io, const wood_
   vf one = splat(1.0f), zero = splat(0.0f);
   vf exponent = splat(w->shininess), strength = splat(w->specular);
   vf roughness = splat(w->roughness);
+  if (w->boards.layout.kind) strength = strength * (one - k->board.unit.joint);
   vm widened = gt(k->grain.variance * exponent, splat(1e-4f));
   if (any(widened)) {
     vf across = k->nrm[2] * k->stem.c - k->nrm[0] * k->stem.s;
@@ -399,11 +449,17 @@ INLINE void stage_figure(const wood_constants *w, const wood_io *io, const wood_
   vf light[3], l[3];
   for (int c = 0; c < 3; c++) light[c] = load_lanes(io->in->light[c], k->i, k->n);
   unit_direction(light);
-  to_log(w, light, l);
+  to_log(w, k, light, l);
   if (w->cone) {
     vf r[3], v[3];
     view_of(w, io, k, v);
     cone_radiance(w, l, v, k->nrm, k->fibre, k->sine, k->grain.variance, k->albedo, r);
+    if (w->boards.layout.kind) {
+      vf lit = splat(w->diffuse) * vmax(l[0] * k->nrm[0] + l[1] * k->nrm[1] + l[2] * k->nrm[2], zero);
+      for (int c = 0; c < 3; c++) {
+        r[c] = mix(r[c], lit * splat(w->boards.joint_colour[c]), k->board.unit.joint);
+      }
+    }
     for (int c = 0; c < 3; c++) store_lit(io, k, c, r[c]);
     return;
   }
@@ -431,7 +487,7 @@ static void evaluate(const wood_constants *w, const wood_io *io, uint32_t from, 
       blocks[count].i = i;
       blocks[count].n = to - i < LANES ? to - i : LANES;
     }
-    for (uint32_t k = 0; k < count; k++) stage_load(w, io, &blocks[k]);
+    for (uint32_t k = 0; k < count; k++) stage_load(w, io, &want, &blocks[k]);
     for (uint32_t k = 0; k < count; k++) stage_stem(w, io, &blocks[k]);
     if (want.section) {
       for (uint32_t k = 0; k < count; k++) stage_grain(w, io, &blocks[k]);
@@ -476,10 +532,10 @@ static void ring_radius(const wood_constants *w, uint32_t count, const float *t,
     vi j = whole - turns * splati(WOOD_RINGS);
     vf rho = to_float(turns) * splat(w->ring_period) + gather(w->start, j) +
              phase / gather(w->inverse_width, j);
-    stem_pith pith = pith_at(w, height);
+    stem_pith pith = pith_at(w, splatu(0), height);
     vf r = rho * (splat(1.0f) + outline_at(w, c, s, &unused));
     for (int k = 0; k < 8; k++) {
-      stem_place p = stem_at(w, r * c + pith.x, height, r * s + pith.z, splat(0.0f));
+      stem_place p = stem_at(w, splatu(0), r * c + pith.x, height, r * s + pith.z, splat(0.0f));
       vf slope = vmax(p.rho_x * p.c + p.rho_z * p.s, splat(0.2f));
       r = vmax(r + (rho - p.rho) / slope, splat(0.0f));
     }
@@ -491,7 +547,7 @@ static void pith(const wood_constants *w, uint32_t count, const float *y, float 
                  float *out_z) {
   for (uint32_t i = 0; i < count; i += LANES) {
     uint32_t n = count - i < LANES ? count - i : LANES;
-    stem_pith p = pith_at(w, finite_coordinate(load_lanes(y, i, n)));
+    stem_pith p = pith_at(w, splatu(0), finite_coordinate(load_lanes(y, i, n)));
     for (uint32_t k = 0; k < n; k++) {
       out_x[i + k] = lane(p.x, k);
       out_z[i + k] = lane(p.z, k);

@@ -17,19 +17,22 @@
 #include "../core/noise.h"
 #include "wood.h"
 
-INLINE vu wood_seed(const wood_constants *w, uint32_t which) { return splatu(w->seeds[which]); }
+/* own: a board's offset, 0 where there are no boards. */
+INLINE vu wood_seed(const wood_constants *w, vu own, uint32_t which) {
+  return splatu(w->seeds[which]) + own;
+}
 
 typedef struct {
   vf x, z;   /* mm, of the pith */
   vf dx, dz; /* slopes along y */
 } stem_pith;
 
-INLINE stem_pith pith_at(const wood_constants *w, vf y) {
+INLINE stem_pith pith_at(const wood_constants *w, vu own, vf y) {
   noise_stem a = noise_split_axial(y * splat(w->pith_frequency), HASH_Y);
   vf amplitude = splat(w->pith_amplitude), slope = splat(w->pith_amplitude * w->pith_frequency);
   stem_pith p;
-  p.x = amplitude * noise_axial1(&a, wood_seed(w, SEED_PITH_X), &p.dx);
-  p.z = amplitude * noise_axial1(&a, wood_seed(w, SEED_PITH_Z), &p.dz);
+  p.x = amplitude * noise_axial1(&a, wood_seed(w, own, SEED_PITH_X), &p.dx);
+  p.z = amplitude * noise_axial1(&a, wood_seed(w, own, SEED_PITH_Z), &p.dz);
   p.dx = p.dx * slope;
   p.dz = p.dz * slope;
   return p;
@@ -53,8 +56,8 @@ INLINE vf outline_at(const wood_constants *w, vf c, vf s, vf *slope) {
 
 /* u and its derivatives about the pith. Octaves finer than the footprint are
  * left out; `lost` is the variance, in mm^2, that went with them. */
-INLINE vf undulation_at(const wood_constants *w, vf x, vf y, vf z, vf r, vf c, vf s, vf footprint,
-                        vf d[3], vf *lost) {
+INLINE vf undulation_at(const wood_constants *w, vu own, vf x, vf y, vf z, vf r, vf c, vf s,
+                        vf footprint, vf d[3], vf *lost) {
   vf n = splat(0.0f), nx = n, ny = n, nz = n;
   *lost = n;
   for (int o = 0; o < 2; o++) {
@@ -72,7 +75,7 @@ INLINE vf undulation_at(const wood_constants *w, vf x, vf y, vf z, vf r, vf c, v
     vf keep = filter_keep(footprint, w->undulation_size[o]);
     vf a = splat(w->undulation[o]) * keep;
     vf gx, gy, gz;
-    vf v = noise_axial3(&ax, &ay, &az, wood_seed(w, SEED_UNDULATION + (uint32_t)o), &gx, &gy, &gz);
+    vf v = noise_axial3(&ax, &ay, &az, wood_seed(w, own, SEED_UNDULATION + (uint32_t)o), &gx, &gy, &gz);
     n = n + a * v;
     gx = gx * (a * f);
     gz = gz * (a * f);
@@ -108,9 +111,9 @@ typedef struct {
   vf lost;         /* mm^2: variance of rho that the footprint swallowed */
 } stem_place;
 
-INLINE stem_place stem_at(const wood_constants *w, vf x, vf y, vf z, vf footprint) {
+INLINE stem_place stem_at(const wood_constants *w, vu own, vf x, vf y, vf z, vf footprint) {
   stem_place p;
-  p.pith = pith_at(w, y);
+  p.pith = pith_at(w, own, y);
   x = x - p.pith.x;
   z = z - p.pith.z;
   vf square = x * x + z * z;
@@ -130,7 +133,7 @@ INLINE stem_place stem_at(const wood_constants *w, vf x, vf y, vf z, vf footprin
   vf turn = q * slope * widen;
 
   vf u[3];
-  vf undulation = undulation_at(w, x, y, z, p.r, p.c, p.s, footprint, u, &p.lost);
+  vf undulation = undulation_at(w, own, x, y, z, p.r, p.c, p.s, footprint, u, &p.lost);
   p.rho = vmax(p.r * q - undulation, splat(0.0f));
   p.rho_x = q * p.c + turn * p.s - u[0];
   p.rho_z = q * p.s - turn * p.c - u[2];

@@ -78,14 +78,14 @@ INLINE vf vessel_overlap(const wood_vessels *v, const disc *d, vf sum) {
 
 /* Coverage by the field's pores at (x, z) of the reference section. The four
  * nearest cells hold everything within half a cell. */
-INLINE vf pores_cover(const wood_constants *w, vf x, vf z, const disc *d) {
+INLINE vf pores_cover(const wood_constants *w, vu own, vf x, vf z, const disc *d) {
   const wood_vessels *v = &w->pores;
   vf inverse_cell = splat(w->inverse_pore_cell), cell = splat(w->pore_cell);
   vi ix, iz;
   vf fx = x * inverse_cell - splat(0.5f), fz = z * inverse_cell - splat(0.5f);
   fx = fx - vfloor(fx, &ix) + splat(0.5f);
   fz = fz - vfloor(fz, &iz) + splat(0.5f);
-  vu hx = (vu)ix * splatu(HASH_X) + wood_seed(w, SEED_PORES), hz = (vu)iz * splatu(HASH_Z);
+  vu hx = (vu)ix * splatu(HASH_X) + wood_seed(w, own, SEED_PORES), hz = (vu)iz * splatu(HASH_Z);
   vf sum = splat(0.0f);
   UNROLL(4)
   for (int i = 0; i < 4; i++) {
@@ -123,8 +123,8 @@ typedef struct {
 } row_place;
 
 /* extent: mm, how far along rho the footprint and its taps reach. */
-INLINE row_place row_at(const wood_constants *w, const ring_place *ring, vf rho, vf c, vf s,
-                        vf extent) {
+INLINE row_place row_at(const wood_constants *w, vu own, const ring_place *ring, vf rho, vf c,
+                        vf s, vf extent) {
   row_place p;
   vf reach = (extent + splat(w->row.radius)) * ring->inverse_width;
   vf band = splat(w->band) * ring->inverse_width;
@@ -143,7 +143,7 @@ INLINE row_place row_at(const wood_constants *w, const ring_place *ring, vf rho,
   p.turn = arctan2(s, c) * splat(0.15915494f) + splat(0.5f);
   p.arc = splat(6.2831853f) * rho / vmax(p.count, splat(1.0f));
   p.per_arc = splat(1.0f) / vmax(p.arc, splat(1e-3f));
-  p.seed = (vu)which * splatu(HASH_Z) + wood_seed(w, SEED_ROWS);
+  p.seed = (vu)which * splatu(HASH_Z) + wood_seed(w, own, SEED_ROWS);
   return p;
 }
 
@@ -185,6 +185,7 @@ typedef struct {
   vf rho;  /* mm: of the point's year */
   ring_place ring;
   footprint2 f; /* over (arc, rho) */
+  vu own;
 } vessel_place;
 
 /* A footprint over (arc, rho) as two vectors, mm: its longest direction, and
@@ -277,7 +278,7 @@ INLINE void vessels_tap(const wood_constants *w, const vessel_place *p, const ro
     }
     disc d = disc_blurred(radius2, m);
     vf x = p->x + (dr * p->c - da * p->s), z = p->z + (dr * p->s + da * p->c);
-    sum->pores = sum->pores + pores_cover(w, x, z, &d) * weight;
+    sum->pores = sum->pores + pores_cover(w, p->own, x, z, &d) * weight;
   }
   if (w->rows && any(row->near)) {
     matrix2 m = {aa, ab, bb};
@@ -292,7 +293,7 @@ INLINE vessel_cover_t vessels_at(const wood_constants *w, const vessel_place *p)
   vf zero = splat(0.0f), one = splat(1.0f);
   vessel_cover_t v = {zero, zero, zero, zero};
   row_place row;
-  if (w->rows) row = row_at(w, &p->ring, p->rho, p->c, p->s, vsqrt(p->f.bb));
+  if (w->rows) row = row_at(w, p->own, &p->ring, p->rho, p->c, p->s, vsqrt(p->f.bb));
   vm cut = gt(p->f.aa + p->f.bb, splat(w->vessel_reach * w->vessel_reach));
   if (!any(cut)) {
     footprint_parts whole = {cut, one, one, p->f.aa, p->f.ab, p->f.bb, 1};
