@@ -86,8 +86,8 @@ static int add(layout *l, const layout_tile *t, const layout_piece *p, int i, in
   l->along_y[k] = (float)p->along[1];
   l->piece_length[k] = (float)p->length;
   l->piece_width[k] = (float)p->width;
-  l->cell_i[k] = -i;
-  l->cell_j[k] = -j;
+  l->cell_i[k] = i;
+  l->cell_j[k] = j;
   l->number[k] = p->number;
   return 1;
 }
@@ -157,7 +157,7 @@ static double most_slender(int kind) {
   case LAYOUT_BASKET:
     return 15;
   default:
-    return 1e9;
+    return 1e5;
   }
 }
 
@@ -207,8 +207,12 @@ const char *layout_build(layout *l, const layout_choice *given, double *least, d
   if (c.length <= 0.0) c.length = usual[0];
   if (c.width <= 0.0) c.width = usual[1];
   if (c.joint < 0.0) c.joint = usual[2];
+  l->length = (float)c.length;
+  l->width = (float)c.width;
+  l->joint = (float)c.joint;
   *least = least_slender(c.kind) * c.width;
   *most = most_slender(c.kind) * c.width;
+  if (*most > 1e5) *most = 1e5;
   if (c.length < *least || c.length > *most) return "length";
   l->kind = c.kind;
   double turn = c.turn;
@@ -216,11 +220,8 @@ const char *layout_build(layout *l, const layout_choice *given, double *least, d
   turn *= 0.017453292519943295769;
   l->cosine = (float)scalar_cos(turn);
   l->sine = (float)scalar_sin(turn);
-  l->length = (float)c.length;
-  l->width = (float)c.width;
   l->inverse_length = (float)(1.0 / c.length);
   l->inverse_width = (float)(1.0 / c.width);
-  l->joint = (float)c.joint;
   l->jitter = (float)(0.5 * c.variation);
   l->stagger = (float)c.stagger;
   l->radius = (float)(7.0 * c.width);

@@ -246,7 +246,8 @@ INLINE void unit_of_circles(const layout *l, vf x, vf y, vf e, layout_unit *p, c
   vf length = sel(middle, width + width, round / count);
   /* the stone in the middle has a frame that does not turn */
   vf u = sel(middle, x + width, f * length);
-  unit_frame(p, layout_id(l, m, ring, splati(0)), u, sel(middle, y + width, v), length,
+  vf inwards = sel(middle, y + width, width - v);
+  unit_frame(p, layout_id(l, m, ring, splati(0)), u, inwards, length,
              sel(middle, width + width, width), sel(middle, one, zero - cy), sel(middle, zero, cx));
 }
 

@@ -21,7 +21,7 @@ static int32_t refuse(const settings *s, const layout *l, const char *what, doub
   return fail(SOZAI_ERROR_RANGE,
               "board_length: %.9g mm does not suit layout = %s and board_width = %.9g mm; "
               "%.9g to %.9g mm",
-              num(s, P_BOARD_LENGTH), kind, num(s, P_BOARD_WIDTH), least, most);
+              (double)l->length, kind, (double)l->width, least, most);
 }
 
 static int32_t build_profile(wood_boards *b, const settings *s) {
