@@ -17,10 +17,11 @@ static sozai_value number(const char *id, double x) {
 
 bool wood_create(const wood *w, const char *picture, const plugin *p, sozai_texture **out,
                  failure *why) {
-  sozai_value values[10] = {choice("cut", w->cut ? w->cut : "flat"),
+  sozai_value values[11] = {choice("cut", w->cut ? w->cut : "flat"),
                             choice("grain", w->grain ? w->grain : "compound")};
   uint32_t count = 2;
   if (w->porosity) values[count++] = choice("porosity", w->porosity);
+  if (w->layout) values[count++] = choice("layout", w->layout);
   if (w->pictured) {
     values[count++] = (sozai_value){.id = "section", .kind = SOZAI_KIND_IMAGE, .text = picture};
     values[count++] = number("section_width", PICTURE_MM);
@@ -39,6 +40,11 @@ bool wood_create(const wood *w, const char *picture, const plugin *p, sozai_text
   unsetenv("SOZAI_CPU");
   if (result == SOZAI_OK || (result == SOZAI_ERROR_UNSUPPORTED && w->cpu)) return true;
   return fail(why, EXIT_FAILURE, "create: %s", p->textures->last_error());
+}
+
+uint32_t wood_components(const wood *w, const plugin *p) {
+  const sozai_channel *layouts = wood_channel(p, "board_id");
+  return w->layout || !layouts ? p->textures->find("wood")->component_count : layouts->first;
 }
 
 const sozai_channel *wood_channel(const plugin *p, const char *id) {

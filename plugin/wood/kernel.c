@@ -162,12 +162,14 @@ typedef struct {
   vf sine;        /* of the dive angle */
   vf b[3];        /* row of the map from surface to rho */
   vf late, albedo[3];
-  vu own;           /* the board's offset to the seeds */
   wood_board board; /* where there are boards */
 } block;
 
-INLINE void to_log(const wood_constants *w, const block *k, const vf p[3], vf out[3]) {
-  if (w->boards.layout.kind) {
+/* The board's offset to the seeds. */
+INLINE vu own_of(int boards, const block *k) { return boards ? k->board.own : splatu(0); }
+
+INLINE void to_log(const wood_constants *w, int boards, const block *k, const vf p[3], vf out[3]) {
+  if (boards) {
     const vf(*t)[3] = k->board.turn;
     for (int c = 0; c < 3; c++) out[c] = t[c][0] * p[0] + t[c][1] * p[1] + t[c][2] * p[2];
     return;
@@ -183,9 +185,10 @@ INLINE void to_log(const wood_constants *w, const block *k, const vf p[3], vf ou
 }
 
 /* The board's channels, and the normal of its bevelled edges and cupped face. */
-INLINE void stage_board(const wood_constants *w, const wood_io *io, block *k, vf normal[3]) {
+INLINE void stage_board(const wood_constants *w, int boards, const wood_io *io, block *k,
+                        vf normal[3]) {
   vf zero = splat(0.0f), id = zero, u = zero, v = zero, edge = zero, height = zero;
-  if (w->boards.layout.kind) {
+  if (boards) {
     const layout_unit *unit = &k->board.unit;
     layout_height h = layout_relief(&w->boards.layout, &w->boards.profile, unit, k->s);
     id = layout_number(unit->id);
@@ -209,7 +212,7 @@ INLINE void stage_board(const wood_constants *w, const wood_io *io, block *k, vf
   store_lanes(io, WOOD_HEIGHT, k->i, k->n, height);
 }
 
-INLINE void stage_load(const wood_constants *w, const wood_io *io, const wood_wants *want,
+INLINE void stage_load(const wood_constants *w, int boards, const wood_io *io, const wood_wants *want,
                        block *k) {
   vf p[3];
   for (int c = 0; c < 3; c++) p[c] = finite_coordinate(load_lanes(io->in->point[c], k->i, k->n));
@@ -217,12 +220,10 @@ INLINE void stage_load(const wood_constants *w, const wood_io *io, const wood_wa
   if (io->in->footprint) {
     k->s = clamp(load_lanes(io->in->footprint, k->i, k->n), splat(0.0f), splat(1e4f));
   }
-  if (w->boards.layout.kind) {
+  if (boards) {
     board_at(w, p, k->s, &k->board, k->p);
-    k->own = k->board.own;
   } else {
-    k->own = splatu(0);
-    to_log(w, k, p, k->p);
+    to_log(w, boards, k, p, k->p);
     for (int c = 0; c < 3; c++) k->p[c] = k->p[c] + splat(w->shift[c]);
   }
   k->up2 = splat(1.0f);
@@ -231,22 +232,22 @@ INLINE void stage_load(const wood_constants *w, const wood_io *io, const wood_wa
     for (int c = 0; c < 3; c++) normal[c] = load_lanes(io->in->normal[c], k->i, k->n);
     unit_direction(normal);
   }
-  if (want->board || w->boards.layout.kind) stage_board(w, io, k, normal);
-  to_log(w, k, normal, k->nrm);
+  if (want->board || boards) stage_board(w, boards, io, k, normal);
+  to_log(w, boards, k, normal, k->nrm);
   if (io->in->normal[0]) k->up2 = vmax(splat(1.0f) - k->nrm[1] * k->nrm[1], splat(0.0f));
   k->inverse_up = inverse_root(vmax(k->up2, splat(1e-12f)));
 }
 
-INLINE void stage_stem(const wood_constants *w, const wood_io *io, block *k) {
-  k->stem = stem_at(w, k->own, k->p[0], k->p[1], k->p[2], k->s);
+INLINE void stage_stem(const wood_constants *w, int boards, const wood_io *io, block *k) {
+  k->stem = stem_at(w, own_of(boards, k), k->p[0], k->p[1], k->p[2], k->s);
   k->ring = ring_at(w, k->stem.rho);
   k->years = to_float(k->ring.ring) + k->ring.phase;
   store_lanes(io, WOOD_TIME, k->i, k->n, k->years);
   k->divisor = grain_divisor(k->stem.rho);
 }
 
-INLINE void stage_grain(const wood_constants *w, const wood_io *io, block *k) {
-  k->grain = grain_at(w, k->own, k->p[1], k->years, k->s * (k->up2 * k->inverse_up));
+INLINE void stage_grain(const wood_constants *w, int boards, const wood_io *io, block *k) {
+  k->grain = grain_at(w, own_of(boards, k), k->p[1], k->years, k->s * (k->up2 * k->inverse_up));
   k->phase = k->grain.d * k->divisor;
   vf s, c, unused;
   sine_cosine(k->phase, &s, &c);
@@ -260,7 +261,7 @@ INLINE void stage_grain(const wood_constants *w, const wood_io *io, block *k) {
 }
 
 /* The fibre's direction: theta' and rho are constant along it. */
-INLINE void stage_fibre(const wood_constants *w, const wood_io *io, const wood_wants *want,
+INLINE void stage_fibre(const wood_constants *w, int boards, const wood_io *io, const wood_wants *want,
                         block *k) {
   const stem_place *stem = &k->stem;
   vf one = splat(1.0f), zero = splat(0.0f), f[3];
@@ -279,7 +280,7 @@ INLINE void stage_fibre(const wood_constants *w, const wood_io *io, const wood_w
   if (want->fibre) {
     for (int c = 0; c < 3; c++) {
       vf back = f[c];
-      if (w->boards.layout.kind) {
+      if (boards) {
         const vf(*t)[3] = k->board.turn;
         back = t[0][c] * f[0] + t[1][c] * f[1] + t[2][c] * f[2];
       } else if (w->turned) {
@@ -322,7 +323,7 @@ INLINE footprint2 footprint_in_section(const wood_io *io, const block *k) {
   return footprint_through(a, k->b, k->nrm, !io->in->normal[0], k->s);
 }
 
-INLINE void stage_tissue(const wood_constants *w, const wood_io *io, const wood_wants *want,
+INLINE void stage_tissue(const wood_constants *w, int boards, const wood_io *io, const wood_wants *want,
                          block *k) {
   const stem_place *stem = &k->stem;
   vf one = splat(1.0f), zero = splat(0.0f);
@@ -331,7 +332,7 @@ INLINE void stage_tissue(const wood_constants *w, const wood_io *io, const wood_
 
   vessel_cover_t v = {zero, zero, zero, zero};
   if (w->has_pores || w->rows) {
-    vessel_place place = {k->x, k->z, k->c, k->sn, stem->rho, k->ring, f, k->own};
+    vessel_place place = {k->x, k->z, k->c, k->sn, stem->rho, k->ring, f, own_of(boards, k)};
     v = vessels_at(w, &place);
   }
   vf pores = v.pores, rows = v.rows, over_late = v.pores;
@@ -352,7 +353,7 @@ INLINE void stage_tissue(const wood_constants *w, const wood_io *io, const wood_
   if (!want->colour) return;
   /* earlywood rows stand where there is no latewood; pores everywhere */
   vf late = k->late * (one - vmin(over_late, one));
-  vf shift = one + fibre_shift(w, k->own, k->x, k->z, f.aa + f.bb);
+  vf shift = one + fibre_shift(w, own_of(boards, k), k->x, k->z, f.aa + f.bb);
   vf early = vmax(one - cover - late, zero) * shift, dark = late * shift;
   vf heart = heart_share(w, k->years, k->c, k->sn, vsqrt(f.bb) * k->ring.inverse_width);
   vm pale = lt(heart, one);
@@ -364,14 +365,14 @@ INLINE void stage_tissue(const wood_constants *w, const wood_io *io, const wood_
       deep = sel(pale, mix(splat(w->sap_late[c]), deep, heart), deep);
     }
     k->albedo[c] = light * early + deep * dark + splat(w->vessel[c]) * cover;
-    if (w->boards.layout.kind) k->albedo[c] = board_albedo(w, &k->board, c, k->albedo[c]);
+    if (boards) k->albedo[c] = board_albedo(w, &k->board, c, k->albedo[c]);
     store_lanes(io, WOOD_ALBEDO + c, k->i, k->n, k->albedo[c]);
   }
 }
 
 /* The same from a picture of the section: it shows rings, vessels and fibres
  * down to its pixels, and the fibres' noise goes on below them. */
-INLINE void stage_picture(const wood_constants *w, const wood_io *io, block *k) {
+INLINE void stage_picture(const wood_constants *w, int boards, const wood_io *io, block *k) {
   const stem_place *stem = &k->stem;
   stem_row(k);
   footprint2 f = footprint_in_section(io, k);
@@ -380,10 +381,10 @@ INLINE void stage_picture(const wood_constants *w, const wood_io *io, block *k) 
   picture_albedo(w, &p, k->c, k->sn, widen, &f, k->n, k->albedo);
   store_lanes(io, WOOD_LATEWOOD, k->i, k->n, picture_late(w, k->albedo));
   store_lanes(io, WOOD_VESSEL, k->i, k->n, splat(0.0f));
-  vf shift = splat(1.0f) + fibre_shift(w, k->own, p.x, p.z, f.aa + f.bb);
+  vf shift = splat(1.0f) + fibre_shift(w, own_of(boards, k), p.x, p.z, f.aa + f.bb);
   for (int c = 0; c < 3; c++) {
     k->albedo[c] = k->albedo[c] * shift;
-    if (w->boards.layout.kind) k->albedo[c] = board_albedo(w, &k->board, c, k->albedo[c]);
+    if (boards) k->albedo[c] = board_albedo(w, &k->board, c, k->albedo[c]);
     store_lanes(io, WOOD_ALBEDO + c, k->i, k->n, k->albedo[c]);
   }
 }
@@ -399,7 +400,7 @@ INLINE void store_lit(const wood_io *io, const block *k, int c, vf r) {
 
 /* Towards the eye, log space; the normal where no view is given, or none that
  * is a direction. */
-INLINE void view_of(const wood_constants *w, const wood_io *io, const block *k, vf out[3]) {
+INLINE void view_of(const wood_constants *w, int boards, const wood_io *io, const block *k, vf out[3]) {
   for (int c = 0; c < 3; c++) out[c] = k->nrm[c];
   if (!io->in->view[0]) return;
   vf v[3], turned[3], size = splat(0.0f);
@@ -409,7 +410,7 @@ INLINE void view_of(const wood_constants *w, const wood_io *io, const block *k, 
   }
   vm given = and_(gt(size, splat(0.0f)), lt(size, splat(1e38f)));
   unit_direction(v);
-  to_log(w, k, v, turned);
+  to_log(w, boards, k, v, turned);
   for (int c = 0; c < 3; c++) out[c] = sel(given, turned[c], k->nrm[c]);
 }
 
@@ -427,12 +428,12 @@ INLINE void stage_cone(const wood_constants *w, const wood_io *io, block *k) {
 
 /* Figure, Kawai's equation (4): the lobe's normal dives with the fibre; slopes
  * that the footprint averages widen it instead. */
-INLINE void stage_figure(const wood_constants *w, const wood_io *io, const wood_wants *want,
+INLINE void stage_figure(const wood_constants *w, int boards, const wood_io *io, const wood_wants *want,
                          block *k) {
   vf one = splat(1.0f), zero = splat(0.0f);
   vf exponent = splat(w->shininess), strength = splat(w->specular);
   vf roughness = splat(w->roughness);
-  if (w->boards.layout.kind) strength = strength * (one - k->board.unit.joint);
+  if (boards) strength = strength * (one - k->board.unit.joint);
   vm widened = gt(k->grain.variance * exponent, splat(1e-4f));
   if (any(widened)) {
     vf across = k->nrm[2] * k->stem.c - k->nrm[0] * k->stem.s;
@@ -449,12 +450,12 @@ INLINE void stage_figure(const wood_constants *w, const wood_io *io, const wood_
   vf light[3], l[3];
   for (int c = 0; c < 3; c++) light[c] = load_lanes(io->in->light[c], k->i, k->n);
   unit_direction(light);
-  to_log(w, k, light, l);
+  to_log(w, boards, k, light, l);
   if (w->cone) {
     vf r[3], v[3];
-    view_of(w, io, k, v);
+    view_of(w, boards, io, k, v);
     cone_radiance(w, l, v, k->nrm, k->fibre, k->sine, k->grain.variance, k->albedo, r);
-    if (w->boards.layout.kind) {
+    if (boards) {
       vf lit = splat(w->diffuse) * vmax(l[0] * k->nrm[0] + l[1] * k->nrm[1] + l[2] * k->nrm[2], zero);
       for (int c = 0; c < 3; c++) {
         r[c] = mix(r[c], lit * splat(w->boards.joint_colour[c]), k->board.unit.joint);
@@ -478,7 +479,10 @@ INLINE void stage_figure(const wood_constants *w, const wood_io *io, const wood_
 
 #define BLOCKS (LANES == 1 ? 1 : 2)
 
-static void evaluate(const wood_constants *w, const wood_io *io, uint32_t from, uint32_t to) {
+/* Twice in the code, with boards and without: a wood that is one piece pays
+ * nothing for them. */
+INLINE void evaluate_as(const wood_constants *w, int boards, const wood_io *io, uint32_t from,
+                        uint32_t to) {
   wood_wants want = wants_of(w, io);
   block blocks[BLOCKS];
   for (uint32_t i = from; i < to;) {
@@ -487,29 +491,37 @@ static void evaluate(const wood_constants *w, const wood_io *io, uint32_t from, 
       blocks[count].i = i;
       blocks[count].n = to - i < LANES ? to - i : LANES;
     }
-    for (uint32_t k = 0; k < count; k++) stage_load(w, io, &want, &blocks[k]);
-    for (uint32_t k = 0; k < count; k++) stage_stem(w, io, &blocks[k]);
+    for (uint32_t k = 0; k < count; k++) stage_load(w, boards, io, &want, &blocks[k]);
+    for (uint32_t k = 0; k < count; k++) stage_stem(w, boards, io, &blocks[k]);
     if (want.section) {
-      for (uint32_t k = 0; k < count; k++) stage_grain(w, io, &blocks[k]);
+      for (uint32_t k = 0; k < count; k++) stage_grain(w, boards, io, &blocks[k]);
     }
     if (want.direction) {
-      for (uint32_t k = 0; k < count; k++) stage_fibre(w, io, &want, &blocks[k]);
+      for (uint32_t k = 0; k < count; k++) stage_fibre(w, boards, io, &want, &blocks[k]);
     }
     if (want.late) {
       for (uint32_t k = 0; k < count; k++) stage_rings(w, io, &blocks[k]);
     }
     if (want.vessel) {
-      for (uint32_t k = 0; k < count; k++) stage_tissue(w, io, &want, &blocks[k]);
+      for (uint32_t k = 0; k < count; k++) stage_tissue(w, boards, io, &want, &blocks[k]);
     }
     if (want.picture) {
-      for (uint32_t k = 0; k < count; k++) stage_picture(w, io, &blocks[k]);
+      for (uint32_t k = 0; k < count; k++) stage_picture(w, boards, io, &blocks[k]);
     }
     if (want.cone) {
       for (uint32_t k = 0; k < count; k++) stage_cone(w, io, &blocks[k]);
     }
     if (want.lobe) {
-      for (uint32_t k = 0; k < count; k++) stage_figure(w, io, &want, &blocks[k]);
+      for (uint32_t k = 0; k < count; k++) stage_figure(w, boards, io, &want, &blocks[k]);
     }
+  }
+}
+
+static void evaluate(const wood_constants *w, const wood_io *io, uint32_t from, uint32_t to) {
+  if (w->boards.layout.kind != LAYOUT_NONE) {
+    evaluate_as(w, 1, io, from, to);
+  } else {
+    evaluate_as(w, 0, io, from, to);
   }
 }
 
