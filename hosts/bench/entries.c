@@ -10,6 +10,7 @@
 #define GRAIN(id) ALONE("grain_" id, .channel = "albedo", .wood = {.grain = id})
 #define POROSITY(id) ALONE("porosity_" id, .channel = "albedo", .wood = {.porosity = id})
 #define FOOTPRINT(mm) ALONE("footprint_" #mm, .footprint = (float)(mm))
+#define LAYOUT(id) ALONE("layout_" id, .wood = {.layout = id})
 /* clang-format on */
 
 const entry entries[] = {
@@ -55,6 +56,9 @@ const entry entries[] = {
     ALONE("section", .wood = {.pictured = true}),
     ALONE("section_end", .channel = "albedo",
           .wood = {.pictured = true, .cut = "end", .grain = "straight"}),
+    LAYOUT("strip"),
+    LAYOUT("herringbone"),
+    LAYOUT("versailles"),
     {.name = "wood.threads2.batch1024", .kind = ENTRY_THREADS, .batch = 1024},
     {.name = "wood.create", .kind = ENTRY_CREATE},
     {.name = "wood.load", .kind = ENTRY_LOAD},

@@ -63,7 +63,7 @@ walk *walk_open(const walk_plan *plan, failure *why) {
   for (size_t i = 0; i < sizeof inputs / sizeof *inputs; i++, next += LARGEST_BATCH)
     *inputs[i] = next;
   uint32_t first = plan->channel ? plan->channel->first : 0;
-  uint32_t count = plan->channel ? plan->channel->components : components;
+  uint32_t count = plan->channel ? plan->channel->components : plan->components;
   for (uint32_t i = first; i < first + count; i++, next += LARGEST_BATCH) w->out[i] = next;
   set_inputs(w);
   w->batch.out_count = components;

@@ -9,7 +9,8 @@
 typedef struct walk_plan {
   const sozai_textures_1 *textures;
   const sozai_texture *texture;
-  const sozai_channel *channel; /* NULL: all of them */
+  const sozai_channel *channel; /* NULL: all up to `components` */
+  uint32_t components;
   const board *board;
   uint32_t batch; /* points at a time, at most LARGEST_BATCH */
   float footprint;

@@ -12,6 +12,7 @@ typedef struct wood {
   const char *cut;      /* NULL: flat */
   bool no_rays;
   const char *reflection; /* NULL: the default */
+  const char *layout;     /* NULL: one piece */
   bool pictured;          /* its section is the yardstick's picture */
 } wood;
 
@@ -20,6 +21,10 @@ typedef struct wood {
  * that want it. */
 bool wood_create(const wood *w, const char *picture, const plugin *p, sozai_texture **out,
                  failure *why);
+
+/* How many components from the first on are a wood's: of one piece those before
+ * the layout's, of a layout all. */
+uint32_t wood_components(const wood *w, const plugin *p);
 
 /* The channel of that id, or NULL. */
 const sozai_channel *wood_channel(const plugin *p, const char *id);

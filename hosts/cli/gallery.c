@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * Renders the pictures of gallery_table.c, an index.html that shows them, and
- * gallery.png, which shows some of them small on one sheet. A picture whose
+ * gallery.png and layouts.png, which show some of them small on one sheet each. A picture whose
  * parameters the plugin does not know is left out with a line that says so. */
 #include "commands.h"
 
@@ -21,13 +21,14 @@
 #define MATERIAL "wood"
 #define PATH_SIZE 4096
 #define SHEET_COLUMNS 3
+#define LAYOUT_COLUMNS 6
 
 typedef struct gallery {
   session session;
   const char *folder;
   uint32_t spp;
   FILE *index;
-  sheet sheet;
+  sheet sheet, layouts;
   uint32_t made, left_out;
 } gallery;
 
@@ -95,6 +96,7 @@ static bool keep_picture(gallery *g, const shot *s, const film *f, const char *n
   snprintf(file, sizeof file, "%s.png", name);
   if (!write_film(g, f, file, why)) return false;
   if (s->on_sheet && !sheet_add(&g->sheet, f, why)) return false;
+  if (s->on_layouts && !sheet_add(&g->layouts, f, why)) return false;
   write_caption(g, s, file, title, preset);
   g->made++;
   return true;
@@ -147,15 +149,21 @@ static bool make_folder(const char *folder, failure *why) {
               strerror(error));
 }
 
+static bool make_sheet(const gallery *g, const sheet *s, uint32_t columns, const char *name,
+                       failure *why) {
+  film f;
+  if (!sheet_finish(s, columns, &f, why)) return false;
+  bool ok = write_film(g, &f, name, why);
+  film_free(&f);
+  return ok;
+}
+
 static bool make_pictures(gallery *g, failure *why) {
   for (uint32_t i = 0; i < gallery_shot_count; i++) {
     if (!make_shot(g, &gallery_shots[i], why)) return false;
   }
-  film f;
-  if (!sheet_finish(&g->sheet, SHEET_COLUMNS, &f, why)) return false;
-  bool ok = write_film(g, &f, "gallery.png", why);
-  film_free(&f);
-  return ok;
+  return make_sheet(g, &g->sheet, SHEET_COLUMNS, "gallery.png", why) &&
+         (g->layouts.count == 0 || make_sheet(g, &g->layouts, LAYOUT_COLUMNS, "layouts.png", why));
 }
 
 static bool make_index(gallery *g, failure *why) {
@@ -190,6 +198,7 @@ static bool make_gallery(const session_options *shared, const char *folder, uint
   if (!session_open(&g.session, shared, why)) return false;
   bool ok = make_folder(folder, why) && make_index(&g, why);
   sheet_free(&g.sheet);
+  sheet_free(&g.layouts);
   session_close(&g.session);
   if (!ok) return false;
   printf("%s/index.html: %u pictures", folder, g.made);

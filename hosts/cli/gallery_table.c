@@ -6,6 +6,13 @@
 #define BOARD .width = 720, .height = 540
 #define FACE .shape = "plane", .camera = "front", .width = 960, .height = 640
 
+#define LAID(id, label, species, mm, a, b, c)                                                      \
+  {                                                                                                \
+    .name = "layout-" id, .title = label, .preset = species, .on_layouts = true,                   \
+    .params = {"layout=" id, a, b, c}, .shape = "plane", .camera = "front", .size = mm,            \
+    .width = 640, .height = 640                                                                    \
+  }
+
 const shot gallery_shots[] = {
     {.name = "flat",
      .title = "flat-sawn",
@@ -101,6 +108,31 @@ const shot gallery_shots[] = {
      .size = "180x120",
      .light = "-90,74",
      FACE},
+    /* one for each layout */
+    LAID("strip", "Strip floor, oak", "mizunara", "1600x1600", "bevel=0.6", NULL, NULL),
+    LAID("running", "Running bond", "mizunara", "1600x1600", "stagger=0.5", NULL, NULL),
+    LAID("herringbone", "Herringbone", "mizunara", "1200x1200", NULL, NULL, NULL),
+    LAID("herringbone_90", "Herringbone along the room", "keyaki", "1200x1200", NULL, NULL, NULL),
+    LAID("herringbone_double", "Double herringbone", "mizunara", "1200x1200", NULL, NULL, NULL),
+    LAID("chevron", "Chevron", "mizunara", "1200x1200", NULL, NULL, NULL),
+    LAID("basket", "Basket weave", "keyaki", "900x900", NULL, NULL, NULL),
+    LAID("windmill", "Windmill", "mizunara", "1000x1000", NULL, NULL, NULL),
+    LAID("versailles", "Parquet de Versailles", "mizunara", "1600x1600", NULL, NULL, NULL),
+    LAID("igeta", "Igeta", "hinoki", "1000x1000", "joint_width=2", NULL, NULL),
+    LAID("stack", "Stack bond", "keyaki", "1000x1000", "board_length=300", "board_width=150",
+         "joint_width=2"),
+    LAID("chidori", "Chidori, staggered by half", "keyaki", "800x800", "joint_width=2", NULL, NULL),
+    LAID("english", "English bond", "sugi", "600x600", "joint_width=4", NULL, NULL),
+    LAID("flemish", "Flemish bond", "sugi", "600x600", "joint_width=4", NULL, NULL),
+    LAID("hexagon", "Hexagons", "mizunara", "800x800", "joint_width=1", NULL, NULL),
+    LAID("octagon", "Octagon and dot", "mizunara", "800x800", "joint_width=1", NULL, NULL),
+    LAID("end_grain", "End-grain blocks", "mizunara", "400x400", NULL, NULL, NULL),
+    LAID("butcher", "Butcher block", "makaba", "600x600", NULL, NULL, NULL),
+    LAID("ashlar", "Random ashlar", "hinoki", "1600x1600", "joint_width=4", NULL, NULL),
+    LAID("crazy", "Crazy paving, of end grain", "keyaki", "1600x1600", "cut=end", NULL, NULL),
+    LAID("arcs", "Segmental arcs of end-grain setts", "mizunara", "1600x1600", "cut=end", NULL,
+         NULL),
+    LAID("circles", "Rings of end-grain setts", "mizunara", "1600x1600", "cut=end", NULL, NULL),
 };
 
 const uint32_t gallery_shot_count = sizeof gallery_shots / sizeof gallery_shots[0];

@@ -14,6 +14,7 @@ typedef struct shot {
   const char *preset;              /* NULL: the parameters' defaults */
   bool each_preset;                /* once for every preset there is */
   bool on_sheet;                   /* among the small pictures of gallery.png */
+  bool on_layouts;                 /* or of layouts.png */
   const char *params[SHOT_PARAMS]; /* name=value, the last ones NULL */
   /* As options of `sozai render` are written; NULL: their defaults. */
   const char *shape, *size, *camera, *light;

@@ -512,6 +512,8 @@ int32_t wood_build(wood_constants *w, const sozai_host *host, const settings *s,
   r = build_colour(w, host, s, colours);
   if (r) return r;
   build_cone(w, s);
+  r = wood_build_boards(w, s, colours);
+  if (r) return r;
   return images->service && images->list[P_SECTION]
              ? section_build(w, host, s, images->service, images->list[P_SECTION])
              : SOZAI_OK;

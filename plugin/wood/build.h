@@ -9,6 +9,9 @@
 int32_t wood_build(wood_constants *w, const sozai_host *host, const settings *s,
                    const float (*colours)[3], const image_set *images);
 
+/* The layout of boards, if there is one. */
+int32_t wood_build_boards(wood_constants *w, const settings *s, const float (*colours)[3]);
+
 /* The table that vessel radii are drawn from; once, at init. */
 void wood_build_prepare(void);
 

@@ -16,7 +16,7 @@
  * amplitude. It is whole while the extent is below half its size, and gone from
  * twice its size on. Kawai and Momoi repeat a small array of noise; hashing the cell
  * costs no memory and does not repeat. */
-INLINE vf fibre_octave(const wood_constants *w, int o, vf x, vf z, vf e2) {
+INLINE vf fibre_octave(const wood_constants *w, vu own, int o, vf x, vf z, vf e2) {
   vf keep = splat(w->fibre_scale[o]), near = splat(w->fibre_near[o]), zero = splat(0.0f);
   if (w->fibre_scale[o] <= 0.0f) return zero;
   if (any(gt(e2, near))) {
@@ -27,13 +27,13 @@ INLINE vf fibre_octave(const wood_constants *w, int o, vf x, vf z, vf e2) {
   vf f = splat(w->fibre_frequency[o]);
   noise_axis ax = noise_split_cubic(x * f, HASH_X), az = noise_split_cubic(z * f, HASH_Z);
   vf dx, dz; /* not wanted, and so not computed */
-  return keep * noise_value2(&ax, &az, wood_seed(w, SEED_FIBRE + (uint32_t)o), &dx, &dz);
+  return keep * noise_value2(&ax, &az, wood_seed(w, own, SEED_FIBRE + (uint32_t)o), &dx, &dz);
 }
 
 /* One and all of them. */
-INLINE vf fibre_shift(const wood_constants *w, vf x, vf z, vf e2) {
+INLINE vf fibre_shift(const wood_constants *w, vu own, vf x, vf z, vf e2) {
   vf sum = splat(1.0f);
-  for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) sum = sum + fibre_octave(w, o, x, z, e2);
+  for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) sum = sum + fibre_octave(w, own, o, x, z, e2);
   return sum;
 }
 

@@ -50,11 +50,11 @@ typedef struct {
   vf psi, y, t;
 } wave_phase;
 
-INLINE wave_phase wave_at(const wood_constants *w, vf y, const noise_axis *at) {
+INLINE wave_phase wave_at(const wood_constants *w, vu own, vf y, const noise_axis *at) {
   wave_phase q = {y * splat(w->wave_frequency), splat(w->wave_number), splat(0.0f)};
   if (w->has_wave_irregularity) {
     noise_stem ay = noise_split_axial(y * splat(w->wave_irregularity_frequency), HASH_Y);
-    vf ny, nt, n = noise_axial2(&ay, at, wood_seed(w, SEED_WAVE), &ny, &nt);
+    vf ny, nt, n = noise_axial2(&ay, at, wood_seed(w, own, SEED_WAVE), &ny, &nt);
     q.psi = q.psi + splat(w->wave_irregularity * 0.15915494f) * n;
     q.y = q.y + splat(w->wave_irregularity * w->wave_irregularity_frequency) * ny;
     q.t = splat(w->wave_irregularity * w->slope_noise_years) * nt;
@@ -87,10 +87,10 @@ INLINE void grain_interlocked(const wood_constants *w, vf y, vf t, grain_place *
   p->d_t = p->d_t + reach * ct * splat(6.2831853f * w->interlocked_frequency);
 }
 
-INLINE void grain_noise(const wood_constants *w, int o, vf y, const noise_axis *at, vf extent,
-                        grain_place *p) {
+INLINE void grain_noise(const wood_constants *w, vu own, int o, vf y, const noise_axis *at,
+                        vf extent, grain_place *p) {
   noise_stem ay = noise_split_axial(y * splat(w->slope_noise_frequency[o]), HASH_Y);
-  vf ny, nt, n = noise_axial2(&ay, at, wood_seed(w, SEED_SLOPE + (uint32_t)o), &ny, &nt);
+  vf ny, nt, n = noise_axial2(&ay, at, wood_seed(w, own, SEED_SLOPE + (uint32_t)o), &ny, &nt);
   float scale = w->slope_noise[o] * w->slope_noise_frequency[o];
   vf slope = splat(scale) * ny;
   p->d = p->d + splat(w->slope_noise[o]) * n;

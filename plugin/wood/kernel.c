@@ -2,6 +2,7 @@
  *
  * Wood's evaluate: compiled once for each instruction set and width.
  */
+#include "boards.h"
 #include "cone.h"
 #include "fibre.h"
 #include "grain.h"
@@ -58,21 +59,10 @@ INLINE void unit_direction(vf v[3]) {
   for (int c = 0; c < 3; c++) v[c] = v[c] * l;
 }
 
-INLINE void to_log(const wood_constants *w, const vf p[3], vf out[3]) {
-  if (!w->turned) {
-    for (int c = 0; c < 3; c++) out[c] = p[c];
-    return;
-  }
-  for (int c = 0; c < 3; c++) {
-    out[c] =
-        splat(w->turn[c][0]) * p[0] + splat(w->turn[c][1]) * p[1] + splat(w->turn[c][2]) * p[2];
-  }
-}
-
 /* What has been asked for, and the stages that it takes. */
 typedef struct {
   int radiance, colour, fibre, dive;
-  int late, vessel, lobe, direction, section, picture, cone;
+  int late, vessel, lobe, direction, section, picture, cone, board;
 } wood_wants;
 
 static int wanted(const wood_io *io, int first, int count) {
@@ -91,6 +81,7 @@ static wood_wants wants_of(const wood_constants *w, const wood_io *io) {
   if (w->picture) q.late = q.vessel = 0;
   q.lobe = wanted(io, WOOD_SPECULAR, 2) || q.radiance;
   q.cone = wanted(io, WOOD_CONE_COLOUR, 5);
+  q.board = wanted(io, WOOD_BOARD_ID, WOOD_COMPONENTS - WOOD_BOARD_ID);
   q.direction = q.fibre || q.dive || q.radiance || q.cone;
   q.section =
       q.direction || q.vessel || q.picture || q.lobe || q.cone || wanted(io, WOOD_REFERENCE, 2);
@@ -178,6 +169,7 @@ typedef struct {
   vf exponent, strength, incident, tilted, power; /* figure */
   vf light[3];                                    /* log space */
   ray_place rays;
+  wood_board board; /* where there are boards */
 } block;
 
 /* The end of a batch, and what is not active. */
@@ -200,14 +192,66 @@ INLINE void store_lanes(const wood_io *io, int channel, const block *k, vf x) {
   store_some(io->in->active, k, p, lanes);
 }
 
-INLINE void stage_load(const wood_constants *w, const wood_io *io, block *k) {
+/* The board's offset to the seeds. */
+INLINE vu own_of(int boards, const block *k) { return boards ? k->board.own : splatu(0); }
+
+INLINE void to_log(const wood_constants *w, int boards, const block *k, const vf p[3], vf out[3]) {
+  if (boards) {
+    const vf(*t)[3] = k->board.turn;
+    for (int c = 0; c < 3; c++) out[c] = t[c][0] * p[0] + t[c][1] * p[1] + t[c][2] * p[2];
+    return;
+  }
+  if (!w->turned) {
+    for (int c = 0; c < 3; c++) out[c] = p[c];
+    return;
+  }
+  for (int c = 0; c < 3; c++) {
+    out[c] =
+        splat(w->turn[c][0]) * p[0] + splat(w->turn[c][1]) * p[1] + splat(w->turn[c][2]) * p[2];
+  }
+}
+
+/* The board's channels, and the normal of its bevelled edges and cupped face. */
+INLINE void stage_board(const wood_constants *w, int boards, const wood_io *io, block *k,
+                        vf normal[3]) {
+  vf zero = splat(0.0f), id = zero, u = zero, v = zero, edge = zero, height = zero;
+  if (boards) {
+    const layout_unit *unit = &k->board.unit;
+    layout_height h = layout_relief(&w->boards.layout, &w->boards.profile, unit, k->s);
+    id = layout_number(unit->id);
+    u = unit->u;
+    v = unit->v;
+    edge = unit->edge;
+    height = h.height;
+    if (io->in->normal[0]) {
+      /* the face is tilted, the sides are not */
+      vf face = vmax(normal[2], zero);
+      normal[0] = normal[0] - face * h.slope_x;
+      normal[1] = normal[1] - face * h.slope_y;
+      unit_direction(normal);
+    }
+  }
+  store_lanes(io, WOOD_BOARD_ID, k, id);
+  store_lanes(io, WOOD_BOARD_U, k, u);
+  store_lanes(io, WOOD_BOARD_V, k, v);
+  store_lanes(io, WOOD_BOARD_EDGE, k, edge);
+  for (int c = 0; c < 3; c++) store_lanes(io, WOOD_NORMAL + c, k, normal[c]);
+  store_lanes(io, WOOD_HEIGHT, k, height);
+}
+
+INLINE void stage_load(const wood_constants *w, int boards, const wood_io *io,
+                       const wood_wants *want, block *k) {
   vf p[3];
   for (int c = 0; c < 3; c++) p[c] = finite_coordinate(load_lanes(io->in->point[c], k->i, k->n));
-  to_log(w, p, k->p);
-  for (int c = 0; c < 3; c++) k->p[c] = k->p[c] + splat(w->shift[c]);
   k->s = splat(0.0f);
   if (io->in->footprint) {
     k->s = clamp(load_lanes(io->in->footprint, k->i, k->n), splat(0.0f), splat(1e4f));
+  }
+  if (boards) {
+    board_at(w, p, k->s, &k->board, k->p);
+  } else {
+    to_log(w, boards, k, p, k->p);
+    for (int c = 0; c < 3; c++) k->p[c] = k->p[c] + splat(w->shift[c]);
   }
   k->up2 = splat(1.0f);
   vf normal[3] = {splat(0.0f), splat(0.0f), splat(1.0f)};
@@ -215,22 +259,23 @@ INLINE void stage_load(const wood_constants *w, const wood_io *io, block *k) {
     for (int c = 0; c < 3; c++) normal[c] = load_lanes(io->in->normal[c], k->i, k->n);
     unit_direction(normal);
   }
-  to_log(w, normal, k->nrm);
+  if (want->board || boards) stage_board(w, boards, io, k, normal);
+  to_log(w, boards, k, normal, k->nrm);
   if (io->in->normal[0]) k->up2 = vmax(splat(1.0f) - k->nrm[1] * k->nrm[1], splat(0.0f));
   k->inverse_up = inverse_root(vmax(k->up2, splat(1e-12f)));
   k->extent = k->s * (k->up2 * k->inverse_up);
 }
 
-INLINE void stage_pith(const wood_constants *w, block *k) {
-  k->stem.pith = pith_at(w, k->p[1]);
+INLINE void stage_pith(const wood_constants *w, int boards, block *k) {
+  k->stem.pith = pith_at(w, own_of(boards, k), k->p[1]);
   k->stem.lost = splat(0.0f);
   k->undulation = undulation_none();
 }
 
 INLINE void stage_about(block *k) { stem_about(k->p[0], k->p[2], &k->stem); }
 
-INLINE void stage_undulation(const wood_constants *w, int o, block *k) {
-  undulation_add(w, o, k->p[1], k->s, &k->stem, &k->undulation);
+INLINE void stage_undulation(const wood_constants *w, int boards, int o, block *k) {
+  undulation_add(w, own_of(boards, k), o, k->p[1], k->s, &k->stem, &k->undulation);
 }
 
 INLINE void stage_rho(const wood_constants *w, block *k) {
@@ -244,10 +289,10 @@ INLINE void stage_ring(const wood_constants *w, const wood_io *io, block *k) {
   k->divisor = grain_divisor(k->stem.rho);
 }
 
-INLINE void stage_years(const wood_constants *w, block *k) {
+INLINE void stage_years(const wood_constants *w, int boards, block *k) {
   k->grain = grain_spiral(w, k->p[1]);
   k->at = grain_years(w, k->years);
-  if (w->has_wave) k->wave = wave_at(w, k->p[1], &k->at);
+  if (w->has_wave) k->wave = wave_at(w, own_of(boards, k), k->p[1], &k->at);
 }
 
 INLINE void stage_wave(const wood_constants *w, block *k) {
@@ -258,8 +303,9 @@ INLINE void stage_interlocked(const wood_constants *w, block *k) {
   if (w->has_interlocked) grain_interlocked(w, k->p[1], k->years, &k->grain);
 }
 
-INLINE void stage_grain_noise(const wood_constants *w, int o, block *k) {
-  if (w->has_slope_noise) grain_noise(w, o, k->p[1], &k->at, k->extent, &k->grain);
+INLINE void stage_grain_noise(const wood_constants *w, int boards, int o, block *k) {
+  if (w->has_slope_noise)
+    grain_noise(w, own_of(boards, k), o, k->p[1], &k->at, k->extent, &k->grain);
 }
 
 INLINE void stage_turn(block *k) {
@@ -296,13 +342,16 @@ INLINE void stage_fibre(block *k) {
   k->sine = zero - (f[0] * k->nrm[0] + f[1] * k->nrm[1] + f[2] * k->nrm[2]);
 }
 
-INLINE void stage_direction(const wood_constants *w, const wood_io *io, const wood_wants *want,
-                            block *k) {
+INLINE void stage_direction(const wood_constants *w, int boards, const wood_io *io,
+                            const wood_wants *want, block *k) {
   const vf *f = k->fibre;
   if (want->fibre) {
     for (int c = 0; c < 3; c++) {
       vf back = f[c];
-      if (w->turned) {
+      if (boards) {
+        const vf(*t)[3] = k->board.turn;
+        back = t[0][c] * f[0] + t[1][c] * f[1] + t[2][c] * f[2];
+      } else if (w->turned) {
         back =
             splat(w->turn[0][c]) * f[0] + splat(w->turn[1][c]) * f[1] + splat(w->turn[2][c]) * f[2];
       }
@@ -346,38 +395,38 @@ INLINE footprint2 footprint_in_section(const wood_io *io, const block *k) {
   return footprint_through(a, k->b, k->nrm, !io->in->normal[0], k->s);
 }
 
-INLINE vessel_place vessel_place_of(const block *k) {
-  return (vessel_place){k->x, k->z, k->c, k->sn, k->stem.rho, k->ring, k->f};
+INLINE vessel_place vessel_place_of(int boards, const block *k) {
+  return (vessel_place){k->x, k->z, k->c, k->sn, k->stem.rho, k->ring, k->f, own_of(boards, k)};
 }
 
 /* Long footprints here; what is within one tap goes through the two stages
  * after this one. */
-INLINE void stage_vessel_parts(const wood_constants *w, const wood_io *io, block *k) {
+INLINE void stage_vessel_parts(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf zero = splat(0.0f);
   k->f = footprint_in_section(io, k);
   k->vessels = (vessel_cover_t){zero, zero, zero, zero};
   vm cut = vessels_cut(w, &k->f);
   k->parts = (w->has_pores || w->rows) && any(cut);
   if (k->parts) {
-    vessel_place place = vessel_place_of(k);
+    vessel_place place = vessel_place_of(boards, k);
     k->vessels = vessels_in_parts(w, &place, cut);
   }
 }
 
-INLINE void stage_disc(const wood_constants *w, block *k) {
+INLINE void stage_disc(const wood_constants *w, int boards, block *k) {
   if (k->parts || !w->has_pores) return;
-  vessel_place place = vessel_place_of(k);
+  vessel_place place = vessel_place_of(boards, k);
   k->pore = pores_disc(w, &place, k->f.aa, k->f.ab, k->f.bb);
 }
 
-INLINE void stage_pores(const wood_constants *w, block *k) {
+INLINE void stage_pores(const wood_constants *w, int boards, block *k) {
   if (k->parts || !w->has_pores) return;
-  k->vessels.pores = pores_cover(w, k->x, k->z, &k->pore);
+  k->vessels.pores = pores_cover(w, own_of(boards, k), k->x, k->z, &k->pore);
 }
 
-INLINE void stage_rows(const wood_constants *w, block *k) {
+INLINE void stage_rows(const wood_constants *w, int boards, block *k) {
   if (k->parts || !w->rows) return;
-  vessel_place place = vessel_place_of(k);
+  vessel_place place = vessel_place_of(boards, k);
   row_place row = row_of(w, &place);
   vf zero = splat(0.0f);
   k->vessels.rows = rows_tap(w, &place, &row, k->f.aa, k->f.ab, k->f.bb, zero, zero);
@@ -410,8 +459,8 @@ INLINE void stage_cover(const wood_constants *w, const wood_io *io, block *k) {
   k->shift = one;
 }
 
-INLINE void stage_ray_place(const wood_constants *w, block *k) {
-  k->rays = ray_place_of(w, k->stem.rho, k->c, k->sn, k->p[1], &k->f, k->extent);
+INLINE void stage_ray_place(const wood_constants *w, int boards, block *k) {
+  k->rays = ray_place_of(w, own_of(boards, k), k->stem.rho, k->c, k->sn, k->p[1], &k->f, k->extent);
 }
 
 INLINE void stage_rays(const wood_constants *w, const wood_io *io, block *k) {
@@ -420,11 +469,11 @@ INLINE void stage_rays(const wood_constants *w, const wood_io *io, block *k) {
   store_lanes(io, WOOD_RAY, k, k->ray);
 }
 
-INLINE void stage_shift(const wood_constants *w, int o, block *k) {
-  k->shift = k->shift + fibre_octave(w, o, k->x, k->z, k->f.aa + k->f.bb);
+INLINE void stage_shift(const wood_constants *w, int boards, int o, block *k) {
+  k->shift = k->shift + fibre_octave(w, own_of(boards, k), o, k->x, k->z, k->f.aa + k->f.bb);
 }
 
-INLINE void stage_colour(const wood_constants *w, const wood_io *io, block *k) {
+INLINE void stage_colour(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf one = splat(1.0f), zero = splat(0.0f);
   /* earlywood rows stand where there is no latewood; pores everywhere */
   vf late = k->late * (one - vmin(k->over_late, one));
@@ -440,14 +489,14 @@ INLINE void stage_colour(const wood_constants *w, const wood_io *io, block *k) {
     }
     vf tissue = light * early + deep * dark + splat(w->vessel[c]) * k->cover;
     if (w->has_rays) tissue = mix(tissue, splat(w->ray[c]) * k->shift, k->ray);
-    k->albedo[c] = tissue;
+    k->albedo[c] = boards ? board_albedo(w, &k->board, c, tissue) : tissue;
     store_lanes(io, WOOD_ALBEDO + c, k, k->albedo[c]);
   }
 }
 
 /* The same from a picture of the section: it shows rings, vessels and fibres
  * down to its pixels, and the fibres' noise goes on below them. */
-INLINE void stage_picture(const wood_constants *w, const wood_io *io, block *k) {
+INLINE void stage_picture(const wood_constants *w, int boards, const wood_io *io, block *k) {
   const stem_place *stem = &k->stem;
   stem_row(k);
   footprint2 f = footprint_in_section(io, k);
@@ -458,20 +507,22 @@ INLINE void stage_picture(const wood_constants *w, const wood_io *io, block *k) 
   store_lanes(io, WOOD_VESSEL, k, splat(0.0f));
   k->ray = splat(0.0f);
   store_lanes(io, WOOD_RAY, k, k->ray);
-  vf shift = fibre_shift(w, p.x, p.z, f.aa + f.bb);
+  vf shift = fibre_shift(w, own_of(boards, k), p.x, p.z, f.aa + f.bb);
   for (int c = 0; c < 3; c++) {
     k->albedo[c] = k->albedo[c] * shift;
+    if (boards) k->albedo[c] = board_albedo(w, &k->board, c, k->albedo[c]);
     store_lanes(io, WOOD_ALBEDO + c, k, k->albedo[c]);
   }
 }
 
 /* Figure, Kawai's equation (4): the lobe's normal dives with the fibre; slopes
  * that the footprint averages widen it instead. */
-INLINE void stage_lobe(const wood_constants *w, const wood_io *io, block *k) {
+INLINE void stage_lobe(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf one = splat(1.0f);
   vf roughness = splat(w->roughness);
   k->exponent = splat(w->shininess);
   k->strength = splat(w->specular);
+  if (boards) k->strength = k->strength * (one - k->board.unit.joint);
   vm widened = gt(k->grain.variance * k->exponent, splat(1e-4f));
   if (any(widened)) {
     vf across = k->nrm[2] * k->stem.c - k->nrm[0] * k->stem.s;
@@ -485,11 +536,11 @@ INLINE void stage_lobe(const wood_constants *w, const wood_io *io, block *k) {
   store_lanes(io, WOOD_ROUGHNESS, k, roughness);
 }
 
-INLINE void stage_light(const wood_constants *w, const wood_io *io, block *k) {
+INLINE void stage_light(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf one = splat(1.0f), zero = splat(0.0f), light[3], *l = k->light;
   for (int c = 0; c < 3; c++) light[c] = load_lanes(io->in->light[c], k->i, k->n);
   unit_direction(light);
-  to_log(w, light, l);
+  to_log(w, boards, k, light, l);
   k->incident = l[0] * k->nrm[0] + l[1] * k->nrm[1] + l[2] * k->nrm[2];
   /* up the stem within the surface */
   vf rise = (l[1] - k->nrm[1] * k->incident) * k->inverse_up;
@@ -509,7 +560,8 @@ INLINE void store_lit(const wood_io *io, const block *k, int c, vf r) {
 
 /* Towards the eye, log space; the normal where no view is given, or none that
  * is a direction. */
-INLINE void view_of(const wood_constants *w, const wood_io *io, const block *k, vf out[3]) {
+INLINE void view_of(const wood_constants *w, int boards, const wood_io *io, const block *k,
+                    vf out[3]) {
   for (int c = 0; c < 3; c++) out[c] = k->nrm[c];
   if (!io->in->view[0]) return;
   vf v[3], turned[3], size = splat(0.0f);
@@ -519,7 +571,7 @@ INLINE void view_of(const wood_constants *w, const wood_io *io, const block *k, 
   }
   vm given = and_(gt(size, splat(0.0f)), lt(size, splat(1e38f)));
   unit_direction(v);
-  to_log(w, v, turned);
+  to_log(w, boards, k, v, turned);
   for (int c = 0; c < 3; c++) out[c] = sel(given, turned[c], k->nrm[c]);
 }
 
@@ -535,9 +587,9 @@ INLINE void stage_cone(const wood_constants *w, const wood_io *io, block *k) {
   store_lanes(io, WOOD_COAT, k, splat(w->coat));
 }
 
-INLINE void stage_cone_radiance(const wood_constants *w, const wood_io *io, block *k) {
+INLINE void stage_cone_radiance(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf r[3], v[3];
-  view_of(w, io, k, v);
+  view_of(w, boards, io, k, v);
   cone_radiance(w, k->light, v, k->nrm, k->fibre, k->sine, k->grain.variance, k->albedo, r);
   if (w->has_rays) {
     /* the cells of a ray lie along the radius */
@@ -545,6 +597,13 @@ INLINE void stage_cone_radiance(const wood_constants *w, const wood_io *io, bloc
     vf dive = zero - (axis[0] * k->nrm[0] + axis[2] * k->nrm[2]);
     cone_radiance(w, k->light, v, k->nrm, axis, dive, zero, k->albedo, shine);
     for (int c = 0; c < 3; c++) r[c] = mix(r[c], shine[c], k->ray);
+  }
+  if (boards) {
+    /* what lies in the joint has no fibres */
+    vf lit = splat(w->diffuse) * vmax(k->incident, splat(0.0f));
+    for (int c = 0; c < 3; c++) {
+      r[c] = mix(r[c], lit * splat(w->boards.joint_colour[c]), k->board.unit.joint);
+    }
   }
   for (int c = 0; c < 3; c++) store_lit(io, k, c, r[c]);
 }
@@ -568,62 +627,78 @@ INLINE void stage_radiance(const wood_constants *w, const wood_io *io, block *k)
 
 /* restrict: what is stored is no constant, so that those are loaded before the
  * loops and not in them. */
-static void evaluate_blocks(const wood_constants *restrict w, const wood_io *restrict io,
-                            const wood_wants *restrict want, block *blocks, uint32_t count) {
-  EACH(stage_load(w, io, &blocks[k]));
-  EACH(stage_pith(w, &blocks[k]));
+INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood_io *restrict io,
+                        const wood_wants *restrict want, block *blocks, uint32_t count) {
+  EACH(stage_load(w, boards, io, want, &blocks[k]));
+  EACH(stage_pith(w, boards, &blocks[k]));
   EACH(stage_about(&blocks[k]));
-  EACH(stage_undulation(w, 0, &blocks[k]));
-  EACH(stage_undulation(w, 1, &blocks[k]));
+  EACH(stage_undulation(w, boards, 0, &blocks[k]));
+  EACH(stage_undulation(w, boards, 1, &blocks[k]));
   EACH(stage_rho(w, &blocks[k]));
   EACH(stage_ring(w, io, &blocks[k]));
   if (want->section) {
-    EACH(stage_years(w, &blocks[k]));
+    EACH(stage_years(w, boards, &blocks[k]));
     EACH(stage_wave(w, &blocks[k]));
     EACH(stage_interlocked(w, &blocks[k]));
-    EACH(stage_grain_noise(w, 0, &blocks[k]));
-    EACH(stage_grain_noise(w, 1, &blocks[k]));
+    EACH(stage_grain_noise(w, boards, 0, &blocks[k]));
+    EACH(stage_grain_noise(w, boards, 1, &blocks[k]));
     EACH(stage_turn(&blocks[k]));
     EACH(stage_section(w, io, &blocks[k]));
   }
   if (want->direction) {
     EACH(stage_fibre(&blocks[k]));
-    EACH(stage_direction(w, io, want, &blocks[k]));
+    EACH(stage_direction(w, boards, io, want, &blocks[k]));
   }
   if (want->late) {
     EACH(stage_reach(io, &blocks[k]));
     EACH(stage_rings(w, io, &blocks[k]));
   }
   if (want->vessel) {
-    EACH(stage_vessel_parts(w, io, &blocks[k]));
-    EACH(stage_disc(w, &blocks[k]));
-    EACH(stage_pores(w, &blocks[k]));
-    EACH(stage_rows(w, &blocks[k]));
+    EACH(stage_vessel_parts(w, boards, io, &blocks[k]));
+    EACH(stage_disc(w, boards, &blocks[k]));
+    EACH(stage_pores(w, boards, &blocks[k]));
+    EACH(stage_rows(w, boards, &blocks[k]));
     EACH(stage_cover(w, io, &blocks[k]));
     if (w->has_rays) {
-      EACH(stage_ray_place(w, &blocks[k]));
+      EACH(stage_ray_place(w, boards, &blocks[k]));
       EACH(stage_rays(w, io, &blocks[k]));
     }
   }
   if (want->picture) {
-    EACH(stage_picture(w, io, &blocks[k]));
+    EACH(stage_picture(w, boards, io, &blocks[k]));
   } else if (want->colour) {
-    EACH(stage_shift(w, 0, &blocks[k]));
-    EACH(stage_shift(w, 1, &blocks[k]));
-    EACH(stage_shift(w, 2, &blocks[k]));
-    EACH(stage_colour(w, io, &blocks[k]));
+    EACH(stage_shift(w, boards, 0, &blocks[k]));
+    EACH(stage_shift(w, boards, 1, &blocks[k]));
+    EACH(stage_shift(w, boards, 2, &blocks[k]));
+    EACH(stage_colour(w, boards, io, &blocks[k]));
   }
   if (want->cone) EACH(stage_cone(w, io, &blocks[k]));
-  if (want->lobe) EACH(stage_lobe(w, io, &blocks[k]));
+  if (want->lobe) EACH(stage_lobe(w, boards, io, &blocks[k]));
   if (want->radiance) {
-    EACH(stage_light(w, io, &blocks[k]));
+    EACH(stage_light(w, boards, io, &blocks[k]));
     if (w->cone) {
-      EACH(stage_cone_radiance(w, io, &blocks[k]));
+      EACH(stage_cone_radiance(w, boards, io, &blocks[k]));
     } else {
       EACH(stage_gloss(&blocks[k]));
       EACH(stage_radiance(w, io, &blocks[k]));
     }
   }
+}
+
+/* Twice in the code, with boards and without: a wood that is one piece pays
+ * nothing for them. */
+static __attribute__((noinline)) void evaluate_piece(const wood_constants *restrict w,
+                                                     const wood_io *restrict io,
+                                                     const wood_wants *restrict want, block *blocks,
+                                                     uint32_t count) {
+  evaluate_as(0, w, io, want, blocks, count);
+}
+
+static __attribute__((noinline)) void evaluate_boards(const wood_constants *restrict w,
+                                                      const wood_io *restrict io,
+                                                      const wood_wants *restrict want,
+                                                      block *blocks, uint32_t count) {
+  evaluate_as(1, w, io, want, blocks, count);
 }
 
 static void evaluate(const wood_constants *w, const wood_io *io, uint32_t from, uint32_t to) {
@@ -637,7 +712,11 @@ static void evaluate(const wood_constants *w, const wood_io *io, uint32_t from, 
       k->n = to - i < LANES ? to - i : LANES;
       k->whole = k->n == LANES && !io->in->active;
     }
-    evaluate_blocks(w, io, &want, blocks, count);
+    if (w->boards.layout.kind != LAYOUT_NONE) {
+      evaluate_boards(w, io, &want, blocks, count);
+    } else {
+      evaluate_piece(w, io, &want, blocks, count);
+    }
   }
 }
 
@@ -660,10 +739,10 @@ static void ring_radius(const wood_constants *w, uint32_t count, const float *t,
     vi j = whole - turns * splati(WOOD_RINGS);
     vf rho = to_float(turns) * splat(w->ring_period) + gather(w->start, j) +
              phase / gather(w->inverse_width, j);
-    stem_pith pith = pith_at(w, height);
+    stem_pith pith = pith_at(w, splatu(0), height);
     vf r = rho * (splat(1.0f) + outline_at(w, c, s, &unused));
     for (int k = 0; k < 8; k++) {
-      stem_place p = stem_at(w, r * c + pith.x, height, r * s + pith.z, splat(0.0f));
+      stem_place p = stem_at(w, splatu(0), r * c + pith.x, height, r * s + pith.z, splat(0.0f));
       vf slope = vmax(p.rho_x * p.c + p.rho_z * p.s, splat(0.2f));
       r = vmax(r + (rho - p.rho) / slope, splat(0.0f));
     }
@@ -675,7 +754,7 @@ static void pith(const wood_constants *w, uint32_t count, const float *y, float 
                  float *out_z) {
   for (uint32_t i = 0; i < count; i += LANES) {
     uint32_t n = count - i < LANES ? count - i : LANES;
-    stem_pith p = pith_at(w, finite_coordinate(load_lanes(y, i, n)));
+    stem_pith p = pith_at(w, splatu(0), finite_coordinate(load_lanes(y, i, n)));
     for (uint32_t k = 0; k < n; k++) {
       out_x[i + k] = lane(p.x, k);
       out_z[i + k] = lane(p.z, k);

@@ -493,6 +493,123 @@ static const sozai_parameter coat_roughness = {
    .doc = "fibre_cone: of the coat; its square is the width of the facets' distribution (GGX).",
    .hard_min = 0.03, .hard_max = 1, .soft_min = 0.05, .soft_max = 0.6, .default_number = {0.25}};
 
+#define LAYOUT_ID_(kind, id, length, width, joint, doc) id,
+#define LAYOUT_DOC_(kind, id, length, width, joint, doc) doc,
+static const char *const layout_choices[] = {LAYOUT_CATALOGUE(LAYOUT_ID_)};
+static const char *const layout_docs[] = {LAYOUT_CATALOGUE(LAYOUT_DOC_)};
+static const sozai_parameter layout_ = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_CHOICE,
+   .id = "layout", .label = "Layout", .group = "layout", .unit = "",
+   .doc = "How boards or blocks cover the plane: object space x, y is the floor, +z its face, +y "
+   "along the boards. Each is sawn from a log of its own; cut (but for end), cut_height, "
+   "cut_rotation and cut_offset are then not used.",
+   .choices = layout_choices, .choice_docs = layout_docs, .choice_count = COUNT(layout_choices), .default_number = {0}};
+
+static const sozai_parameter board_length = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "board_length", .label = "Board length", .group = "layout", .unit = "mm",
+   .doc = "Of a board or block, joint to joint; 0: the usual of the layout.",
+   .hard_min = 0, .hard_max = 100000, .soft_min = 0, .soft_max = 3000, .default_number = {0}};
+
+static const sozai_parameter board_width = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "board_width", .label = "Board width", .group = "layout", .unit = "mm",
+   .doc = "Likewise.",
+   .hard_min = 0, .hard_max = 100000, .soft_min = 0, .soft_max = 400, .default_number = {0}};
+
+static const sozai_parameter board_length_variation = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "board_length_variation", .label = "Length variation", .group = "layout", .unit = "",
+   .doc = "strip, butcher, ashlar: how far lengths stray from the mean, relative.",
+   .hard_min = 0, .hard_max = 0.9, .soft_min = 0, .soft_max = 0.6, .default_number = {0.25}};
+
+static const sozai_parameter stagger = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "stagger", .label = "Stagger", .group = "layout", .unit = "",
+   .doc = "running: how far a course is shifted against the last, of the length. strip, butcher, ashlar: how far apart the ends of neighbouring courses are, less the length variation.",
+   .hard_min = 0, .hard_max = 0.5, .soft_min = 0, .soft_max = 0.5, .default_number = {0.3}};
+
+static const sozai_parameter chevron_angle = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "chevron_angle", .label = "Chevron angle", .group = "layout", .unit = "deg",
+   .doc = "chevron: of the blocks to the square across the strip.",
+   .hard_min = 15, .hard_max = 75, .soft_min = 30, .soft_max = 60, .default_number = {45}};
+
+static const sozai_parameter layout_rotation = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "layout_rotation", .label = "Layout rotation", .group = "layout", .unit = "deg",
+   .doc = "The whole layout is turned about z, from x towards y.",
+   .hard_min = -36000, .hard_max = 36000, .soft_min = -180, .soft_max = 180, .default_number = {0}};
+
+static const sozai_parameter joint_width = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "joint_width", .label = "Joint width", .group = "layout", .unit = "mm",
+   .doc = "Between neighbours; -1: the usual of the layout.",
+   .hard_min = -1, .hard_max = 1000, .soft_min = -1, .soft_max = 20, .default_number = {-1}};
+
+static const sozai_parameter joint_depth = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "joint_depth", .label = "Joint depth", .group = "layout", .unit = "mm",
+   .doc = "Of the joint below the foot of the bevels; shows in height.",
+   .hard_min = 0, .hard_max = 1000, .soft_min = 0, .soft_max = 10, .default_number = {2}};
+
+static const sozai_parameter joint_colour = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "joint_colour", .label = "Joint colour", .group = "layout", .unit = "",
+   .doc = "Of the gap, or of what fills it.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.16, 0.13, 0.11}, .default_text = "sRGB"};
+
+static const sozai_parameter bevel = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "bevel", .label = "Bevel", .group = "layout", .unit = "mm",
+   .doc = "Width of the bevelled edge.",
+   .hard_min = 0, .hard_max = 1000, .soft_min = 0, .soft_max = 6, .default_number = {0}};
+
+static const sozai_parameter bevel_angle = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "bevel_angle", .label = "Bevel angle", .group = "layout", .unit = "deg",
+   .doc = "Of the bevel to the face.",
+   .hard_min = 0, .hard_max = 80, .soft_min = 5, .soft_max = 60, .default_number = {35}};
+
+static const sozai_parameter tone_spread = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "tone_spread", .label = "Tone spread", .group = "layout", .unit = "",
+   .doc = "Standard deviation of brightness from board to board, relative.",
+   .hard_min = 0, .hard_max = 0.5, .soft_min = 0, .soft_max = 0.2, .default_number = {0.06}};
+
+static const sozai_parameter cupping = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "cupping", .label = "Cupping", .group = "layout", .unit = "mm",
+   .doc = "How far the middle of a board may stand off its edges, up or down.",
+   .hard_min = 0, .hard_max = 20, .soft_min = 0, .soft_max = 1, .default_number = {0}};
+
+static const char *const flip_choices[] = {"random", "alternate", "none"};
+static const char *const flip_docs[] = {
+   "either way, each board as it comes", "every other one", "all the same way"};
+static const sozai_parameter flip = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_CHOICE,
+   .id = "board_flip", .label = "Ends", .group = "layout", .unit = "",
+   .doc = "Which way up the stem boards are laid.",
+   .choices = flip_choices, .choice_docs = flip_docs, .choice_count = COUNT(flip_choices), .default_number = {0}};
+
+static const sozai_parameter cut_flat = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "boards_flat", .label = "Flat-sawn", .group = "layout", .unit = "",
+   .doc = "Share of flat-sawn boards; the three shares are scaled to a sum of 1.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.6}};
+
+static const sozai_parameter cut_rift = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "boards_rift", .label = "Rift-sawn", .group = "layout", .unit = "",
+   .doc = "Share of rift-sawn boards.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.25}};
+
+static const sozai_parameter cut_quarter = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "boards_quarter", .label = "Quarter-sawn", .group = "layout", .unit = "",
+   .doc = "Share of quarter-sawn boards.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.15}};
+
 const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_SEED] = &seed,
    [P_OBJECT] = &object,
@@ -565,7 +682,25 @@ const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_CONE_WIDTH] = &cone_width,
    [P_IOR] = &ior,
    [P_COAT] = &coat,
-   [P_COAT_ROUGHNESS] = &coat_roughness};
+   [P_COAT_ROUGHNESS] = &coat_roughness,
+   [P_LAYOUT] = &layout_,
+   [P_BOARD_LENGTH] = &board_length,
+   [P_BOARD_WIDTH] = &board_width,
+   [P_BOARD_LENGTH_VARIATION] = &board_length_variation,
+   [P_STAGGER] = &stagger,
+   [P_CHEVRON_ANGLE] = &chevron_angle,
+   [P_LAYOUT_ROTATION] = &layout_rotation,
+   [P_JOINT_WIDTH] = &joint_width,
+   [P_JOINT_DEPTH] = &joint_depth,
+   [P_JOINT_COLOUR] = &joint_colour,
+   [P_BEVEL] = &bevel,
+   [P_BEVEL_ANGLE] = &bevel_angle,
+   [P_TONE_SPREAD] = &tone_spread,
+   [P_CUPPING] = &cupping,
+   [P_FLIP] = &flip,
+   [P_CUT_FLAT] = &cut_flat,
+   [P_CUT_RIFT] = &cut_rift,
+   [P_CUT_QUARTER] = &cut_quarter};
 
 static const sozai_channel channel_albedo = {
    .size = sizeof(sozai_channel), .first = WOOD_ALBEDO, .components = 3,
@@ -671,7 +806,50 @@ static const sozai_channel channel_ray = {
    .id = "ray", .unit = "", .suffixes = "",
    .doc = "Share of the footprint that rays cover, 0 to 1."};
 
+static const sozai_channel channel_board_id = {
+   .size = sizeof(sozai_channel), .first = WOOD_BOARD_ID, .components = 1,
+   .needs = SOZAI_INPUT_POINT,
+   .uses = 0,
+   .id = "board_id", .unit = "", .suffixes = "",
+   .doc = "A whole number below 2^24, another for each board of the layout; 0 without one."};
+
+static const sozai_channel channel_board_u = {
+   .size = sizeof(sozai_channel), .first = WOOD_BOARD_U, .components = 1,
+   .needs = SOZAI_INPUT_POINT,
+   .uses = 0,
+   .id = "board_u", .unit = "mm", .suffixes = "",
+   .doc = "Place along the board, from its corner, joint's middle to joint's middle; 0 without a layout."};
+
+static const sozai_channel channel_board_v = {
+   .size = sizeof(sozai_channel), .first = WOOD_BOARD_V, .components = 1,
+   .needs = SOZAI_INPUT_POINT,
+   .uses = 0,
+   .id = "board_v", .unit = "mm", .suffixes = "",
+   .doc = "Place across the board, likewise."};
+
+static const sozai_channel channel_board_edge = {
+   .size = sizeof(sozai_channel), .first = WOOD_BOARD_EDGE, .components = 1,
+   .needs = SOZAI_INPUT_POINT,
+   .uses = 0,
+   .id = "board_edge", .unit = "mm", .suffixes = "",
+   .doc = "Distance to the board's edge: positive within the board, negative in the joint; 0 without a layout."};
+
+static const sozai_channel channel_normal = {
+   .size = sizeof(sozai_channel), .first = WOOD_NORMAL, .components = 3,
+   .needs = SOZAI_INPUT_POINT | SOZAI_INPUT_NORMAL,
+   .uses = SOZAI_INPUT_FOOTPRINT,
+   .id = "normal", .unit = "", .suffixes = "xyz",
+   .doc = "Unit, object space: the normal given, tilted by the layout's bevelled edges and cupping."};
+
+static const sozai_channel channel_height = {
+   .size = sizeof(sozai_channel), .first = WOOD_HEIGHT, .components = 1,
+   .needs = SOZAI_INPUT_POINT,
+   .uses = SOZAI_INPUT_FOOTPRINT,
+   .id = "height", .unit = "mm", .suffixes = "",
+   .doc = "Of the layout's relief above the face: bevels, joints, cupping."};
+
 const sozai_channel *const wood_channels[] = {
-   &channel_albedo, &channel_radiance, &channel_fiber, &channel_dive, &channel_specular, &channel_roughness, &channel_time, &channel_latewood, &channel_vessel, &channel_reference, &channel_cone_colour, &channel_cone_width, &channel_coat, &channel_ray};
+   &channel_albedo, &channel_radiance, &channel_fiber, &channel_dive, &channel_specular, &channel_roughness, &channel_time, &channel_latewood, &channel_vessel, &channel_reference, &channel_cone_colour, &channel_cone_width, &channel_coat, &channel_ray,
+   &channel_board_id, &channel_board_u, &channel_board_v, &channel_board_edge, &channel_normal, &channel_height};
 /* clang-format on */
 const uint32_t wood_channel_count = COUNT(wood_channels);

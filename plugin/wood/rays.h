@@ -21,6 +21,7 @@ typedef struct {
   vf rho, turn, y;      /* turn: theta' / 2 pi, 0..1 */
   vf aa, ab, bb, along; /* products along arc and rho; extent along y */
   noise_axis out, up;   /* of the sheets' waves */
+  vu own;               /* the seeds' offset */
 } ray_place;
 
 #define RAY_SECTORS 64
@@ -52,7 +53,7 @@ INLINE ray_cells ray_cells_at(const wood_constants *w, const ray_place *p) {
   ray_cells q;
   vi sector;
   vf round = p->turn * splat((float)RAY_SECTORS), x = round - vfloor(round, &sector);
-  q.seed = wood_seed(w, SEED_RAYS) + (vu)sector * splatu(HASH_Y);
+  q.seed = wood_seed(w, p->own, SEED_RAYS) + (vu)sector * splatu(HASH_Y);
   vf offset = to_float((vi)(hash_upper(q.seed) >> 8)) * splat(1.0f / 16777216.0f);
   vf shells = p->rho * splat(w->inverse_ray_length) + offset;
   vf low = vfloor(shells, &q.shell);
@@ -128,12 +129,13 @@ INLINE vf rays_cover(const wood_constants *w, const ray_place *p, vf *share) {
   return sum;
 }
 
-INLINE ray_place ray_place_of(const wood_constants *w, vf rho, vf c, vf s, vf y,
+INLINE ray_place ray_place_of(const wood_constants *w, vu own, vf rho, vf c, vf s, vf y,
                               const footprint2 *f, vf along) {
   ray_place p;
   vi unused;
   vf turn = arctan2(s, c) * splat(0.15915494f);
   p.rho = rho;
+  p.own = own;
   p.turn = turn - vfloor(turn, &unused);
   p.y = y;
   p.aa = f->aa;

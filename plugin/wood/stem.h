@@ -17,19 +17,22 @@
 #include "../core/noise.h"
 #include "wood.h"
 
-INLINE vu wood_seed(const wood_constants *w, uint32_t which) { return splatu(w->seeds[which]); }
+/* own: a board's offset, 0 where there are no boards. */
+INLINE vu wood_seed(const wood_constants *w, vu own, uint32_t which) {
+  return splatu(w->seeds[which]) + own;
+}
 
 typedef struct {
   vf x, z;   /* mm, of the pith */
   vf dx, dz; /* slopes along y */
 } stem_pith;
 
-INLINE stem_pith pith_at(const wood_constants *w, vf y) {
+INLINE stem_pith pith_at(const wood_constants *w, vu own, vf y) {
   noise_stem a = noise_split_axial(y * splat(w->pith_frequency), HASH_Y);
   vf amplitude = splat(w->pith_amplitude), slope = splat(w->pith_amplitude * w->pith_frequency);
   stem_pith p;
-  p.x = amplitude * noise_axial1(&a, wood_seed(w, SEED_PITH_X), &p.dx);
-  p.z = amplitude * noise_axial1(&a, wood_seed(w, SEED_PITH_Z), &p.dz);
+  p.x = amplitude * noise_axial1(&a, wood_seed(w, own, SEED_PITH_X), &p.dx);
+  p.z = amplitude * noise_axial1(&a, wood_seed(w, own, SEED_PITH_Z), &p.dz);
   p.dx = p.dx * slope;
   p.dz = p.dz * slope;
   return p;
@@ -91,8 +94,8 @@ INLINE undulation_sum undulation_none(void) {
 
 /* Octaves finer than the footprint are left out; p->lost is the variance that
  * went with them. */
-INLINE void undulation_add(const wood_constants *w, int o, vf y, vf footprint, stem_place *p,
-                           undulation_sum *u) {
+INLINE void undulation_add(const wood_constants *w, vu own, int o, vf y, vf footprint,
+                           stem_place *p, undulation_sum *u) {
   if (w->undulation[o] == 0.0f) return;
   vf f = splat(w->undulation_frequency_section[o]);
   vf fy = splat(w->undulation_frequency_axis[o]);
@@ -113,7 +116,8 @@ INLINE void undulation_add(const wood_constants *w, int o, vf y, vf footprint, s
     p->lost = p->lost + splat(0.025f * w->undulation[o] * w->undulation[o]) * gone;
   }
   vf gx, gy, gz;
-  vf v = noise_axial3(&ax, &ay, &az, wood_seed(w, SEED_UNDULATION + (uint32_t)o), &gx, &gy, &gz);
+  vf v =
+      noise_axial3(&ax, &ay, &az, wood_seed(w, own, SEED_UNDULATION + (uint32_t)o), &gx, &gy, &gz);
   u->n = u->n + a * v;
   gx = gx * (a * f);
   gz = gz * (a * f);
@@ -146,13 +150,13 @@ INLINE void stem_rho(const wood_constants *w, vf y, const undulation_sum *u, ste
   p->rho_y = sel(eq(lean, bounded), p->r * splat(w->taper) * widen, splat(0.0f)) - envelope * u->ny;
 }
 
-INLINE stem_place stem_at(const wood_constants *w, vf x, vf y, vf z, vf footprint) {
+INLINE stem_place stem_at(const wood_constants *w, vu own, vf x, vf y, vf z, vf footprint) {
   stem_place p;
   undulation_sum u = undulation_none();
-  p.pith = pith_at(w, y);
+  p.pith = pith_at(w, own, y);
   p.lost = splat(0.0f);
   stem_about(x, z, &p);
-  for (int o = 0; o < 2; o++) undulation_add(w, o, y, footprint, &p, &u);
+  for (int o = 0; o < 2; o++) undulation_add(w, own, o, y, footprint, &p, &u);
   stem_rho(w, y, &u, &p);
   return p;
 }

@@ -94,7 +94,7 @@ typedef struct {
 #define PORE_NOWHERE 1e13f      /* far from everything */
 #define PORE_SECOND 0x2c1b3c6du /* makes another hash of a cell's */
 
-INLINE pore_cells pores_near(const wood_constants *w, vf x, vf z, const disc *d) {
+INLINE pore_cells pores_near(const wood_constants *w, vu own, vf x, vf z, const disc *d) {
   pore_cells p;
   vf inverse_cell = splat(w->inverse_pore_cell), unit = splat(PORE_UNIT), half = splat(0.5f);
   vf square = splat(w->pore_step * w->pore_step);
@@ -103,7 +103,7 @@ INLINE pore_cells pores_near(const wood_constants *w, vf x, vf z, const disc *d)
   z = z * inverse_cell - half;
   p.x = (x - vfloor(x, &ix)) * unit;
   p.z = (z - vfloor(z, &iz)) * unit;
-  p.hash = (vu)ix * splatu(HASH_X) + (vu)iz * splatu(HASH_Z) + wood_seed(w, SEED_PORES);
+  p.hash = (vu)ix * splatu(HASH_X) + (vu)iz * splatu(HASH_Z) + wood_seed(w, own, SEED_PORES);
   p.d = (disc){d->xx * square, d->xz * square, d->zz * square, d->top, d->height};
   return p;
 }
@@ -157,8 +157,8 @@ INLINE vf pores_sum(const wood_vessels *v, const pore_cells *p) {
 #endif
 
 /* Coverage by the field's pores. */
-INLINE vf pores_cover(const wood_constants *w, vf x, vf z, const disc *d) {
-  pore_cells p = pores_near(w, x, z, d);
+INLINE vf pores_cover(const wood_constants *w, vu own, vf x, vf z, const disc *d) {
+  pore_cells p = pores_near(w, own, x, z, d);
   return vessel_overlap(&w->pores, d, pores_sum(&w->pores, &p));
 }
 
@@ -175,7 +175,7 @@ typedef struct {
 } row_place;
 
 /* extent: mm, how far along rho the footprint and its taps reach. */
-INLINE row_place row_at(const wood_constants *w, const ring_place *ring, vf rho, vf c, vf s,
+INLINE row_place row_at(const wood_constants *w, vu own, const ring_place *ring, vf rho, vf c, vf s,
                         vf extent) {
   row_place p;
   vf reach = (extent + splat(w->row.radius)) * ring->inverse_width;
@@ -195,7 +195,7 @@ INLINE row_place row_at(const wood_constants *w, const ring_place *ring, vf rho,
   p.turn = arctan2(s, c) * splat(0.15915494f) + splat(0.5f);
   p.arc = splat(6.2831853f) * rho / vmax(p.count, splat(1.0f));
   p.per_arc = splat(1.0f) / vmax(p.arc, splat(1e-3f));
-  p.seed = (vu)which * splatu(HASH_Z) + wood_seed(w, SEED_ROWS);
+  p.seed = (vu)which * splatu(HASH_Z) + wood_seed(w, own, SEED_ROWS);
   return p;
 }
 
@@ -235,6 +235,7 @@ typedef struct {
   vf rho;  /* mm: of the point's year */
   ring_place ring;
   footprint2 f; /* over (arc, rho) */
+  vu own;       /* the seeds' offset */
 } vessel_place;
 
 /* A footprint over (arc, rho) as two vectors, mm: its longest direction, and
@@ -336,7 +337,7 @@ INLINE vf rows_tap(const wood_constants *w, const vessel_place *p, const row_pla
 }
 
 INLINE row_place row_of(const wood_constants *w, const vessel_place *p) {
-  return row_at(w, &p->ring, p->rho, p->c, p->s, vsqrt(p->f.bb));
+  return row_at(w, p->own, &p->ring, p->rho, p->c, p->s, vsqrt(p->f.bb));
 }
 
 /* Which footprints are longer than what one tap answers. */
@@ -378,7 +379,7 @@ INLINE vessel_cover_t vessels_in_parts(const wood_constants *w, const vessel_pla
     vf dr = sel(cut, l.rho * a + l.rest_rho * side, zero);
     if (w->has_pores) {
       vf x = p->x + (dr * p->c - da * p->s), z = p->z + (dr * p->s + da * p->c);
-      v.pores = v.pores + pores_cover(w, x, z, &pore) * weight;
+      v.pores = v.pores + pores_cover(w, p->own, x, z, &pore) * weight;
     }
     if (w->rows) {
       v.rows = v.rows + rows_tap(w, p, &row, part.aa, part.ab, part.bb, da, dr) * weight;

@@ -18,6 +18,7 @@
 #include <stdint.h>
 
 #include "../../api/sozai_colour.h"
+#include "../layout/layout.h"
 
 #define WOOD_RINGS 256      /* rings before the table repeats */
 #define WOOD_BINS_MAX 16384 /* bins of the look-up from rho to ring */
@@ -40,7 +41,8 @@ enum {
   SEED_ROWS,
   SEED_RAYS,
   SEED_FIBRE,
-  WOOD_SEEDS = SEED_FIBRE + WOOD_FIBRE_OCTAVES
+  SEED_BOARDS = SEED_FIBRE + WOOD_FIBRE_OCTAVES,
+  WOOD_SEEDS
 };
 
 /* A layer of vessels of normally distributed radius. inverse_square[i] is
@@ -53,6 +55,20 @@ typedef struct {
   float overlap;  /* share of the discs' areas that lies under another disc */
   float inverse_square[WOOD_RADII];
 } wood_vessels;
+
+/* How the ends of boards are turned. */
+enum { FLIP_RANDOM, FLIP_ALTERNATE, FLIP_NONE };
+
+/* A layout of boards; see boards.h. */
+typedef struct {
+  layout layout; /* kind LAYOUT_NONE: the object is one piece */
+  layout_profile profile;
+  float flat, rift; /* shares of the cuts; the rest is quarter-sawn */
+  float distance;   /* mm from the pith: half of it to two and a half times it */
+  float tone;       /* sd of a board's shade, relative */
+  float joint_colour[3];
+  int32_t flip, end;
+} wood_boards;
 
 typedef struct {
   /* object -> log: rows, then the shift. The rows are a rotation's. */
@@ -161,6 +177,8 @@ typedef struct {
   float cone_mean[WOOD_CONE_DIVE];                  /* of it over all directions */
   float cone_scale[WOOD_CONE_DIVE];                 /* of the lobe */
 
+  wood_boards boards;
+
   uint32_t seed;
   uint32_t seeds[WOOD_SEEDS]; /* one for each noise */
 
@@ -199,7 +217,13 @@ enum {
   WOOD_CONE_WIDTH = 20,
   WOOD_COAT = 21,
   WOOD_RAY = 22,
-  WOOD_COMPONENTS = 23
+  WOOD_BOARD_ID = 23,
+  WOOD_BOARD_U = 24,
+  WOOD_BOARD_V = 25,
+  WOOD_BOARD_EDGE = 26,
+  WOOD_NORMAL = 27,
+  WOOD_HEIGHT = 30,
+  WOOD_COMPONENTS = 31
 };
 
 typedef void wood_evaluate(const wood_constants *w, const wood_io *io, uint32_t from, uint32_t to);

@@ -48,7 +48,32 @@ static void give_up(const char *why) {
   atomic_store(&failed, 1);
 }
 
-/* ---- the textures: every preset, with every kind of slope -------------- */
+/* ---- the textures: every preset, with every kind of slope, and layouts - */
+
+/* Each way of finding a unit, with everything that a layout can have. */
+static int make_layouts(void) {
+  static const char *const layouts[] = {"strip",   "herringbone", "versailles", "hexagon",
+                                        "ashlar",  "crazy",       "arcs",       "circles",
+                                        "chevron", "end_grain"};
+  static const char *const flips[] = {"random", "alternate", "none"};
+  for (uint32_t i = 0; i < sizeof layouts / sizeof *layouts && texture_count < TEXTURES_MAX; i++) {
+    const sozai_value values[] = {
+        {.id = "layout", .kind = SOZAI_KIND_CHOICE, .text = layouts[i]},
+        {.id = "layout_rotation", .kind = SOZAI_KIND_FLOAT, .number = {17.0 * i}},
+        {.id = "bevel", .kind = SOZAI_KIND_FLOAT, .number = {0.5 * i}},
+        {.id = "cupping", .kind = SOZAI_KIND_FLOAT, .number = {i % 2u * 0.7}},
+        {.id = "board_flip", .kind = SOZAI_KIND_CHOICE, .text = flips[i % 3u]},
+        {.id = "grain", .kind = SOZAI_KIND_CHOICE, .text = "compound"},
+        {.id = "reflection", .kind = SOZAI_KIND_CHOICE, .text = i % 2u ? "fibre_cone" : "kawai"}};
+    const char *preset = info->presets[i % info->preset_count]->id;
+    if (host.textures->create(NULL, info->id, preset, values, 7, &textures[texture_count])) {
+      fprintf(stderr, "create %s: %s\n", layouts[i], host.textures->last_error());
+      return 1;
+    }
+    texture_count++;
+  }
+  return 0;
+}
 
 static int make_textures(void) {
   static const char *const cuts[] = {"log", "flat", "quarter", "rift", "end"};
@@ -71,7 +96,7 @@ static int make_textures(void) {
     }
     texture_count++;
   }
-  return 0;
+  return make_layouts();
 }
 
 /* ---- hashing ----------------------------------------------------------- */

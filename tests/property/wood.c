@@ -35,7 +35,7 @@ int wood_teardown(void **state) {
   return 0;
 }
 
-sozai_texture *wood_make(const char *preset, const char *parameters) {
+static sozai_texture *make(const char *preset, const char *parameters) {
   char text[1024];
   sozai_value values[32];
   unsigned n = 0;
@@ -51,10 +51,19 @@ sozai_texture *wood_make(const char *preset, const char *parameters) {
     values[n++].text = equals + 1;
   }
   sozai_texture *t;
-  if (textures->create(NULL, "wood", preset, values, n, &t)) {
-    stop("create", textures->last_error());
-  }
+  return textures->create(NULL, "wood", preset, values, n, &t) ? NULL : t;
+}
+
+sozai_texture *wood_make(const char *preset, const char *parameters) {
+  sozai_texture *t = make(preset, parameters);
+  if (!t) stop("create", textures->last_error());
   return t;
+}
+
+const char *wood_refused(const char *parameters) {
+  sozai_texture *t = make(NULL, parameters);
+  textures->destroy(t);
+  return t ? NULL : textures->last_error();
 }
 
 unsigned wood_presets(void) { return textures->find("wood")->preset_count; }
@@ -67,7 +76,7 @@ static float **array_of(points *p, unsigned k) {
   if (k < 12) return &p->view[k - 9];
   return k == 12 ? &p->footprint : &p->out[k - 13];
 }
-#define OUTS 23
+#define OUTS 31
 #define ARRAYS (13 + OUTS)
 
 void points_clear(points *p) { p->count = 0; }

@@ -18,6 +18,9 @@ int wood_teardown(void **state);
  * test when it cannot be made. */
 sozai_texture *wood_make(const char *preset, const char *parameters);
 
+/* Why it cannot be made: the plugin's message, or NULL when it can. */
+const char *wood_refused(const char *parameters);
+
 /* How many presets there are, and the id of one. */
 unsigned wood_presets(void);
 const char *wood_preset(unsigned i);
@@ -26,7 +29,7 @@ const char *wood_preset(unsigned i);
 typedef struct {
   unsigned count, room;
   float *point[3], *normal[3], *light[3], *view[3], *footprint;
-  float *out[23];
+  float *out[31];
 } points;
 
 /* Components, as describe lists them. */
@@ -42,7 +45,13 @@ enum {
   CONE_COLOUR = 17,
   CONE_WIDTH = 20,
   COAT,
-  RAY
+  RAY,
+  BOARD_ID,
+  BOARD_U,
+  BOARD_V,
+  BOARD_EDGE,
+  NORMAL,
+  HEIGHT = 30
 };
 
 void points_clear(points *p);

@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Joints under a footprint.
+ *
+ * A footprint is a square of side e, which for a straight joint is a box of
+ * that width across it. Between two parallel sides the joints repeat with the
+ * unit's width, and their share of the box is a difference of two values of
+ * their integral: exact for courses, and exact for any unit as long as the
+ * footprint does not reach past its neighbours. Beyond about the unit's size
+ * the share of the whole plane fades in.
+ */
+#ifndef SOZAI_LAYOUT_COVER_H
+#define SOZAI_LAYOUT_COVER_H
+
+#include "../core/filter.h"
+#include "layout.h"
+
+#define COVER_LEAST 0.01f /* mm: a point's own blur */
+
+/* Integral from 0 to x of what is joint: bands of width g about the multiples
+ * of w. */
+INLINE vf cover_integral(vf x, vf w, vf inverse_w, vf g) {
+  vi unused;
+  vf turns = vfloor(x * inverse_w, &unused), rest = x - turns * w, half = splat(0.5f) * g;
+  return g * turns + clamp(rest, splat(0.0f), half) + vmax(rest - (w - half), splat(0.0f));
+}
+
+/* What gathers over the sides of a unit. */
+typedef struct {
+  vf nearest, nx, ny; /* distance to the nearest side, and its inward normal */
+  vf open;            /* share of the footprint that is no joint */
+  vf own;             /* share of it within the unit's own sides */
+} cover;
+
+INLINE cover cover_begin(void) {
+  cover c;
+  c.nearest = splat(1e9f);
+  c.nx = c.ny = splat(0.0f);
+  c.open = c.own = splat(1.0f);
+  return c;
+}
+
+INLINE void cover_side(cover *c, vf d, vf nx, vf ny) {
+  vm nearer = lt(d, c->nearest);
+  c->nearest = sel(nearer, d, c->nearest);
+  c->nx = sel(nearer, nx, c->nx);
+  c->ny = sel(nearer, ny, c->ny);
+}
+
+/* Of the box from d - e/2 to d + e/2 the share from `low` to `high`. */
+INLINE vf cover_share(vf d, vf e, vf low, vf high) {
+  vf half = splat(0.5f) * e;
+  return clamp01((vmin(d + half, high) - vmax(d - half, low)) / e);
+}
+
+/* Two parallel sides, d0 and d1 away; n is the inward normal of the first. */
+INLINE void cover_pair(cover *c, vf d0, vf d1, vf nx, vf ny, float joint, vf e) {
+  vf zero = splat(0.0f), g = splat(joint);
+  cover_side(c, d0, nx, ny);
+  cover_side(c, d1, zero - nx, zero - ny);
+  vf w = vmax(d0 + d1, splat(1e-3f)), half = splat(0.5f) * e;
+  c->own = c->own * cover_share(d0, e, zero, w);
+  if (!any(le(vmin(d0, d1) - half, splat(0.5f * joint)))) return; /* no joint within reach */
+  vf inverse = splat(1.0f) / w;
+  vf band = cover_integral(d0 + half, w, inverse, g) - cover_integral(d0 - half, w, inverse, g);
+  vm near = le(vmin(d0, d1) - half, splat(0.5f * joint));
+  c->open = c->open * sel(near, splat(1.0f) - clamp01(band / e), splat(1.0f));
+}
+
+/* One side on its own. */
+INLINE void cover_one(cover *c, vf d, vf nx, vf ny, float joint, vf e) {
+  vf half = splat(0.5f * joint);
+  cover_side(c, d, nx, ny);
+  c->own = c->own * cover_share(d, e, splat(0.0f), splat(1e9f));
+  c->open = c->open * (splat(1.0f) - cover_share(d, e, splat(0.0f) - half, half));
+}
+
+/* Coverage of the joint: what the sides gave, and beyond a unit's size the
+ * share of the whole plane. */
+INLINE vf cover_joint(const layout *l, const cover *c, vf length, vf width, vf e) {
+  vf covered = splat(1.0f) - c->open;
+  vf size = vmin(length, width);
+  vm wide = gt(e, size);
+  if (!any(wide)) return covered;
+  vf far = smooth_step(size, splat(2.0f) * size, e);
+  return sel(wide, mix(covered, splat(l->share), far), covered);
+}
+
+/* How many units the footprint spans, at least 1: a mean over so many has so
+ * much less variance. */
+INLINE vf cover_spanned(vf length, vf width, vf e) {
+  vf one = splat(1.0f);
+  return (one + e / vmax(length, splat(1e-3f))) * (one + e / vmax(width, splat(1e-3f)));
+}
+
+#endif

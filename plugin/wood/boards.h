@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Boards: a layout of wood. Object space x, y is the floor and +z its face;
+ * every board is sawn from a log of its own, its grain along its length.
+ *
+ * A log of its own is: an offset to the seeds of all noises, an azimuth, a
+ * distance and direction from the pith (the cut), and a height. Heights stay
+ * near y = 0, since the reference section shears with them.
+ */
+#ifndef SOZAI_WOOD_BOARDS_H
+#define SOZAI_WOOD_BOARDS_H
+
+#include "../layout/relief.h"
+#include "wood.h"
+
+typedef struct {
+  layout_unit unit;
+  vu own;        /* added to the seeds */
+  vf turn[3][3]; /* object to log, rows */
+  vf tone;       /* factor of the albedo */
+} wood_board;
+
+/* The next of a board's random numbers, 0..1. */
+INLINE vf board_random(vu *h) {
+  *h = hash_mix(*h + splatu(HASH_X));
+  return layout_random(*h);
+}
+
+/* How the board lies about the pith: direction (sine, cosine) from the face's
+ * normal, by the shares of the cuts, in turns. */
+INLINE vf board_cut(const wood_boards *b, vf which, vf place) {
+  vf middle = splat(0.0f), spread = splat(0.05f); /* flat: within 18 degrees */
+  vm rift = le(splat(b->flat), which), quarter = le(splat(b->flat + b->rift), which);
+  middle = sel(rift, splat(0.125f), middle);
+  spread = sel(rift, splat(0.042f), spread);
+  middle = sel(quarter, splat(0.236f), middle);
+  spread = sel(quarter, splat(0.014f), spread);
+  return middle + spread * (place + place - splat(1.0f));
+}
+
+/* p: object space, mm; log[3]: where that is in the board's log. */
+INLINE void board_at(const wood_constants *w, const vf p[3], vf e, wood_board *out, vf log[3]) {
+  const wood_boards *b = &w->boards;
+  vf one = splat(1.0f), zero = splat(0.0f), half = splat(0.5f);
+  layout_unit *unit = &out->unit;
+  *unit = layout_at(&b->layout, p[0], p[1], e);
+  vu h = hash_mix(unit->id + splatu(w->seeds[SEED_BOARDS]));
+  out->own = h;
+  vf sine, cosine, ca, sa;
+  vf which = board_random(&h), cut = board_cut(b, which, board_random(&h));
+  vf around = board_random(&h);
+  sine_cosine_turns(around, &sa, &ca);
+  vf height = board_random(&h) * splat(2.0f) - one;
+  vf distance = splat(b->distance) * (half + splat(2.0f) * board_random(&h));
+  vf side = board_random(&h); /* four ways: heart up or down, to the left or right */
+  vf up = sel(lt(side, half), one, zero - one);
+  vf right = sel(lt(vabs(side - half), splat(0.25f)), one, zero - one);
+  vf flip = one;
+  if (b->flip == FLIP_RANDOM) flip = sel(lt(board_random(&h), half), one, zero - one);
+  if (b->flip == FLIP_ALTERNATE) {
+    flip = one - to_float((vi)(unit->id & splatu(1u))) * splat(2.0f);
+  }
+  if (b->tone > 0.0f) {
+    /* three uniform numbers: nearly normal, sd 1 */
+    vf sum = board_random(&h) + board_random(&h) + board_random(&h);
+    vf shade = (sum + sum - splat(3.0f)) * splat(b->tone) * unit->own;
+    out->tone = vmax(one + shade, splat(0.2f));
+  } else {
+    out->tone = one;
+  }
+
+  vf u = unit->u - half * unit->length, v = unit->v - half * unit->width;
+  vf q[3], place[3];
+  vf row[3][3]; /* object to the board's cut: rows are the log's x, y, z before the turn */
+  for (int c = 0; c < 3; c++) row[0][c] = row[1][c] = row[2][c] = zero;
+  vf cu = unit->c * flip, su = unit->s * flip;
+  if (b->end) {
+    /* x along the block, the face looks up the stem, z against its v */
+    row[0][0] = cu;
+    row[0][1] = su;
+    row[1][2] = one;
+    row[2][0] = su;
+    row[2][1] = zero - cu;
+    q[0] = u * flip;
+    q[1] = p[2];
+    q[2] = zero - v * flip;
+    sine_cosine_turns(which, &sine, &cosine);
+    place[1] = height * splat(400.0f);
+  } else {
+    /* y along the board, x against its v, z its face */
+    row[0][0] = su;
+    row[0][1] = zero - cu;
+    row[1][0] = cu;
+    row[1][1] = su;
+    row[2][2] = one;
+    q[0] = zero - v * flip;
+    q[1] = u * flip;
+    q[2] = p[2];
+    sine_cosine_turns(cut, &sine, &cosine);
+    distance = vmax(distance, (half * unit->width + splat(10.0f)) * sine);
+    place[1] = height * vmax(splat(500.0f) - half * unit->length, splat(150.0f));
+  }
+  place[0] = distance * sine * right;
+  place[2] = distance * cosine * up;
+  for (int c = 0; c < 3; c++) {
+    q[c] = q[c] + place[c];
+    out->turn[0][c] = ca * row[0][c] - sa * row[2][c];
+    out->turn[1][c] = row[1][c];
+    out->turn[2][c] = sa * row[0][c] + ca * row[2][c];
+  }
+  log[0] = ca * q[0] - sa * q[2];
+  log[1] = q[1];
+  log[2] = sa * q[0] + ca * q[2];
+}
+
+/* What the joint and the board's shade make of a channel of the albedo. */
+INLINE vf board_albedo(const wood_constants *w, const wood_board *board, int c, vf albedo) {
+  return mix(albedo * board->tone, splat(w->boards.joint_colour[c]), board->unit.joint);
+}
+
+#endif

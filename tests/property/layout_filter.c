@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Footprints across boards: albedo against the average of 1,024 points of the
+ * square, anywhere and astride joints, by layout and footprint. Within a
+ * footprint's reach of a joint the neighbour's wood is not looked up: its
+ * shade is taken as the mean, its colour as this board's.
+ */
+#include <math.h>
+
+#include "cmocka_all.h"
+#include "wood.h"
+
+enum { SIDE = 32, SAMPLES = SIDE * SIDE, PLACES = 600 };
+
+static void against_1024_samples(void **state) {
+  (void)state;
+  static const double sizes[] = {0.1, 0.3, 1, 3, 10, 30, 100, 300};
+  static const char *const layouts[] = {"layout=strip; joint_width=0.6",
+                                        "layout=herringbone; joint_width=0.6",
+                                        "layout=versailles; joint_width=0.6",
+                                        "layout=chidori; joint_width=6; joint_colour=#808080",
+                                        "layout=hexagon; joint_width=6; joint_colour=#808080",
+                                        "layout=crazy; joint_width=10; joint_colour=#808080"};
+  print_message("RMS / mean error of albedo, by footprint in mm:\n%-22s", "");
+  for (unsigned f = 0; f < 8; f++) print_message("%16g", sizes[f]);
+  print_message("\n");
+  double worst_small = 0, worst = 0, worst_mean = 0;
+  points p = {0};
+  for (unsigned k = 0; k < 12; k++) {
+    const char *layout = layouts[k / 2];
+    sozai_texture *t = wood_make("mizunara", layout);
+    print_message("%-12.12s%-10s", layout + 7, k & 1 ? " astride" : " anywhere");
+    for (unsigned f = 0; f < 8; f++) {
+      uniform_seed(91);
+      double square = 0, mean = 0;
+      unsigned n = 0;
+      for (int place = 0; place < PLACES; place++) {
+        double x = 3000 * (uniform() - 0.5), y = 3000 * (uniform() - 0.5);
+        if (k & 1) { /* down the edge's slope, to a joint's middle */
+          for (int step = 0; step < 6; step++) {
+            points_clear(&p);
+            points_add(&p, x, y, 0, 0);
+            points_add(&p, x + 0.1, y, 0, 0);
+            points_add(&p, x, y + 0.1, 0, 0);
+            points_ask(&p, t);
+            double e = (double)p.out[BOARD_EDGE][0];
+            double gx = (double)p.out[BOARD_EDGE][1] - e, gy = (double)p.out[BOARD_EDGE][2] - e;
+            double g = hypot(gx, gy);
+            if (g < 0.05 || e < 0.1) break;
+            x -= gx / g * e;
+            y -= gy / g * e;
+          }
+          x += sizes[f] * (uniform() - 0.5);
+          y += sizes[f] * (uniform() - 0.5);
+        }
+        points_clear(&p);
+        for (int i = 0; i < SAMPLES; i++) {
+          double u = ((i % SIDE + uniform()) / SIDE - 0.5) * sizes[f];
+          double v = ((i / SIDE + uniform()) / SIDE - 0.5) * sizes[f];
+          points_add(&p, x + u, y + v, 0, 0);
+        }
+        points_add(&p, x, y, 0, sizes[f]);
+        points_ask(&p, t);
+        for (int c = 0; c < 3; c++) {
+          double truth = 0;
+          for (int i = 0; i < SAMPLES; i++) truth += (double)p.out[ALBEDO + c][i] / SAMPLES;
+          double error = (double)p.out[ALBEDO + c][SAMPLES] - truth;
+          square += error * error;
+          mean += error;
+          n++;
+        }
+      }
+      double rms = sqrt(square / n);
+      mean /= n;
+      print_message("  %.4f/%+.4f", rms, mean);
+      if (!(k & 1)) {
+        worst = fmax(worst, rms);
+        worst_mean = fmax(worst_mean, fabs(mean));
+        if (sizes[f] <= 10) worst_small = fmax(worst_small, rms);
+      }
+    }
+    print_message("\n");
+    textures->destroy(t);
+  }
+  points_free(&p);
+  CHECK(worst_small <= 0.012 && worst <= 0.03 && worst_mean <= 0.006,
+        "anywhere: worst RMS %.4f up to 10 mm (goal 0.012), %.4f beyond (0.03), worst mean %.4f "
+        "(0.006)\n",
+        worst_small, worst, worst_mean);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {cmocka_unit_test(against_1024_samples)};
+  return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
+}
