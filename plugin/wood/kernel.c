@@ -619,8 +619,9 @@ INLINE void stage_radiance(const wood_constants *w, const wood_io *io, block *k)
   }
 }
 
+/* 64 points on their way take 24 KB, which the nearest cache holds. */
 #ifndef BLOCKS
-#define BLOCKS (LANES == 1 ? 1 : 8)
+#define BLOCKS (LANES == 1 ? 1 : 64 / LANES)
 #endif
 #define EACH(stage)                                                                                \
   for (uint32_t k = 0; k < count; k++) stage
