@@ -163,8 +163,7 @@ static bool make_pictures(gallery *g, failure *why) {
     if (!make_shot(g, &gallery_shots[i], why)) return false;
   }
   return make_sheet(g, &g->sheet, SHEET_COLUMNS, "gallery.png", why) &&
-         (g->layouts.count == 0 ||
-          make_sheet(g, &g->layouts, LAYOUT_COLUMNS, "layouts.png", why));
+         (g->layouts.count == 0 || make_sheet(g, &g->layouts, LAYOUT_COLUMNS, "layouts.png", why));
 }
 
 static bool make_index(gallery *g, failure *why) {

@@ -6,10 +6,12 @@
 #define BOARD .width = 720, .height = 540
 #define FACE .shape = "plane", .camera = "front", .width = 960, .height = 640
 
-#define LAID(id, label, species, mm, a, b, c)                                                          \
-  {.name = "layout-" id, .title = label, .preset = species, .on_layouts = true,                    \
-   .params = {"layout=" id, a, b, c}, .shape = "plane", .camera = "front", .size = mm,       \
-   .width = 640, .height = 640}
+#define LAID(id, label, species, mm, a, b, c)                                                      \
+  {                                                                                                \
+    .name = "layout-" id, .title = label, .preset = species, .on_layouts = true,                   \
+    .params = {"layout=" id, a, b, c}, .shape = "plane", .camera = "front", .size = mm,            \
+    .width = 400, .height = 400                                                                    \
+  }
 
 const shot gallery_shots[] = {
     {.name = "flat",
@@ -117,7 +119,8 @@ const shot gallery_shots[] = {
     LAID("windmill", "Windmill", "mizunara", "1000x1000", NULL, NULL, NULL),
     LAID("versailles", "Parquet de Versailles", "mizunara", "1600x1600", NULL, NULL, NULL),
     LAID("igeta", "Igeta", "hinoki", "1000x1000", "joint_width=2", NULL, NULL),
-    LAID("stack", "Stack bond", "keyaki", "1000x1000", "board_length=300", "board_width=150", "joint_width=2"),
+    LAID("stack", "Stack bond", "keyaki", "1000x1000", "board_length=300", "board_width=150",
+         "joint_width=2"),
     LAID("chidori", "Chidori, staggered by half", "keyaki", "800x800", "joint_width=2", NULL, NULL),
     LAID("english", "English bond", "sugi", "600x600", "joint_width=4", NULL, NULL),
     LAID("flemish", "Flemish bond", "sugi", "600x600", "joint_width=4", NULL, NULL),
@@ -127,7 +130,8 @@ const shot gallery_shots[] = {
     LAID("butcher", "Butcher block", "makaba", "600x600", NULL, NULL, NULL),
     LAID("ashlar", "Random ashlar", "hinoki", "1600x1600", "joint_width=4", NULL, NULL),
     LAID("crazy", "Crazy paving, of end grain", "keyaki", "1600x1600", "cut=end", NULL, NULL),
-    LAID("arcs", "Segmental arcs of end-grain setts", "mizunara", "1600x1600", "cut=end", NULL, NULL),
+    LAID("arcs", "Segmental arcs of end-grain setts", "mizunara", "1600x1600", "cut=end", NULL,
+         NULL),
     LAID("circles", "Rings of end-grain setts", "mizunara", "1600x1600", "cut=end", NULL, NULL),
 };
 

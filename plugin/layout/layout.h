@@ -41,12 +41,12 @@ typedef struct {
   int32_t kind;
   int32_t sides; /* of the piece that has the most; 0: a function */
   int32_t pieces;
-  int32_t quads;        /* every piece has two pairs of parallel sides */
-  float cosine, sine;   /* of the turn */
-  float length, width;  /* mm */
-  float joint;          /* mm */
-  float share;          /* of the plane that is joint */
-  float narrowest;      /* mm: of the narrowest unit across */
+  int32_t quads;       /* every piece has two pairs of parallel sides */
+  float cosine, sine;  /* of the turn */
+  float length, width; /* mm */
+  float joint;         /* mm */
+  float share;         /* of the plane that is joint */
+  float narrowest;     /* mm: of the narrowest unit across */
   float inverse_length, inverse_width;
   float jitter;  /* of a joint along the course, of the length */
   float stagger; /* of the length */

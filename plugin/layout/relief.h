@@ -32,8 +32,8 @@ INLINE layout_height layout_relief(const layout *l, const layout_profile *r, con
     /* across the nearest edge: this unit's bevel, the joint, the next one's */
     vf b = splat(r->bevel), t = splat(r->slope), g = splat(l->joint), half = splat(0.5f) * e;
     vf low = p->edge - half, high = p->edge + half, other = zero - g;
-    vf ramp = bevel_integral(high, b) - bevel_integral(low, b) +
-              bevel_integral(other - low, b) - bevel_integral(other - high, b);
+    vf ramp = bevel_integral(high, b) - bevel_integral(low, b) + bevel_integral(other - low, b) -
+              bevel_integral(other - high, b);
     vf foot = splat(r->bevel * r->slope + r->depth);
     vf joint = cover_share(p->edge, e, other, zero);
     h.height = zero - t * ramp / e - foot * joint;

@@ -164,8 +164,8 @@ static void woven(layout_tile *t, double side, double w, double p, double q, dou
   static const double r = 0.70710678118654752440;
   if (t->count == LAYOUT_TILE_PIECES) return;
   double x = 0.5 * side + (p - q) * r, y = 0.5 * side + (p + q) * r, twice = 0;
-  layout_piece *made = dq > dp ? turned(t, x + dp * r, y + dp * r, -r, r, dq, dp)
-                               : turned(t, x, y, r, r, dp, dq);
+  layout_piece *made =
+      dq > dp ? turned(t, x + dp * r, y + dp * r, -r, r, dq, dp) : turned(t, x, y, r, r, dp, dq);
   cut_off(made, 1, 0, side - w);
   cut_off(made, -1, 0, -w);
   cut_off(made, 0, 1, side - w);

@@ -13,14 +13,14 @@
 #include "cover.h"
 
 typedef struct {
-  vu id;             /* different for each; to be hashed */
-  vf u, v;           /* mm: place in the unit, from its own corner */
-  vf length, width;  /* mm: along u and v */
-  vf c, s;           /* direction of u in the plane */
-  vf edge;           /* mm to the unit's edge, positive inside */
-  vf inx, iny;       /* unit, in the plane: from the nearest edge inwards */
-  vf joint;          /* share of the footprint that is joint */
-  vf own;            /* share of it that lies in the unit's own cell */
+  vu id;            /* different for each; to be hashed */
+  vf u, v;          /* mm: place in the unit, from its own corner */
+  vf length, width; /* mm: along u and v */
+  vf c, s;          /* direction of u in the plane */
+  vf edge;          /* mm to the unit's edge, positive inside */
+  vf inx, iny;      /* unit, in the plane: from the nearest edge inwards */
+  vf joint;         /* share of the footprint that is joint */
+  vf own;           /* share of it that lies in the unit's own cell */
 } layout_unit;
 
 /* A multiplier whose lattice has no short vectors modulo 2^17 to 2^24 and 2^32

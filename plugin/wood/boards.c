@@ -64,10 +64,11 @@ int32_t wood_build_boards(wood_constants *w, const settings *s, const float (*co
   double flat = num(s, P_CUT_FLAT), rift = num(s, P_CUT_RIFT), quarter = num(s, P_CUT_QUARTER);
   double sum = flat + rift + quarter;
   if (sum <= 0.0) {
-    return fail(SOZAI_ERROR_RANGE,
-                "boards_flat, boards_rift, boards_quarter: %.9g, %.9g and %.9g leave no cut; one of "
-                "them above 0, to 1",
-                flat, rift, quarter);
+    return fail(
+        SOZAI_ERROR_RANGE,
+        "boards_flat, boards_rift, boards_quarter: %.9g, %.9g and %.9g leave no cut; one of "
+        "them above 0, to 1",
+        flat, rift, quarter);
   }
   b->flat = (float)(flat / sum);
   b->rift = (float)(rift / sum);

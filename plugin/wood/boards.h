@@ -15,9 +15,9 @@
 
 typedef struct {
   layout_unit unit;
-  vu own;       /* added to the seeds */
+  vu own;        /* added to the seeds */
   vf turn[3][3]; /* object to log, rows */
-  vf tone;      /* factor of the albedo */
+  vf tone;       /* factor of the albedo */
 } wood_board;
 
 /* The next of a board's random numbers, 0..1. */

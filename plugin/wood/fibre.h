@@ -24,7 +24,8 @@ INLINE vf fibre_shift(const wood_constants *w, vu own, vf x, vf z, vf e2) {
     vf f = splat(w->fibre_frequency[o]);
     noise_axis ax = noise_split_cubic(x * f, HASH_X), az = noise_split_cubic(z * f, HASH_Z);
     vf dx, dz; /* not wanted, and so not computed */
-    sum = sum + keep * noise_value2(&ax, &az, wood_seed(w, own, SEED_FIBRE + (uint32_t)o), &dx, &dz);
+    sum =
+        sum + keep * noise_value2(&ax, &az, wood_seed(w, own, SEED_FIBRE + (uint32_t)o), &dx, &dz);
   }
   return sum;
 }

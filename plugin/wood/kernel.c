@@ -212,8 +212,8 @@ INLINE void stage_board(const wood_constants *w, int boards, const wood_io *io, 
   store_lanes(io, WOOD_HEIGHT, k->i, k->n, height);
 }
 
-INLINE void stage_load(const wood_constants *w, int boards, const wood_io *io, const wood_wants *want,
-                       block *k) {
+INLINE void stage_load(const wood_constants *w, int boards, const wood_io *io,
+                       const wood_wants *want, block *k) {
   vf p[3];
   for (int c = 0; c < 3; c++) p[c] = finite_coordinate(load_lanes(io->in->point[c], k->i, k->n));
   k->s = splat(0.0f);
@@ -261,8 +261,8 @@ INLINE void stage_grain(const wood_constants *w, int boards, const wood_io *io, 
 }
 
 /* The fibre's direction: theta' and rho are constant along it. */
-INLINE void stage_fibre(const wood_constants *w, int boards, const wood_io *io, const wood_wants *want,
-                        block *k) {
+INLINE void stage_fibre(const wood_constants *w, int boards, const wood_io *io,
+                        const wood_wants *want, block *k) {
   const stem_place *stem = &k->stem;
   vf one = splat(1.0f), zero = splat(0.0f), f[3];
   vf omega = k->grain.g_filtered * k->divisor;
@@ -323,8 +323,8 @@ INLINE footprint2 footprint_in_section(const wood_io *io, const block *k) {
   return footprint_through(a, k->b, k->nrm, !io->in->normal[0], k->s);
 }
 
-INLINE void stage_tissue(const wood_constants *w, int boards, const wood_io *io, const wood_wants *want,
-                         block *k) {
+INLINE void stage_tissue(const wood_constants *w, int boards, const wood_io *io,
+                         const wood_wants *want, block *k) {
   const stem_place *stem = &k->stem;
   vf one = splat(1.0f), zero = splat(0.0f);
   int ball = !io->in->normal[0];
@@ -400,7 +400,8 @@ INLINE void store_lit(const wood_io *io, const block *k, int c, vf r) {
 
 /* Towards the eye, log space; the normal where no view is given, or none that
  * is a direction. */
-INLINE void view_of(const wood_constants *w, int boards, const wood_io *io, const block *k, vf out[3]) {
+INLINE void view_of(const wood_constants *w, int boards, const wood_io *io, const block *k,
+                    vf out[3]) {
   for (int c = 0; c < 3; c++) out[c] = k->nrm[c];
   if (!io->in->view[0]) return;
   vf v[3], turned[3], size = splat(0.0f);
@@ -428,8 +429,8 @@ INLINE void stage_cone(const wood_constants *w, const wood_io *io, block *k) {
 
 /* Figure, Kawai's equation (4): the lobe's normal dives with the fibre; slopes
  * that the footprint averages widen it instead. */
-INLINE void stage_figure(const wood_constants *w, int boards, const wood_io *io, const wood_wants *want,
-                         block *k) {
+INLINE void stage_figure(const wood_constants *w, int boards, const wood_io *io,
+                         const wood_wants *want, block *k) {
   vf one = splat(1.0f), zero = splat(0.0f);
   vf exponent = splat(w->shininess), strength = splat(w->specular);
   vf roughness = splat(w->roughness);
@@ -456,7 +457,8 @@ INLINE void stage_figure(const wood_constants *w, int boards, const wood_io *io,
     view_of(w, boards, io, k, v);
     cone_radiance(w, l, v, k->nrm, k->fibre, k->sine, k->grain.variance, k->albedo, r);
     if (boards) {
-      vf lit = splat(w->diffuse) * vmax(l[0] * k->nrm[0] + l[1] * k->nrm[1] + l[2] * k->nrm[2], zero);
+      vf lit =
+          splat(w->diffuse) * vmax(l[0] * k->nrm[0] + l[1] * k->nrm[1] + l[2] * k->nrm[2], zero);
       for (int c = 0; c < 3; c++) {
         r[c] = mix(r[c], lit * splat(w->boards.joint_colour[c]), k->board.unit.joint);
       }

@@ -75,7 +75,8 @@ INLINE vf undulation_at(const wood_constants *w, vu own, vf x, vf y, vf z, vf r,
     vf keep = filter_keep(footprint, w->undulation_size[o]);
     vf a = splat(w->undulation[o]) * keep;
     vf gx, gy, gz;
-    vf v = noise_axial3(&ax, &ay, &az, wood_seed(w, own, SEED_UNDULATION + (uint32_t)o), &gx, &gy, &gz);
+    vf v = noise_axial3(&ax, &ay, &az, wood_seed(w, own, SEED_UNDULATION + (uint32_t)o), &gx, &gy,
+                        &gz);
     n = n + a * v;
     gx = gx * (a * f);
     gz = gz * (a * f);

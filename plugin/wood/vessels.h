@@ -123,8 +123,8 @@ typedef struct {
 } row_place;
 
 /* extent: mm, how far along rho the footprint and its taps reach. */
-INLINE row_place row_at(const wood_constants *w, vu own, const ring_place *ring, vf rho, vf c,
-                        vf s, vf extent) {
+INLINE row_place row_at(const wood_constants *w, vu own, const ring_place *ring, vf rho, vf c, vf s,
+                        vf extent) {
   row_place p;
   vf reach = (extent + splat(w->row.radius)) * ring->inverse_width;
   vf band = splat(w->band) * ring->inverse_width;

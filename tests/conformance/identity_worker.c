@@ -52,8 +52,9 @@ static void give_up(const char *why) {
 
 /* Each way of finding a unit, with everything that a layout can have. */
 static int make_layouts(void) {
-  static const char *const layouts[] = {"strip",  "herringbone", "versailles", "hexagon", "ashlar",
-                                        "crazy",  "arcs",        "circles",    "chevron", "end_grain"};
+  static const char *const layouts[] = {"strip",   "herringbone", "versailles", "hexagon",
+                                        "ashlar",  "crazy",       "arcs",       "circles",
+                                        "chevron", "end_grain"};
   static const char *const flips[] = {"random", "alternate", "none"};
   for (uint32_t i = 0; i < sizeof layouts / sizeof *layouts && texture_count < TEXTURES_MAX; i++) {
     const sozai_value values[] = {

@@ -27,8 +27,18 @@ typedef struct {
 static const expected layouts[] = {
     {.id = "strip", .length = 600, .width = 90, .reach = 760},
     {.id = "stack", .length = 300, .width = 200, .area = {R(300, 200)}, .per_tile = 1, .tile = 6e4},
-    {.id = "running", .length = 300, .width = 90, .area = {R(300, 90)}, .per_tile = 1, .tile = 27e3},
-    {.id = "chidori", .length = 200, .width = 90, .area = {R(200, 90)}, .per_tile = 1, .tile = 18e3},
+    {.id = "running",
+     .length = 300,
+     .width = 90,
+     .area = {R(300, 90)},
+     .per_tile = 1,
+     .tile = 27e3},
+    {.id = "chidori",
+     .length = 200,
+     .width = 90,
+     .area = {R(200, 90)},
+     .per_tile = 1,
+     .tile = 18e3},
     {.id = "english",
      .length = 210,
      .width = 65,
@@ -41,11 +51,31 @@ static const expected layouts[] = {
      .area = {R(210, 65), R(105, 65)},
      .per_tile = 2,
      .tile = 315 * 65},
-    {.id = "herringbone", .length = 350, .width = 70, .area = {R(350, 70)}, .per_tile = 1, .tile = 24500},
-    {.id = "herringbone_90", .length = 333, .width = 70, .area = {R(333, 70)}, .per_tile = 1, .tile = 333 * 70},
-    {.id = "herringbone_double", .length = 400, .width = 50, .area = {R(400, 50)}, .per_tile = 1, .tile = 2e4},
+    {.id = "herringbone",
+     .length = 350,
+     .width = 70,
+     .area = {R(350, 70)},
+     .per_tile = 1,
+     .tile = 24500},
+    {.id = "herringbone_90",
+     .length = 333,
+     .width = 70,
+     .area = {R(333, 70)},
+     .per_tile = 1,
+     .tile = 333 * 70},
+    {.id = "herringbone_double",
+     .length = 400,
+     .width = 50,
+     .area = {R(400, 50)},
+     .per_tile = 1,
+     .tile = 2e4},
     {.id = "chevron", .length = 400, .width = 80, .reach = 560, .per_tile = 1, .tile = 400 * 80},
-    {.id = "basket", .length = 300, .width = 75, .area = {R(300, 75)}, .per_tile = 1, .tile = 22500},
+    {.id = "basket",
+     .length = 300,
+     .width = 75,
+     .area = {R(300, 75)},
+     .per_tile = 1,
+     .tile = 22500},
     {.id = "windmill",
      .length = 300,
      .width = 100,
@@ -73,7 +103,12 @@ static const expected layouts[] = {
      .area = {0.82842712475 * (200 - G) * (200 - G), R(82.842712, 82.842712)},
      .per_tile = 2,
      .tile = 4e4},
-    {.id = "end_grain", .length = 80, .width = 80, .area = {R(80, 80)}, .per_tile = 1, .tile = 6400},
+    {.id = "end_grain",
+     .length = 80,
+     .width = 80,
+     .area = {R(80, 80)},
+     .per_tile = 1,
+     .tile = 6400},
     {.id = "butcher", .length = 450, .width = 42, .reach = 570},
     {.id = "ashlar", .length = 500, .width = 150, .reach = 660},
     {.id = "crazy", .length = 350, .width = 350, .reach = 900},
@@ -85,8 +120,8 @@ static const expected layouts[] = {
 static sozai_texture *make(const expected *e) {
   char text[512];
   snprintf(text, sizeof text,
-           "layout=%s; board_length=%g; board_width=%g; joint_width=%g; layout_rotation=20",
-           e->id, e->length, e->width, G);
+           "layout=%s; board_length=%g; board_width=%g; joint_width=%g; layout_rotation=20", e->id,
+           e->length, e->width, G);
   return wood_make(NULL, text);
 }
 
@@ -153,11 +188,13 @@ static void edges_and_frames(void **state) {
       merged += at(&q, BOARD_ID, i + 1) == (double)q.point[2][i] && at(&q, BOARD_EDGE, i + 1) > 0;
     }
     /* an angle round the origin, 70 m off, is a float's to 0.03 mm */
-    CHECK(steep < (e->bent ? 0.08 : 0.03) && !torn && frame < 0.03 && crossed > N / 10 && past < 0.12 && !merged,
-          "%s: %d places; edge changes by at most the step + %.3f mm; %d ids torn of %d steps within "
-          "a unit, frames off by %.3f mm; %d joints crossed: their middles found to %.3f mm, %d ids "
-          "merged\n",
-          e->id, N, steep, torn, inside, frame, crossed, past, merged);
+    CHECK(
+        steep < (e->bent ? 0.08 : 0.03) && !torn && frame < 0.03 && crossed > N / 10 &&
+            past < 0.12 && !merged,
+        "%s: %d places; edge changes by at most the step + %.3f mm; %d ids torn of %d steps within "
+        "a unit, frames off by %.3f mm; %d joints crossed: their middles found to %.3f mm, %d ids "
+        "merged\n",
+        e->id, N, steep, torn, inside, frame, crossed, past, merged);
     points_free(&p);
     points_free(&q);
     textures->destroy(t);
@@ -290,6 +327,60 @@ static void no_repeat(void **state) {
   }
 }
 
+/* Black wood and white joints: the albedo is the joint's share of the
+ * footprint. Against 1,024 samples, and of a footprint of 10 m against the share
+ * of the plane. */
+static void joint_shares(void **state) {
+  (void)state;
+  enum { SIDE = 32, SAMPLES = SIDE * SIDE, PLACES = 150 };
+  static const double sizes[] = {1, 4, 20, 1e4};
+  print_message("joint's share of a footprint, RMS error by its size in mm:\n%-20s", "");
+  for (int f = 0; f < 4; f++) print_message("%9g", sizes[f]);
+  print_message("%9s\n", "share");
+  double worst[4] = {0};
+  for (unsigned k = 0; k < COUNT; k++) {
+    const expected *e = &layouts[k];
+    char text[512];
+    snprintf(text, sizeof text,
+             "layout=%s; board_length=%g; board_width=%g; joint_width=4; joint_colour=#ffffff; "
+             "earlywood_colour=#000000; latewood_colour=#000000; vessel_colour=#000000; "
+             "sapwood_earlywood_colour=#000000; sapwood_latewood_colour=#000000",
+             e->id, e->length, e->width);
+    sozai_texture *t = wood_make(NULL, text);
+    print_message("%-20s", e->id);
+    uniform_seed(85);
+    points p = {0};
+    double share = 0;
+    for (int i = 0; i < 200000; i++) points_add(&p, 8e3 * uniform(), 8e3 * uniform(), 0, 0);
+    points_ask(&p, t);
+    for (unsigned i = 0; i < p.count; i++) share += (p.out[BOARD_EDGE][i] < 0) / (double)p.count;
+    for (int f = 0; f < 4; f++) {
+      double square = 0;
+      for (int place = 0; place < PLACES; place++) {
+        double x = 3000 * (uniform() - 0.5), y = 3000 * (uniform() - 0.5), truth = share;
+        points_clear(&p);
+        for (int i = 0; i < SAMPLES && f < 3; i++) {
+          double u = ((i % SIDE + uniform()) / SIDE - 0.5) * sizes[f];
+          points_add(&p, x + u, y + ((i / SIDE + uniform()) / SIDE - 0.5) * sizes[f], 0, 0);
+        }
+        unsigned own = points_add(&p, x, y, 0, sizes[f]);
+        points_ask(&p, t);
+        if (f < 3) truth = 0;
+        for (unsigned i = 0; i < own; i++) truth += (p.out[BOARD_EDGE][i] < 0) / (double)SAMPLES;
+        double error = at(&p, ALBEDO, own) - truth;
+        square += error * error / PLACES;
+      }
+      worst[f] = fmax(worst[f], sqrt(square));
+      print_message("%9.4f", sqrt(square));
+    }
+    print_message("%9.4f\n", share);
+    points_free(&p);
+    textures->destroy(t);
+  }
+  CHECK(worst[0] < 0.03 && worst[1] < 0.03 && worst[2] < 0.04 && worst[3] < 0.012,
+        "worst %.4f %.4f %.4f, of the plane %.4f\n", worst[0], worst[1], worst[2], worst[3]);
+}
+
 /* Ends of neighbouring courses keep apart. */
 static void strip_staggers(void **state) {
   (void)state;
@@ -367,8 +458,8 @@ static void bevels(void **state) {
 /* The normal leans as the height falls: bevels and cupping together. */
 static void normals_are_slopes(void **state) {
   (void)state;
-  static const char *const some[] = {"strip", "herringbone", "versailles", "hexagon", "crazy",
-                                     "circles"};
+  static const char *const some[] = {"strip",   "herringbone", "versailles",
+                                     "hexagon", "crazy",       "circles"};
   for (unsigned k = 0; k < 6; k++) {
     char text[256];
     snprintf(text, sizeof text,
@@ -405,8 +496,8 @@ static void normals_are_slopes(void **state) {
     }
     double rms = sqrt(square / n);
     CHECK(n > 9000 && rms < 0.004 && most < 0.05,
-          "%s: %d places, normal off the height's slope by %.4f RMS, %.4f at most\n", some[k], n, rms,
-          most);
+          "%s: %d places, normal off the height's slope by %.4f RMS, %.4f at most\n", some[k], n,
+          rms, most);
     points_free(&p);
     textures->destroy(t);
   }
@@ -451,10 +542,16 @@ static void refused(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(edges_and_frames), cmocka_unit_test(areas),
-      cmocka_unit_test(igeta_has_four),   cmocka_unit_test(no_repeat),
-      cmocka_unit_test(strip_staggers),   cmocka_unit_test(bevels),
-      cmocka_unit_test(normals_are_slopes), cmocka_unit_test(none),             cmocka_unit_test(refused),
+      cmocka_unit_test(edges_and_frames),
+      cmocka_unit_test(areas),
+      cmocka_unit_test(igeta_has_four),
+      cmocka_unit_test(no_repeat),
+      cmocka_unit_test(joint_shares),
+      cmocka_unit_test(strip_staggers),
+      cmocka_unit_test(bevels),
+      cmocka_unit_test(normals_are_slopes),
+      cmocka_unit_test(none),
+      cmocka_unit_test(refused),
   };
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

@@ -15,11 +15,12 @@ enum { SIDE = 32, SAMPLES = SIDE * SIDE, PLACES = 600 };
 static void against_1024_samples(void **state) {
   (void)state;
   static const double sizes[] = {0.1, 0.3, 1, 3, 10, 30, 100, 300};
-  static const char *const layouts[] = {
-      "layout=strip; joint_width=0.6", "layout=herringbone; joint_width=0.6",
-      "layout=versailles; joint_width=0.6", "layout=chidori; joint_width=6; joint_colour=#808080",
-      "layout=hexagon; joint_width=6; joint_colour=#808080",
-      "layout=crazy; joint_width=10; joint_colour=#808080"};
+  static const char *const layouts[] = {"layout=strip; joint_width=0.6",
+                                        "layout=herringbone; joint_width=0.6",
+                                        "layout=versailles; joint_width=0.6",
+                                        "layout=chidori; joint_width=6; joint_colour=#808080",
+                                        "layout=hexagon; joint_width=6; joint_colour=#808080",
+                                        "layout=crazy; joint_width=10; joint_colour=#808080"};
   print_message("RMS / mean error of albedo, by footprint in mm:\n%-22s", "");
   for (unsigned f = 0; f < 8; f++) print_message("%16g", sizes[f]);
   print_message("\n");
