@@ -187,10 +187,10 @@ static double share_of(const layout *l, double joint) {
   case LAYOUT_STRIP:
   case LAYOUT_BUTCHER:
     return 1.0 - (1.0 - joint / length) * (1.0 - joint / width);
-  case LAYOUT_ASHLAR: /* counted over its patterns: see ashlar in units.h */
-    return 1.0 - (1.0 - 1.6 * joint / length) * (1.0 - 0.75 * joint / width);
-  case LAYOUT_CRAZY: /* the edges of jittered cells, measured: 2.1 to a cell's side */
-    return 1.0 - (1.0 - 1.05 * joint / length) * (1.0 - 1.05 * joint / length);
+  case LAYOUT_ASHLAR: /* blocks are broken upright, and parts across, every other time */
+    return 1.0 - (1.0 - 1.5 * joint / length) * (1.0 - 1.5 * joint / width);
+  case LAYOUT_CRAZY: /* as of squares of the same number, measured */
+    return 1.0 - (1.0 - joint / length) * (1.0 - joint / length);
   default:
     return 1.0 - (1.0 - joint / length) * (1.0 - joint / width);
   }

@@ -327,6 +327,60 @@ static void no_repeat(void **state) {
   }
 }
 
+/* Black wood and white joints: the albedo is the joint's share of the
+ * footprint. Against 1,024 samples, and of a footprint of 10 m against the share
+ * of the plane. */
+static void joint_shares(void **state) {
+  (void)state;
+  enum { SIDE = 32, SAMPLES = SIDE * SIDE, PLACES = 150 };
+  static const double sizes[] = {1, 4, 20, 1e4};
+  print_message("joint's share of a footprint, RMS error by its size in mm:\n%-20s", "");
+  for (int f = 0; f < 4; f++) print_message("%9g", sizes[f]);
+  print_message("%9s\n", "share");
+  double worst[4] = {0};
+  for (unsigned k = 0; k < COUNT; k++) {
+    const expected *e = &layouts[k];
+    char text[512];
+    snprintf(text, sizeof text,
+             "layout=%s; board_length=%g; board_width=%g; joint_width=4; joint_colour=#ffffff; "
+             "earlywood_colour=#000000; latewood_colour=#000000; vessel_colour=#000000; "
+             "sapwood_earlywood_colour=#000000; sapwood_latewood_colour=#000000",
+             e->id, e->length, e->width);
+    sozai_texture *t = wood_make(NULL, text);
+    print_message("%-20s", e->id);
+    uniform_seed(85);
+    points p = {0};
+    double share = 0;
+    for (int i = 0; i < 200000; i++) points_add(&p, 8e3 * uniform(), 8e3 * uniform(), 0, 0);
+    points_ask(&p, t);
+    for (unsigned i = 0; i < p.count; i++) share += (p.out[BOARD_EDGE][i] < 0) / (double)p.count;
+    for (int f = 0; f < 4; f++) {
+      double square = 0;
+      for (int place = 0; place < PLACES; place++) {
+        double x = 3000 * (uniform() - 0.5), y = 3000 * (uniform() - 0.5), truth = share;
+        points_clear(&p);
+        for (int i = 0; i < SAMPLES && f < 3; i++) {
+          double u = ((i % SIDE + uniform()) / SIDE - 0.5) * sizes[f];
+          points_add(&p, x + u, y + ((i / SIDE + uniform()) / SIDE - 0.5) * sizes[f], 0, 0);
+        }
+        unsigned own = points_add(&p, x, y, 0, sizes[f]);
+        points_ask(&p, t);
+        if (f < 3) truth = 0;
+        for (unsigned i = 0; i < own; i++) truth += (p.out[BOARD_EDGE][i] < 0) / (double)SAMPLES;
+        double error = at(&p, ALBEDO, own) - truth;
+        square += error * error / PLACES;
+      }
+      worst[f] = fmax(worst[f], sqrt(square));
+      print_message("%9.4f", sqrt(square));
+    }
+    print_message("%9.4f\n", share);
+    points_free(&p);
+    textures->destroy(t);
+  }
+  CHECK(worst[0] < 0.03 && worst[1] < 0.03 && worst[2] < 0.04 && worst[3] < 0.012,
+        "worst %.4f %.4f %.4f, of the plane %.4f\n", worst[0], worst[1], worst[2], worst[3]);
+}
+
 /* Ends of neighbouring courses keep apart. */
 static void strip_staggers(void **state) {
   (void)state;
@@ -492,6 +546,10 @@ int main(void) {
       cmocka_unit_test(areas),
       cmocka_unit_test(igeta_has_four),
       cmocka_unit_test(no_repeat),
+<<<<<<< HEAD
+=======
+      cmocka_unit_test(joint_shares),
+>>>>>>> layout
       cmocka_unit_test(strip_staggers),
       cmocka_unit_test(bevels),
       cmocka_unit_test(normals_are_slopes),
