@@ -10,11 +10,7 @@
   {                                                                                                \
     .name = "layout-" id, .title = label, .preset = species, .on_layouts = true,                   \
     .params = {"layout=" id, a, b, c}, .shape = "plane", .camera = "front", .size = mm,            \
-<<<<<<< HEAD
-    .width = 640, .height = 640                                                                    \
-=======
     .width = 400, .height = 400                                                                    \
->>>>>>> layout
   }
 
 const shot gallery_shots[] = {

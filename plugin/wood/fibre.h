@@ -16,7 +16,6 @@
  * amplitude. It is whole while the extent is below half its size, and gone from
  * twice its size on. Kawai and Momoi repeat a small array of noise; hashing the cell
  * costs no memory and does not repeat. */
-<<<<<<< HEAD
 INLINE vf fibre_octave(const wood_constants *w, vu own, int o, vf x, vf z, vf e2) {
   vf keep = splat(w->fibre_scale[o]), near = splat(w->fibre_near[o]), zero = splat(0.0f);
   if (w->fibre_scale[o] <= 0.0f) return zero;
@@ -24,19 +23,6 @@ INLINE vf fibre_octave(const wood_constants *w, vu own, int o, vf x, vf z, vf e2
     vf t = clamp01((e2 - near) * splat(w->fibre_fade[o]));
     keep = keep * (splat(1.0f) - t * t * (splat(3.0f) - t - t));
     if (!any(gt(keep, zero))) return zero;
-=======
-INLINE vf fibre_shift(const wood_constants *w, vu own, vf x, vf z, vf e2) {
-  vf sum = splat(0.0f);
-  for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) {
-    if (w->fibre_amplitude[o] == 0.0f) continue;
-    vf keep = filter_keep_square(e2, w->fibre_size[o]) * splat(w->fibre_amplitude[o] / HASH_ONE);
-    if (!any(gt(keep, splat(0.0f)))) continue;
-    vf f = splat(w->fibre_frequency[o]);
-    noise_axis ax = noise_split_cubic(x * f, HASH_X), az = noise_split_cubic(z * f, HASH_Z);
-    vf dx, dz; /* not wanted, and so not computed */
-    sum =
-        sum + keep * noise_value2(&ax, &az, wood_seed(w, own, SEED_FIBRE + (uint32_t)o), &dx, &dz);
->>>>>>> layout
   }
   vf f = splat(w->fibre_frequency[o]);
   noise_axis ax = noise_split_cubic(x * f, HASH_X), az = noise_split_cubic(z * f, HASH_Z);

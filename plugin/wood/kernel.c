@@ -326,12 +326,7 @@ INLINE void stage_section(const wood_constants *w, const wood_io *io, block *k) 
 }
 
 /* The fibre's direction: theta' and rho are constant along it. */
-<<<<<<< HEAD
 INLINE void stage_fibre(block *k) {
-=======
-INLINE void stage_fibre(const wood_constants *w, int boards, const wood_io *io,
-                        const wood_wants *want, block *k) {
->>>>>>> layout
   const stem_place *stem = &k->stem;
   vf one = splat(1.0f), zero = splat(0.0f), *f = k->fibre;
   vf omega = k->grain.g_filtered * k->divisor;
@@ -400,7 +395,6 @@ INLINE footprint2 footprint_in_section(const wood_io *io, const block *k) {
   return footprint_through(a, k->b, k->nrm, !io->in->normal[0], k->s);
 }
 
-<<<<<<< HEAD
 INLINE vessel_place vessel_place_of(int boards, const block *k) {
   return (vessel_place){k->x, k->z, k->c, k->sn, k->stem.rho, k->ring, k->f, own_of(boards, k)};
 }
@@ -440,10 +434,6 @@ INLINE void stage_rows(const wood_constants *w, int boards, block *k) {
 
 /* Where the vessels could not be looked up, what is to be expected. */
 INLINE void stage_cover(const wood_constants *w, const wood_io *io, block *k) {
-=======
-INLINE void stage_tissue(const wood_constants *w, int boards, const wood_io *io,
-                         const wood_wants *want, block *k) {
->>>>>>> layout
   const stem_place *stem = &k->stem;
   const vessel_cover_t *v = &k->vessels;
   vf one = splat(1.0f), zero = splat(0.0f);
@@ -597,7 +587,6 @@ INLINE void stage_cone(const wood_constants *w, const wood_io *io, block *k) {
   store_lanes(io, WOOD_COAT, k, splat(w->coat));
 }
 
-<<<<<<< HEAD
 INLINE void stage_cone_radiance(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf r[3], v[3];
   view_of(w, boards, io, k, v);
@@ -614,43 +603,6 @@ INLINE void stage_cone_radiance(const wood_constants *w, int boards, const wood_
     vf lit = splat(w->diffuse) * vmax(k->incident, splat(0.0f));
     for (int c = 0; c < 3; c++) {
       r[c] = mix(r[c], lit * splat(w->boards.joint_colour[c]), k->board.unit.joint);
-=======
-/* Figure, Kawai's equation (4): the lobe's normal dives with the fibre; slopes
- * that the footprint averages widen it instead. */
-INLINE void stage_figure(const wood_constants *w, int boards, const wood_io *io,
-                         const wood_wants *want, block *k) {
-  vf one = splat(1.0f), zero = splat(0.0f);
-  vf exponent = splat(w->shininess), strength = splat(w->specular);
-  vf roughness = splat(w->roughness);
-  if (boards) strength = strength * (one - k->board.unit.joint);
-  vm widened = gt(k->grain.variance * exponent, splat(1e-4f));
-  if (any(widened)) {
-    vf across = k->nrm[2] * k->stem.c - k->nrm[0] * k->stem.s;
-    vf wide = one / (one + exponent * (k->grain.variance * across * across));
-    wide = sel(widened, wide, one);
-    exponent = exponent * wide;
-    strength = strength * vsqrt(wide);
-    roughness = vmin(vsqrt(splat(2.0f) / (exponent + splat(2.0f))), one);
-  }
-  store_lanes(io, WOOD_SPECULAR, k->i, k->n, strength);
-  store_lanes(io, WOOD_ROUGHNESS, k->i, k->n, roughness);
-  if (!want->radiance) return;
-
-  vf light[3], l[3];
-  for (int c = 0; c < 3; c++) light[c] = load_lanes(io->in->light[c], k->i, k->n);
-  unit_direction(light);
-  to_log(w, boards, k, light, l);
-  if (w->cone) {
-    vf r[3], v[3];
-    view_of(w, boards, io, k, v);
-    cone_radiance(w, l, v, k->nrm, k->fibre, k->sine, k->grain.variance, k->albedo, r);
-    if (boards) {
-      vf lit =
-          splat(w->diffuse) * vmax(l[0] * k->nrm[0] + l[1] * k->nrm[1] + l[2] * k->nrm[2], zero);
-      for (int c = 0; c < 3; c++) {
-        r[c] = mix(r[c], lit * splat(w->boards.joint_colour[c]), k->board.unit.joint);
-      }
->>>>>>> layout
     }
   }
   for (int c = 0; c < 3; c++) store_lit(io, k, c, r[c]);

@@ -54,57 +54,6 @@ INLINE vf outline_at(const wood_constants *w, vf c, vf s, vf *slope) {
   return sum;
 }
 
-<<<<<<< HEAD
-=======
-/* u and its derivatives about the pith. Octaves finer than the footprint are
- * left out; `lost` is the variance, in mm^2, that went with them. */
-INLINE vf undulation_at(const wood_constants *w, vu own, vf x, vf y, vf z, vf r, vf c, vf s,
-                        vf footprint, vf d[3], vf *lost) {
-  vf n = splat(0.0f), nx = n, ny = n, nz = n;
-  *lost = n;
-  for (int o = 0; o < 2; o++) {
-    if (w->undulation[o] == 0.0f) continue;
-    vf f = splat(w->undulation_frequency_section[o]);
-    vf fy = splat(w->undulation_frequency_axis[o]);
-    noise_stem ay = noise_split_axial(y * fy, HASH_Y);
-    /* the second octave is turned by atan(3/4), so that lattices do not line up */
-    vf px = x, pz = z;
-    if (o == 1) {
-      px = splat(0.8f) * x - splat(0.6f) * z;
-      pz = splat(0.6f) * x + splat(0.8f) * z;
-    }
-    noise_axis ax = noise_split_cubic(px * f, HASH_X), az = noise_split_cubic(pz * f, HASH_Z);
-    vf keep = filter_keep(footprint, w->undulation_size[o]);
-    vf a = splat(w->undulation[o]) * keep;
-    vf gx, gy, gz;
-    vf v = noise_axial3(&ax, &ay, &az, wood_seed(w, own, SEED_UNDULATION + (uint32_t)o), &gx, &gy,
-                        &gz);
-    n = n + a * v;
-    gx = gx * (a * f);
-    gz = gz * (a * f);
-    ny = ny + gy * (a * fy);
-    if (o == 1) {
-      nx = nx + (splat(0.8f) * gx + splat(0.6f) * gz);
-      nz = nz + (splat(0.8f) * gz - splat(0.6f) * gx);
-    } else {
-      nx = nx + gx;
-      nz = nz + gz;
-    }
-    /* the noise's variance is about 1/40, measured */
-    vf gone = splat(1.0f) - keep * keep;
-    *lost = *lost + splat(0.025f * w->undulation[o] * w->undulation[o]) * gone;
-  }
-  /* nothing at the pith, where directions crowd */
-  vf t = vmin(r * splat(w->undulation_core), splat(1.0f));
-  vf envelope = t * t * (splat(3.0f) - t - t);
-  vf envelope_slope = splat(6.0f * w->undulation_core) * t * (splat(1.0f) - t);
-  d[0] = envelope * nx + envelope_slope * c * n;
-  d[1] = envelope * ny;
-  d[2] = envelope * nz + envelope_slope * s * n;
-  return envelope * n;
-}
-
->>>>>>> layout
 typedef struct {
   stem_pith pith;
   vf x, z;    /* mm, about the pith */

@@ -546,10 +546,7 @@ int main(void) {
       cmocka_unit_test(areas),
       cmocka_unit_test(igeta_has_four),
       cmocka_unit_test(no_repeat),
-<<<<<<< HEAD
-=======
       cmocka_unit_test(joint_shares),
->>>>>>> layout
       cmocka_unit_test(strip_staggers),
       cmocka_unit_test(bevels),
       cmocka_unit_test(normals_are_slopes),
