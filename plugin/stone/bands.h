@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * What varies slowly in stone: beds, veins, mottle.
+ */
+#ifndef SOZAI_STONE_BANDS_H
+#define SOZAI_STONE_BANDS_H
+
+#include "../core/filter.h"
+#include "../core/noise.h"
+#include "stone.h"
+
+/* How far towards the other bed: 0..1, mean 1/2. A layer of sediment lies over
+ * the last at the same height everywhere but for a slow wave: value noise
+ * across the beds, at three sizes. flat2: how much of the footprint lies across. */
+INLINE vf bed_share(const stone_constants *w, const vf p[3], vf s, vf flat2) {
+  static const float weight[3] = {0.4f, 0.36f, 0.24f}, finer[3] = {0.37f, 1.0f, 2.9f};
+  vf g[3], y = p[1];
+  if (w->bed_wave != 0.0f) {
+    vf f = splat(w->bed_wave_frequency);
+    y = y + splat(w->bed_wave) *
+                noise_gradient3(p[0] * f, p[1] * f, p[2] * f, splatu(w->seed_bed + 7u), g);
+  }
+  vf e = s * vsqrt(flat2), sum = splat(0.0f), unused;
+  for (int o = 0; o < 3; o++) {
+    float f = w->bed_frequency * finer[o];
+    vf keep = filter_keep(e, 1.0f / f) * splat(weight[o] / HASH_ONE);
+    noise_axis a = noise_split(y * splat(f), HASH_Y);
+    sum = sum + keep * noise_value1(&a, splatu(w->seed_bed + (uint32_t)o), &unused);
+  }
+  return clamp01(splat(0.5f) + splat(0.9f) * sum); /* an even clamp keeps the mean */
+}
+
+/* A warped sheet |f| < width / 2: the share of the footprint. */
+INLINE vf vein_sheet(const stone_constants *w, const vf p[3], const vf n[3], vf s, float finer,
+                     uint32_t seed) {
+  float frequency = w->vein_frequency * finer;
+  vf q[3], g[3], one = splat(1.0f);
+  for (int k = 0; k < 3; k++) q[k] = p[k] * splat(frequency);
+  vf swell = noise_gradient3(q[0] * splat(1.3f), q[1] * splat(1.3f), q[2] * splat(1.3f),
+                             splatu(seed + 1u), g);
+  for (int k = 0; k < 3; k++) q[k] = q[k] + splat(w->vein_warp) * g[k];
+  vf fine[3];
+  noise_gradient3(q[0] * splat(4.3f), q[1] * splat(4.3f), q[2] * splat(4.3f), splatu(seed + 2u),
+                  fine);
+  for (int k = 0; k < 3; k++) q[k] = q[k] + splat(0.16f * w->vein_warp) * fine[k];
+  vf f = noise_gradient3(q[0], q[1], q[2], splatu(seed), g);
+  vf steep2 = vmax(g[0] * g[0] + g[1] * g[1] + g[2] * g[2], splat(0.16f));
+  vf k = inverse_root(steep2);
+  vf d = vabs(f) * k * splat(1.0f / frequency);
+  /* veins swell and pinch out */
+  vf half = clamp01(splat(0.35f) + splat(1.7f) * swell) * splat(0.5f * w->vein_width / finer);
+  vf along = (g[0] * n[0] + g[1] * n[1] + g[2] * n[2]) * k;
+  vf e = vsqrt(s * s * vmax(one - along * along, splat(0.0f)) +
+               splat(w->vein_soft * w->vein_soft) + splat(1e-12f));
+  vf high = vmin(d + splat(0.5f) * e, half), low = vmax(d - splat(0.5f) * e, splat(0.0f) - half);
+  return vmax(high - low, splat(0.0f)) / e;
+}
+
+INLINE vf vein_share(const stone_constants *w, const vf p[3], const vf n[3], vf s) {
+  vf keep = filter_keep(s, 1.0f / w->vein_frequency), one = splat(1.0f);
+  vf a = vein_sheet(w, p, n, s, 1.0f, w->seed_vein);
+  vf b = vein_sheet(w, p, n, s, 2.6f, w->seed_vein + 16u);
+  vf all = one - (one - a) * (one - splat(0.7f) * b);
+  return mix(splat(w->vein_mean), all, keep);
+}
+
+/* Relative shift of brightness, mean 0. */
+INLINE vf mottle_shift(const stone_constants *w, const vf p[3], vf s) {
+  vf g[3], f = splat(w->mottle_frequency);
+  return splat(w->mottle) * noise_fractal3(p[0] * f, p[1] * f, p[2] * f, w->seed_mottle, 3, 2.3f,
+                                           0.6f, s * f, g);
+}
+
+#endif
