@@ -20,14 +20,19 @@ INLINE vf bed_share(const stone_constants *w, const vf p[3], vf s, vf flat2) {
     y = y + splat(w->bed_wave) *
                 noise_gradient3(p[0] * f, p[1] * f, p[2] * f, splatu(w->seed_bed + 7u), g);
   }
-  vf e = s * vsqrt(flat2), sum = splat(0.0f), unused;
-  for (int o = 0; o < 3; o++) {
-    float f = w->bed_frequency * finer[o];
-    vf keep = filter_keep(e, 1.0f / f) * splat(weight[o] / HASH_ONE);
-    noise_axis a = noise_split(y * splat(f), HASH_Y);
-    sum = sum + keep * noise_value1(&a, splatu(w->seed_bed + (uint32_t)o), &unused);
+  /* across the beds in four parts, each with what it is too wide for left out */
+  vf e = splat(0.25f) * s * vsqrt(flat2), sum = splat(0.0f), unused;
+  for (int i = 0; i < 4; i++) {
+    vf at = y + (splat((float)i) - splat(1.5f)) * e, one = splat(0.5f);
+    for (int o = 0; o < 3; o++) {
+      float f = w->bed_frequency * finer[o];
+      vf keep = filter_keep(e, 1.0f / f) * splat(0.9f * weight[o] / HASH_ONE);
+      noise_axis a = noise_split(at * splat(f), HASH_Y);
+      one = one + keep * noise_value1(&a, splatu(w->seed_bed + (uint32_t)o), &unused);
+    }
+    sum = sum + splat(0.25f) * clamp01(one); /* an even clamp keeps the mean */
   }
-  return clamp01(splat(0.5f) + splat(0.9f) * sum); /* an even clamp keeps the mean */
+  return sum;
 }
 
 /* A warped sheet |f| < width / 2: the share of the footprint. */
@@ -56,12 +61,31 @@ INLINE vf vein_sheet(const stone_constants *w, const vf p[3], const vf n[3], vf 
   return vmax(high - low, splat(0.0f)) / e;
 }
 
-INLINE vf vein_share(const stone_constants *w, const vf p[3], const vf n[3], vf s) {
-  vf keep = filter_keep(s, 1.0f / w->vein_frequency), one = splat(1.0f);
-  vf a = vein_sheet(w, p, n, s, 1.0f, w->seed_vein);
-  vf b = vein_sheet(w, p, n, s, 2.6f, w->seed_vein + 16u);
-  vf all = one - (one - a) * (one - splat(0.7f) * b);
-  return mix(splat(w->vein_mean), all, keep);
+#define VEIN_STEPS 5
+
+/* Over the footprint: veins bend, so that a wide one is looked at in parts. */
+INLINE vf vein_share(const stone_constants *w, const vf p[3], const vf n[3], const vf t1[3],
+                     const vf t2[3], vf s) {
+  vf one = splat(1.0f), sum = splat(0.0f), wide = s * splat(w->vein_frequency);
+  vi whole;
+  vf steps = clamp(vfloor(wide * splat(10.0f) + splat(0.85f), &whole), one, splat(VEIN_STEPS));
+  vf inverse = one / steps, h = s * inverse;
+  vf keep = one - smooth_step(splat(1.5f), splat(4.0f), wide);
+  for (int j = 0; j < VEIN_STEPS; j++) {
+    vm row = lt(splat((float)j), steps);
+    if (!any(row)) break;
+    vf v = (splat((float)j + 0.5f) * inverse - splat(0.5f)) * s;
+    for (int i = 0; i < VEIN_STEPS; i++) {
+      vm there = and_(row, lt(splat((float)i), steps));
+      if (!any(there)) break;
+      vf u = (splat((float)i + 0.5f) * inverse - splat(0.5f)) * s, at[3];
+      for (int k = 0; k < 3; k++) at[k] = p[k] + t1[k] * u + t2[k] * v;
+      vf a = vein_sheet(w, at, n, h, 1.0f, w->seed_vein);
+      vf b = vein_sheet(w, at, n, h, 2.6f, w->seed_vein + 16u);
+      sum = sel(there, sum + (one - (one - a) * (one - splat(0.7f) * b)), sum);
+    }
+  }
+  return mix(splat(w->vein_mean), sum * (inverse * inverse), keep);
 }
 
 /* Relative shift of brightness, mean 0. */

@@ -43,13 +43,14 @@ static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped
   c->seed_warp = hash1(seed + 0x51ed270bu);
   c->on = 1;
   c->shaped = shaped;
-  c->fade = 4.0f;
+  c->fade = 6.0f;
   c->radius = 9.0f;
   if (shaped) {
     c->erode = (float)(0.5 * b->gap / b->size);
-    if (b->roundness > 0.0 || b->grading > 0.0) {
-      c->radius = (float)(0.85 - 0.37 * b->roundness);
-      c->radius_spread = (float)b->grading;
+    c->erode_spread = (float)(0.42 * b->grading * (1.0 - b->roundness));
+    if (b->roundness > 0.0) {
+      c->radius = (float)(0.9 - 0.42 * b->roundness);
+      c->radius_spread = (float)(b->grading * b->roundness);
     }
     c->grading = 0.0f;
   }
@@ -96,9 +97,9 @@ static body inclusions_of(const settings *s) {
 static body specks_of(const settings *s) {
   body b = {.size = num(s, P_SPECK_SIZE),
             .stretch = num(s, P_SPECK_STRETCH),
-            .grading = 0.6,
-            .interlock = 0.7,
-            .roundness = 0.6,
+            .grading = 0.8,
+            .interlock = 0.9,
+            .roundness = 0.4,
             .blur = 0.3 * num(s, P_GRAIN_BLUR),
             .share = {num(s, P_BLACK_SHARE), num(s, P_WHITE_SHARE)}};
   return b;
@@ -106,7 +107,7 @@ static body specks_of(const settings *s) {
 
 static body holes_of(const settings *s) {
   body b = {.size = num(s, P_HOLE_SIZE),
-            .grading = 0.7,
+            .grading = 0.85,
             .interlock = 1.0,
             .roundness = 0.8,
             .share = {num(s, P_HOLE_SHARE), 0.0}};
@@ -123,11 +124,14 @@ static void build_layers(stone_constants *w, const settings *s, stone_measure *m
     if (l != LAYER_GRAINS && b->share[0] + b->share[1] <= 0.0) continue;
     build_cells(&w->layer[l], w->seed + 0x9e3779b9u * (uint32_t)(l + 1), b, l != LAYER_GRAINS);
   }
-  double fill[STONE_LAYERS], veins;
-  measure(w, MEASURED, fill, &veins);
-  fill[LAYER_GRAINS] = 1.0;
-  w->vein_mean = (float)veins;
-  for (int l = 0; l < STONE_LAYERS; l++) set_shares(&w->layer[l], &bodies[l], fill[l]);
+  stone_means m;
+  measure(w, MEASURED, &m);
+  m.fill[LAYER_GRAINS] = 1.0;
+  w->vein_mean = (float)m.veins;
+  for (int l = 0; l < STONE_LAYERS; l++) {
+    set_shares(&w->layer[l], &bodies[l], m.fill[l]);
+    w->layer[l].even = m.balls[l] > 1e-6 ? (float)(m.fill[l] / m.balls[l]) : 1.0f;
+  }
 }
 
 /* ---- what varies slowly ----------------------------------------------- */

@@ -115,10 +115,20 @@ INLINE vf cells_extent2(const cells_square *s, const vf g[3], float blur) {
   return u * u + v * v + all * splat(blur * blur) + splat(1e-12f);
 }
 
+/* How far a body's faces lie within its cell's. */
+INLINE vf cells_erosion(const stone_cells *c, vu h) {
+  vf u = to_float((vi)(hash_mix(h ^ splatu(0x7feb3c5du)) >> 8)) * splat(1.0f / 16777216.0f);
+  return splat(c->erode) + splat(c->erode_spread) * u;
+}
+
+INLINE vf cells_radius(const stone_cells *c, vu h) {
+  vf u = to_float((vi)(hash_mix(h ^ splatu(0x2545f491u)) >> 8)) * splat(1.0f / 16777216.0f);
+  return splat(c->radius) * (splat(1.0f) - splat(c->radius_spread) * u);
+}
+
 /* How much of the ball about a cell's centre the square shows. */
 INLINE vf cells_ball(const stone_cells *c, const cells_near *n, const cells_square *s) {
-  vf u = to_float((vi)(hash_mix(n->h ^ splatu(0x2545f491u)) >> 8)) * splat(1.0f / 16777216.0f);
-  vf radius = splat(c->radius) * (splat(1.0f) - splat(c->radius_spread) * u);
+  vf radius = cells_radius(c, n->h);
   vf r2 = n->x[0] * n->x[0] + n->x[1] * n->x[1] + n->x[2] * n->x[2] + splat(1e-12f);
   vf k = inverse_root(r2);
   vf e = vsqrt(cells_extent2(s, n->x, c->blur)) * k;
@@ -139,98 +149,172 @@ INLINE void cells_shares(const stone_cells *c, const cells_near *a, const cells_
     *second = splat(1.0f) - *first;
     return;
   }
-  vf shift = splat(c->erode) * length2 * inverse_root(length2) * e;
-  *first = clamp01(splat(0.5f) + t - shift);
-  *second = clamp01(splat(0.5f) - t - shift);
+  vf shift = length2 * inverse_root(length2) * e;
+  *first = clamp01(splat(0.5f) + t - shift * cells_erosion(c, a->h));
+  *second = clamp01(splat(0.5f) - t - shift * cells_erosion(c, b->h));
   if (c->radius < 4.0f) {
     *first = vmin(*first, cells_ball(c, a, s));
     *second = vmin(*second, cells_ball(c, b, s));
   }
 }
 
-/* A point in cells, its faces bent. */
-INLINE void cells_place(const stone_cells *c, const vf p[3], vf q[3]) {
+/* A point in cells, its faces bent. The noise that bends them is as good for
+ * what is uneven within a crystal: within +-1.5 or so, mean 0. */
+INLINE vf cells_place(const stone_cells *c, const vf p[3], vf q[3]) {
   for (int k = 0; k < 3; k++) q[k] = p[k] * splat(c->inverse_size);
   q[1] = q[1] * splat(c->across);
-  if (c->warp == 0.0f) return;
+  if (c->warp == 0.0f) return splat(0.0f);
   vf g[3], fine[3];
-  noise_gradient3(q[0], q[1], q[2], splatu(c->seed_warp), g);
-  noise_gradient3(q[0] * splat(3.1f), q[1] * splat(3.1f), q[2] * splat(3.1f),
-                  splatu(c->seed_warp + 1u), fine);
+  vf a = noise_gradient3(q[0] * splat(1.15f), q[1] * splat(1.15f), q[2] * splat(1.15f),
+                         splatu(c->seed_warp), g);
+  vf b = noise_gradient3(q[0] * splat(3.1f), q[1] * splat(3.1f), q[2] * splat(3.1f),
+                         splatu(c->seed_warp + 1u), fine);
   for (int k = 0; k < 3; k++) {
     q[k] = q[k] + splat(c->warp) * g[k] + splat(c->warp_fine) * fine[k];
   }
+  return a + b;
 }
 
+/* The mineral of a cell: shares of kinds 1 and 2, and all with their brightness. */
+INLINE void cells_add(const stone_cells *c, vu h, const vi at[3], vf share, vf uneven,
+                      cells_cover *out) {
+  vf u = cells_rank(c, at), zero = splat(0.0f);
+  vf tone = uneven + splat(c->variation / HASH_ONE) * hash_signed(h + splatu(HASH_Y));
+  vm first = lt(u, splat(c->chance[0])), second = and_(lt(u, splat(c->chance[1])), not_(first));
+  vf a = sel(first, share, zero), b = sel(second, share, zero);
+  out->cover[0] = out->cover[0] + a;
+  out->cover[1] = out->cover[1] + b;
+  out->toned[0] = out->toned[0] + (share - a - b) * tone;
+  out->toned[1] = out->toned[1] + a * tone;
+  out->toned[2] = out->toned[2] + b * tone;
+}
+
+/* A square well below a cell's size: the two cells that it meets. */
 INLINE void cells_look(const stone_cells *c, const vf p[3], const cells_square *s,
                        cells_cover *out) {
-  vf q[3], share[2], one = splat(1.0f), zero = splat(0.0f);
-  cells_place(c, p, q);
+  vf q[3], share[2];
+  vf uneven = cells_place(c, p, q) * splat(0.8f * c->variation) + splat(1.0f);
   cells_near near[2];
   cells_find(c, q, &near[0], &near[1]);
   cells_shares(c, &near[0], &near[1], s, &share[0], &share[1]);
-  for (int k = 0; k < 2; k++) out->cover[k] = zero;
-  for (int k = 0; k < 3; k++) out->toned[k] = zero;
-  for (int n = 0; n < 2; n++) {
-    vf u = cells_rank(c, near[n].at);
-    vf tone = one + splat(c->variation / HASH_ONE) * hash_signed(near[n].h + splatu(HASH_Y));
-    vm one_of = lt(u, splat(c->chance[0]));
-    vm two_of = and_(lt(u, splat(c->chance[1])), not_(one_of));
-    vf a = sel(one_of, share[n], zero), b = sel(two_of, share[n], zero);
-    out->cover[0] = out->cover[0] + a;
-    out->cover[1] = out->cover[1] + b;
-    out->toned[0] = out->toned[0] + (share[n] - a - b) * tone;
-    out->toned[1] = out->toned[1] + a * tone;
-    out->toned[2] = out->toned[2] + b * tone;
+  for (int n = 0; n < 2; n++) cells_add(c, near[n].h, near[n].at, share[n], uneven, out);
+}
+
+/* How far x lies along a side of the square, in sides, and how much of the side
+ * a body of half that width covers. */
+INLINE vf cells_overlap(vf x, vf half) {
+  vf high = vmin(x + half, splat(0.5f)), low = vmax(x - half, splat(-0.5f));
+  return vmax(high - low, splat(0.0f));
+}
+
+/* A square of a cell's size or so: the plane cuts discs from the bodies, taken
+ * for balls of their volume, and a disc for a square of its area. What lies
+ * over an edge of the square the neighbouring square has the rest of, so that
+ * squares side by side count every body once. The balls' area stands to the
+ * bodies' as `even` says, which is measured at creation. */
+INLINE void cells_sum(const stone_cells *c, const vf p[3], const cells_square *s,
+                      cells_cover *out) {
+  vf q[3], f[3], n[3], zero = splat(0.0f), one = splat(1.0f);
+  for (int k = 0; k < 3; k++) q[k] = p[k] * splat(c->inverse_size);
+  q[1] = q[1] * splat(c->across);
+  vi whole[3];
+  for (int k = 0; k < 3; k++) f[k] = q[k] - vfloor(q[k], &whole[k]);
+  for (int k = 0; k < 3; k++) {
+    int i = (k + 1) % 3, j = (k + 2) % 3;
+    n[k] = s->u[i] * s->v[j] - s->u[j] * s->v[i];
+  }
+  vf nn = inverse_root(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] + splat(1e-20f));
+  vf uu = s->u[0] * s->u[0] + s->u[1] * s->u[1] + s->u[2] * s->u[2] + splat(1e-12f);
+  vf vv = s->v[0] * s->v[0] + s->v[1] * s->v[1] + s->v[2] * s->v[2] + splat(1e-12f);
+  vf iu = inverse_root(uu), iv = inverse_root(vv);
+  vu at = (vu)whole[0] * splatu(HASH_X) + (vu)whole[1] * splatu(HASH_Y) +
+          (vu)whole[2] * splatu(HASH_Z) + splatu(c->seed);
+  for (int m = 0; m < 27; m++) {
+    int dx = m % 3 - 1, dy = m / 3 % 3 - 1, dz = m / 9 - 1;
+    vu h = hash_mix(at + splatu((uint32_t)dx * HASH_X + (uint32_t)dy * HASH_Y +
+                                (uint32_t)dz * HASH_Z));
+    vf x[3];
+    cells_centre(h, f, dx, dy, dz, x);
+    vf r = splat(0.62f) - splat(1.1f) * cells_erosion(c, h);
+    if (c->radius < 4.0f) r = vmin(r, cells_radius(c, h));
+    vf d = (x[0] * n[0] + x[1] * n[1] + x[2] * n[2]) * nn;
+    vf r2 = r * vabs(r) - d * d;
+    vm met = gt(r2, zero);
+    if (!any(met)) continue; /* they would add nothing */
+    vf half = splat(0.886227f) * vsqrt(vmax(r2, zero));
+    vf a = (x[0] * s->u[0] + x[1] * s->u[1] + x[2] * s->u[2]) * iu * iu;
+    vf b = (x[0] * s->v[0] + x[1] * s->v[1] + x[2] * s->v[2]) * iv * iv;
+    vf share = splat(c->even) * cells_overlap(a, half * iu) * cells_overlap(b, half * iv);
+    const vi cell[3] = {whole[0] + splati(dx), whole[1] + splati(dy), whole[2] + splati(dz)};
+    cells_add(c, h, cell, sel(met, share, zero), one, out);
   }
 }
 
-#define CELLS_STEPS 6 /* looks along a side of the footprint, at most */
+#define CELLS_STEPS 6 /* along a side of the footprint, at most */
 
-/* Over a footprint: as many looks as it is cells wide, and past what those
+INLINE vf cells_length(const vf x[3]) {
+  return vsqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+}
+
+/* Over a footprint: as many looks or sums as it takes, and past what those
  * reach the expected shares. t1, t2: the square's sides, unit; s: mm. */
 INLINE void cells_at(const stone_cells *c, const vf p[3], const vf t1[3], const vf t2[3], vf s,
                      cells_cover *out) {
   vf zero = splat(0.0f), one = splat(1.0f);
-  vf wide = s * splat(c->inverse_size);
-  vi whole;
-  vf n = clamp(vfloor(wide * splat(1.25f) + splat(0.6f), &whole), one, splat(CELLS_STEPS));
-  vf keep = one - smooth_step(splat(c->fade), splat(2.0f * c->fade), wide);
-  const vf mean[5] = {splat(c->mean[0]), splat(c->mean[1]),
-                      splat(1.0f - c->mean[0] - c->mean[1]), splat(c->mean[0]),
-                      splat(c->mean[1])};
-  vf sum[5] = {zero, zero, zero, zero, zero};
-  vf inverse = one / n, h = s * inverse;
+  cells_square all, part;
+  for (int k = 0; k < 3; k++) {
+    vf scale = s * splat(k == 1 ? c->inverse_size * c->across : c->inverse_size);
+    all.u[k] = t1[k] * scale;
+    all.v[k] = t2[k] * scale;
+  }
+  vf wide[2] = {cells_length(all.u), cells_length(all.v)}, n[2], inverse[2];
+  vf most = vmax(wide[0], wide[1]);
+  vf keep = one - smooth_step(splat(c->fade), splat(2.0f * c->fade), most);
+  vm summed = c->shaped ? gt(most, splat(0.95f)) : lt(one, zero);
+  for (int k = 0; k < 2; k++) {
+    vi whole;
+    vf looks = vfloor(wide[k] * splat(c->shaped ? 6.0f : 2.2f) + splat(0.85f), &whole);
+    vf sums = vfloor(wide[k] + splat(0.9f), &whole);
+    n[k] = clamp(sel(summed, sums, looks), one, splat(CELLS_STEPS));
+    inverse[k] = one / n[k];
+  }
+  for (int k = 0; k < 3; k++) {
+    part.u[k] = all.u[k] * inverse[0];
+    part.v[k] = all.v[k] * inverse[1];
+  }
+  cells_cover sum = {{zero, zero}, {zero, zero, zero}};
   vm seen = gt(keep, zero);
-  if (any(seen)) {
-    cells_square q;
-    for (int k = 0; k < 3; k++) {
-      vf scale = h * splat(k == 1 ? c->inverse_size * c->across : c->inverse_size);
-      q.u[k] = t1[k] * scale;
-      q.v[k] = t2[k] * scale;
-    }
-    for (int j = 0; j < CELLS_STEPS; j++) {
-      vm row = and_(seen, lt(splat((float)j), n));
-      if (!any(row)) break;
-      vf v = (splat((float)j + 0.5f) - splat(0.5f) * n) * h;
-      for (int i = 0; i < CELLS_STEPS; i++) {
-        vm there = and_(row, lt(splat((float)i), n));
-        if (!any(there)) break;
-        vf u = (splat((float)i + 0.5f) - splat(0.5f) * n) * h, at[3];
-        for (int k = 0; k < 3; k++) at[k] = p[k] + t1[k] * u + t2[k] * v;
-        cells_cover look;
-        cells_look(c, at, &q, &look);
-        const vf part[5] = {look.cover[0], look.cover[1], look.toned[0], look.toned[1],
-                            look.toned[2]};
-        for (int k = 0; k < 5; k++) sum[k] = sel(there, sum[k] + part[k], sum[k]);
+  for (int j = 0; j < CELLS_STEPS; j++) {
+    vm row = and_(seen, lt(splat((float)j), n[1]));
+    if (!any(row)) break;
+    vf v = (splat((float)j + 0.5f) * inverse[1] - splat(0.5f)) * s;
+    for (int i = 0; i < CELLS_STEPS; i++) {
+      vm there = and_(row, lt(splat((float)i), n[0]));
+      if (!any(there)) break;
+      vf u = (splat((float)i + 0.5f) * inverse[0] - splat(0.5f)) * s, at[3];
+      for (int k = 0; k < 3; k++) at[k] = p[k] + t1[k] * u + t2[k] * v;
+      cells_cover look = {{zero, zero}, {zero, zero, zero}}, whole = look;
+      if (any(and_(there, not_(summed)))) cells_look(c, at, &part, &look);
+      if (c->shaped && any(and_(there, summed))) cells_sum(c, at, &part, &whole);
+      for (int k = 0; k < 2; k++) {
+        vf x = sum.cover[k] + sel(summed, whole.cover[k], look.cover[k]);
+        sum.cover[k] = sel(there, x, sum.cover[k]);
+      }
+      for (int k = 0; k < 3; k++) {
+        vf x = sum.toned[k] + sel(summed, whole.toned[k], look.toned[k]);
+        sum.toned[k] = sel(there, x, sum.toned[k]);
       }
     }
   }
-  vf each = inverse * inverse;
-  for (int k = 0; k < 5; k++) sum[k] = sel(seen, mix(mean[k], sum[k] * each, keep), mean[k]);
-  out->cover[0] = sum[0];
-  out->cover[1] = sum[1];
-  for (int k = 0; k < 3; k++) out->toned[k] = sum[2 + k];
+  vf each = inverse[0] * inverse[1];
+  for (int k = 0; k < 2; k++) {
+    vf mean = splat(c->mean[k]);
+    out->cover[k] = sel(seen, mix(mean, sum.cover[k] * each, keep), mean);
+  }
+  for (int k = 0; k < 3; k++) {
+    vf mean = splat(k ? c->mean[k - 1] : 1.0f - c->mean[0] - c->mean[1]);
+    out->toned[k] = sel(seen, mix(mean, sum.toned[k] * each, keep), mean);
+  }
 }
 
 #endif

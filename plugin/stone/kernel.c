@@ -83,7 +83,7 @@ INLINE void lay_over(const stone_cells *c, const block *k, vf weight[STONE_COLOU
                      int second, vf *cover) {
   cells_cover q;
   cells_at(c, k->p, k->t1, k->t2, k->s, &q);
-  *cover = q.cover[0] + q.cover[1];
+  *cover = vmin(q.cover[0] + q.cover[1], splat(1.0f));
   vf left = splat(1.0f) - *cover;
   for (int i = 0; i < STONE_COLOURS; i++) weight[i] = weight[i] * left;
   weight[first] = weight[first] + q.toned[1];
@@ -113,15 +113,16 @@ INLINE void stage_fabric(const stone_constants *w, block *k) {
     for (int i = 0; i <= COLOUR_BED; i++) weight[i] = weight[i] * shift;
   }
   vf cover;
-  if (w->layer[LAYER_INCLUSIONS].on) {
-    lay_over(&w->layer[LAYER_INCLUSIONS], k, weight, COLOUR_INCLUSION, COLOUR_INCLUSION_SECOND,
-             &cover);
-  }
   if (w->layer[LAYER_SPECKS].on) {
     lay_over(&w->layer[LAYER_SPECKS], k, weight, COLOUR_BLACK, COLOUR_WHITE, &k->speck);
   }
+  if (w->layer[LAYER_INCLUSIONS].on) {
+    lay_over(&w->layer[LAYER_INCLUSIONS], k, weight, COLOUR_INCLUSION, COLOUR_INCLUSION_SECOND,
+             &cover);
+    k->speck = k->speck * (one - cover);
+  }
   if (w->has_veins) {
-    vf v = vein_share(w, k->p, k->nrm, k->s), left = one - v;
+    vf v = vein_share(w, k->p, k->nrm, k->t1, k->t2, k->s), left = one - v;
     for (int i = 0; i < STONE_COLOURS; i++) weight[i] = weight[i] * left;
     weight[COLOUR_VEIN] = v;
     k->speck = k->speck * left;
@@ -150,7 +151,7 @@ INLINE void stage_grain(const stone_constants *w, const stone_io *io, block *k) 
   const stone_cells *c = &w->layer[LAYER_GRAINS];
   vf q[3];
   cells_near near[2];
-  cells_place(c, k->p, q);
+  (void)cells_place(c, k->p, q);
   cells_find(c, q, &near[0], &near[1]);
   vu h = hash_mix(near[0].h + splatu(HASH_Z));
   put(io, k, STONE_GRAIN, to_float((vi)(h >> 8)) * splat(1.0f / 16777216.0f));
@@ -231,29 +232,35 @@ INLINE vf measure_place(uint32_t at, uint32_t axis) {
   return splat((float)(h >> 8) * (1.0f / 16777216.0f));
 }
 
-static void measure(const stone_constants *w, uint32_t count, double fill[STONE_LAYERS],
-                    double *veins) {
-  for (int l = 0; l < STONE_LAYERS; l++) fill[l] = 0.0;
-  *veins = 0.0;
-  const vf zero = splat(0.0f), up[3] = {zero, splat(1.0f), zero};
+static void measure(const stone_constants *w, uint32_t count, stone_means *out) {
+  memset(out, 0, sizeof *out);
+  const vf zero = splat(0.0f), one = splat(1.0f), up[3] = {zero, one, zero};
   const cells_square point = {{zero, zero, zero}, {zero, zero, zero}};
+  const cells_square cell = {{one, zero, zero}, {zero, one, zero}};
   for (uint32_t i = 0; i < count; i++) {
     vf u[3];
     for (uint32_t a = 0; a < 3; a++) u[a] = measure_place(i, a);
     for (int l = 0; l < STONE_LAYERS; l++) {
-      const stone_cells *c = &w->layer[l];
-      if (!c->on || !c->shaped) continue;
-      vf q[3], share[2];
+      stone_cells c = w->layer[l];
+      if (!c.on || !c.shaped) continue;
+      vf q[3], p[3], share[2];
       cells_near near[2];
       for (int a = 0; a < 3; a++) q[a] = u[a] * splat(512.0f);
-      cells_find(c, q, &near[0], &near[1]);
-      cells_shares(c, &near[0], &near[1], &point, &share[0], &share[1]);
-      fill[l] += (double)lane(share[0] + share[1], 0) / count;
+      cells_find(&c, q, &near[0], &near[1]);
+      cells_shares(&c, &near[0], &near[1], &point, &share[0], &share[1]);
+      out->fill[l] += (double)lane(share[0] + share[1], 0) / count;
+      /* all of them of kind 1, in cells */
+      c.chance[0] = c.chance[1] = 2.0f;
+      c.even = c.across = c.inverse_size = 1.0f;
+      cells_cover balls = {{zero, zero}, {zero, zero, zero}};
+      for (int a = 0; a < 3; a++) p[a] = q[a];
+      cells_sum(&c, p, &cell, &balls);
+      out->balls[l] += (double)lane(balls.cover[0], 0) / count;
     }
     if (!w->has_veins) continue;
     vf p[3];
     for (int a = 0; a < 3; a++) p[a] = u[a] * splat(512.0f / w->vein_frequency);
-    *veins += (double)lane(vein_share(w, p, up, zero), 0) / count;
+    out->veins += (double)lane(vein_share(w, p, up, up, up, zero), 0) / count;
   }
 }
 

@@ -98,8 +98,9 @@ static const sozai_parameter third_share = {
 static const sozai_parameter grain_variation = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "grain_variation", .label = "Variation", .group = "grains", .unit = "",
-   .doc = "The most that a grain is lighter or darker than its mineral.",
-   .hard_min = 0, .hard_max = 0.9, .soft_min = 0, .soft_max = 0.5, .default_number = {0.1}};
+   .doc = "How much lighter or darker than its mineral a grain, or a part of one, may be; strays "
+   "to three times this.",
+   .hard_min = 0, .hard_max = 0.35, .soft_min = 0, .soft_max = 0.2, .default_number = {0.1}};
 
 static const sozai_parameter bed_thickness = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -190,8 +191,8 @@ static const sozai_parameter inclusion_interlock = {
 static const sozai_parameter inclusion_variation = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "inclusion_variation", .label = "Inclusion variation", .group = "inclusions", .unit = "",
-   .doc = "The most that one is lighter or darker than its kind.",
-   .hard_min = 0, .hard_max = 0.9, .soft_min = 0, .soft_max = 0.5, .default_number = {0.1}};
+   .doc = "The same of inclusions.",
+   .hard_min = 0, .hard_max = 0.35, .soft_min = 0, .soft_max = 0.2, .default_number = {0.1}};
 
 static const sozai_parameter speck_size = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,

@@ -46,12 +46,13 @@ typedef struct {
   float across;                 /* the bed's normal is shorter by this */
   float grading;                /* spread of the cells' weights */
   float warp, warp_fine;        /* how far the cells' faces stray, at two sizes */
-  float erode;                  /* what a body is smaller than its cell */
+  float erode, erode_spread;    /* what a body is smaller than its cell; by chance, more */
   float radius, radius_spread;  /* of the ball that a body is cut to; a share of it */
   float chance[2];              /* below the first: kind 1; below the second: kind 2 */
   float mean[2];                /* expected share of kinds 1 and 2 */
   float variation;              /* of brightness from cell to cell */
   float blur;                   /* mm over size: crystals let light through at their edges */
+  float even;                   /* area of the bodies over that of the balls in their place */
   float fade;                   /* footprint, in cells, from which the mean stands in */
   int32_t on, shaped;           /* shaped: eroded, or cut to a ball */
   uint32_t seed, seed_warp;
@@ -111,9 +112,12 @@ enum {
 typedef void stone_evaluate(const stone_constants *w, const stone_io *io, uint32_t from,
                             uint32_t to);
 /* Means of what has no formula, over `count` points: how much of a cell the
- * bodies of each layer fill, and the veins' share. */
-typedef void stone_measure(const stone_constants *w, uint32_t count, double fill[STONE_LAYERS],
-                           double *veins);
+ * bodies of each layer fill, and the balls that stand for them; and the veins'
+ * share. */
+typedef struct {
+  double fill[STONE_LAYERS], balls[STONE_LAYERS], veins;
+} stone_means;
+typedef void stone_measure(const stone_constants *w, uint32_t count, stone_means *out);
 
 /* One compilation of the kernel. */
 typedef struct {
