@@ -35,25 +35,31 @@ INLINE vf bed_share(const stone_constants *w, const vf p[3], vf s, vf flat2) {
   return sum;
 }
 
-/* A warped sheet |f| < width / 2: the share of the footprint. */
-INLINE vf vein_sheet(const stone_constants *w, const vf p[3], const vf n[3], vf s, float finer,
-                     uint32_t seed) {
+/* One family of veins: fractures in a direction, bent; each by chance thick,
+ * thin or not there, and swelling and pinching out along its way. The share of
+ * the footprint within half a vein's width of its middle. */
+INLINE vf vein_sheet(const stone_constants *w, const vf p[3], const vf n[3], vf s, int family) {
+  const float finer = family ? 2.4f : 1.0f, *m = w->vein_direction[family];
   float frequency = w->vein_frequency * finer;
-  vf q[3], g[3], one = splat(1.0f);
+  uint32_t seed = w->seed_vein + 16u * (uint32_t)family;
+  vf q[3], g[3], fine[3], one = splat(1.0f);
   for (int k = 0; k < 3; k++) q[k] = p[k] * splat(frequency);
-  vf swell = noise_gradient3(q[0] * splat(1.3f), q[1] * splat(1.3f), q[2] * splat(1.3f),
-                             splatu(seed + 1u), g);
-  for (int k = 0; k < 3; k++) q[k] = q[k] + splat(w->vein_warp) * g[k];
-  vf fine[3];
-  noise_gradient3(q[0] * splat(4.3f), q[1] * splat(4.3f), q[2] * splat(4.3f), splatu(seed + 2u),
-                  fine);
-  for (int k = 0; k < 3; k++) q[k] = q[k] + splat(0.16f * w->vein_warp) * fine[k];
-  vf f = noise_gradient3(q[0], q[1], q[2], splatu(seed), g);
-  vf steep2 = vmax(g[0] * g[0] + g[1] * g[1] + g[2] * g[2], splat(0.16f));
-  vf k = inverse_root(steep2);
-  vf d = vabs(f) * k * splat(1.0f / frequency);
-  /* veins swell and pinch out */
-  vf half = clamp01(splat(0.35f) + splat(1.7f) * swell) * splat(0.5f * w->vein_width / finer);
+  vf bend = noise_gradient3(q[0] * splat(0.7f), q[1] * splat(0.7f), q[2] * splat(0.7f),
+                            splatu(seed), g);
+  vf shake = noise_gradient3(q[0] * splat(3.9f), q[1] * splat(3.9f), q[2] * splat(3.9f),
+                             splatu(seed + 1u), fine);
+  vf f = splat(m[0]) * q[0] + splat(m[1]) * q[1] + splat(m[2]) * q[2] +
+         splat(w->vein_warp) * (bend + splat(0.12f) * shake);
+  vi which;
+  vf middle = vfloor(f + splat(0.5f), &which);
+  for (int k = 0; k < 3; k++) {
+    g[k] = splat(m[k]) + splat(w->vein_warp) * (splat(0.7f) * g[k] + splat(0.468f) * fine[k]);
+  }
+  vf k = inverse_root(vmax(g[0] * g[0] + g[1] * g[1] + g[2] * g[2], splat(0.09f)));
+  vf d = vabs(f - middle) * k * splat(1.0f / frequency);
+  vf chance = vabs(hash_signed(hash_mix((vu)which + splatu(seed)))) * splat(1.0f / HASH_ONE);
+  vf swell = splat(0.2f) + splat(0.9f) * bend + splat(1.1f) * shake + splat(0.6f) * chance;
+  vf half = clamp01(swell) * chance * chance * splat(0.5f * w->vein_width / finer);
   vf along = (g[0] * n[0] + g[1] * n[1] + g[2] * n[2]) * k;
   vf e = vsqrt(s * s * vmax(one - along * along, splat(0.0f)) +
                splat(w->vein_soft * w->vein_soft) + splat(1e-12f));
@@ -68,7 +74,8 @@ INLINE vf vein_share(const stone_constants *w, const vf p[3], const vf n[3], con
                      const vf t2[3], vf s) {
   vf one = splat(1.0f), sum = splat(0.0f), wide = s * splat(w->vein_frequency);
   vi whole;
-  vf steps = clamp(vfloor(wide * splat(10.0f) + splat(0.85f), &whole), one, splat(VEIN_STEPS));
+  vf parts = vmax(wide * splat(10.0f), vmin(s * splat(1.5f / w->vein_width), splat(1.3f)));
+  vf steps = clamp(vfloor(parts + splat(0.85f), &whole), one, splat(VEIN_STEPS));
   vf inverse = one / steps, h = s * inverse;
   vf keep = one - smooth_step(splat(1.5f), splat(4.0f), wide);
   for (int j = 0; j < VEIN_STEPS; j++) {
@@ -80,9 +87,9 @@ INLINE vf vein_share(const stone_constants *w, const vf p[3], const vf n[3], con
       if (!any(there)) break;
       vf u = (splat((float)i + 0.5f) * inverse - splat(0.5f)) * s, at[3];
       for (int k = 0; k < 3; k++) at[k] = p[k] + t1[k] * u + t2[k] * v;
-      vf a = vein_sheet(w, at, n, h, 1.0f, w->seed_vein);
-      vf b = vein_sheet(w, at, n, h, 2.6f, w->seed_vein + 16u);
-      sum = sel(there, sum + (one - (one - a) * (one - splat(0.7f) * b)), sum);
+      vf a = vein_sheet(w, at, n, h, 0);
+      vf b = vein_sheet(w, at, n, h, 1);
+      sum = sel(there, sum + (one - (one - a) * (one - splat(0.8f) * b)), sum);
     }
   }
   return mix(splat(w->vein_mean), sum * (inverse * inverse), keep);

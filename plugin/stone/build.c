@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "../core/hash1.h"
+#include "../core/scalar.h"
 #include "paper_table.h"
 #include "parameters.h"
 
@@ -30,9 +31,13 @@ typedef struct {
 } body;
 
 static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped) {
-  c->size = (float)b->size;
-  c->inverse_size = (float)(1.0 / b->size);
-  c->across = (float)b->stretch;
+  /* a rotation in whole numbers: no axis, no diagonal */
+  static const double aslant[3][3] = {{2.0, 6.0, 9.0}, {6.0, 7.0, -6.0}, {-9.0, 6.0, -2.0}};
+  for (int i = 0; i < 3; i++) {
+    for (int k = 0; k < 3; k++) {
+      c->turn[i][k] = (float)(aslant[i][k] / 11.0 * (k == 1 ? b->stretch : 1.0) / b->size);
+    }
+  }
   c->grading = (float)(0.35 * b->grading);
   /* noise's gradient is within +-3 and mostly within +-1 */
   c->warp = (float)(0.2 * b->interlock);
@@ -98,7 +103,7 @@ static body specks_of(const settings *s) {
   body b = {.size = num(s, P_SPECK_SIZE),
             .stretch = num(s, P_SPECK_STRETCH),
             .grading = 0.8,
-            .interlock = 0.9,
+            .interlock = 0.6,
             .roundness = 0.4,
             .blur = 0.3 * num(s, P_GRAIN_BLUR),
             .share = {num(s, P_BLACK_SHARE), num(s, P_WHITE_SHARE)}};
@@ -148,7 +153,16 @@ static void build_bands(stone_constants *w, const settings *s) {
   w->vein_width = (float)num(s, P_VEIN_WIDTH);
   w->vein_soft = (float)num(s, P_VEIN_SOFTNESS);
   w->vein_frequency = (float)(1.0 / num(s, P_VEIN_SPACING));
-  w->vein_warp = (float)(0.35 * num(s, P_VEIN_WARP));
+  w->vein_warp = (float)(1.3 * num(s, P_VEIN_WARP));
+  for (uint32_t f = 0; f < 2; f++) {
+    /* a direction with equal chances, by its height and azimuth */
+    uint32_t h = hash1(w->seed + 211u + f);
+    double y = (double)(h >> 16) / 32768.0 - 1.0, t = 6.283185307179586 * (double)(h & 65535u) / 65536.0;
+    double r = __builtin_sqrt(1.0 - y * y);
+    w->vein_direction[f][0] = (float)(r * scalar_cos(t));
+    w->vein_direction[f][1] = (float)y;
+    w->vein_direction[f][2] = (float)(r * scalar_sin(t));
+  }
   w->has_veins = w->vein_width > 0.0f;
   w->seed_bed = hash1(w->seed + 101u);
   w->seed_vein = hash1(w->seed + 102u);

@@ -158,11 +158,18 @@ INLINE void cells_shares(const stone_cells *c, const cells_near *a, const cells_
   }
 }
 
+/* mm to cells. The lattice stands aslant, so that no face shows its rows. */
+INLINE void cells_turn(const stone_cells *c, const vf v[3], vf out[3]) {
+  for (int k = 0; k < 3; k++) {
+    const float *row = c->turn[k];
+    out[k] = splat(row[0]) * v[0] + splat(row[1]) * v[1] + splat(row[2]) * v[2];
+  }
+}
+
 /* A point in cells, its faces bent. The noise that bends them is as good for
  * what is uneven within a crystal: within +-1.5 or so, mean 0. */
 INLINE vf cells_place(const stone_cells *c, const vf p[3], vf q[3]) {
-  for (int k = 0; k < 3; k++) q[k] = p[k] * splat(c->inverse_size);
-  q[1] = q[1] * splat(c->across);
+  cells_turn(c, p, q);
   if (c->warp == 0.0f) return splat(0.0f);
   vf g[3], fine[3];
   vf a = noise_gradient3(q[0] * splat(1.15f), q[1] * splat(1.15f), q[2] * splat(1.15f),
@@ -193,7 +200,7 @@ INLINE void cells_add(const stone_cells *c, vu h, const vi at[3], vf share, vf u
 INLINE void cells_look(const stone_cells *c, const vf p[3], const cells_square *s,
                        cells_cover *out) {
   vf q[3], share[2];
-  vf uneven = cells_place(c, p, q) * splat(0.8f * c->variation) + splat(1.0f);
+  vf uneven = cells_place(c, p, q) * splat(1.3f * c->variation) + splat(1.0f);
   cells_near near[2];
   cells_find(c, q, &near[0], &near[1]);
   cells_shares(c, &near[0], &near[1], s, &share[0], &share[1]);
@@ -215,8 +222,7 @@ INLINE vf cells_overlap(vf x, vf half) {
 INLINE void cells_sum(const stone_cells *c, const vf p[3], const cells_square *s,
                       cells_cover *out) {
   vf q[3], f[3], n[3], zero = splat(0.0f), one = splat(1.0f);
-  for (int k = 0; k < 3; k++) q[k] = p[k] * splat(c->inverse_size);
-  q[1] = q[1] * splat(c->across);
+  cells_turn(c, p, q);
   vi whole[3];
   for (int k = 0; k < 3; k++) f[k] = q[k] - vfloor(q[k], &whole[k]);
   for (int k = 0; k < 3; k++) {
@@ -262,18 +268,19 @@ INLINE void cells_at(const stone_cells *c, const vf p[3], const vf t1[3], const 
                      cells_cover *out) {
   vf zero = splat(0.0f), one = splat(1.0f);
   cells_square all, part;
+  cells_turn(c, t1, all.u);
+  cells_turn(c, t2, all.v);
   for (int k = 0; k < 3; k++) {
-    vf scale = s * splat(k == 1 ? c->inverse_size * c->across : c->inverse_size);
-    all.u[k] = t1[k] * scale;
-    all.v[k] = t2[k] * scale;
+    all.u[k] = all.u[k] * s;
+    all.v[k] = all.v[k] * s;
   }
   vf wide[2] = {cells_length(all.u), cells_length(all.v)}, n[2], inverse[2];
   vf most = vmax(wide[0], wide[1]);
   vf keep = one - smooth_step(splat(c->fade), splat(2.0f * c->fade), most);
-  vm summed = c->shaped ? gt(most, splat(0.95f)) : lt(one, zero);
+  vm summed = c->shaped ? gt(most, splat(1.3f)) : lt(one, zero);
   for (int k = 0; k < 2; k++) {
     vi whole;
-    vf looks = vfloor(wide[k] * splat(c->shaped ? 6.0f : 2.2f) + splat(0.85f), &whole);
+    vf looks = vfloor(wide[k] * splat(c->shaped ? 4.5f : 3.0f) + splat(1.4f), &whole);
     vf sums = vfloor(wide[k] + splat(0.9f), &whole);
     n[k] = clamp(sel(summed, sums, looks), one, splat(CELLS_STEPS));
     inverse[k] = one / n[k];

@@ -251,7 +251,8 @@ static void measure(const stone_constants *w, uint32_t count, stone_means *out) 
       out->fill[l] += (double)lane(share[0] + share[1], 0) / count;
       /* all of them of kind 1, in cells */
       c.chance[0] = c.chance[1] = 2.0f;
-      c.even = c.across = c.inverse_size = 1.0f;
+      c.even = 1.0f;
+      for (int a = 0; a < 9; a++) c.turn[a / 3][a % 3] = a % 4 ? 0.0f : 1.0f;
       cells_cover balls = {{zero, zero}, {zero, zero, zero}};
       for (int a = 0; a < 3; a++) p[a] = q[a];
       cells_sum(&c, p, &cell, &balls);

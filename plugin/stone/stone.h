@@ -42,8 +42,7 @@ enum { LAYER_GRAINS, LAYER_INCLUSIONS, LAYER_SPECKS, LAYER_HOLES, STONE_LAYERS }
 /* A layer of cells: a power diagram of jittered points, one to a lattice cell.
  * Lengths are in lattice cells where no unit stands. */
 typedef struct {
-  float size, inverse_size;     /* mm: the lattice's spacing, and its inverse */
-  float across;                 /* the bed's normal is shorter by this */
+  float turn[3][3];             /* 1/mm: bed space to cells */
   float grading;                /* spread of the cells' weights */
   float warp, warp_fine;        /* how far the cells' faces stray, at two sizes */
   float erode, erode_spread;    /* what a body is smaller than its cell; by chance, more */
@@ -66,6 +65,7 @@ typedef struct {
   float bed_frequency, bed_contrast, bed_wave, bed_wave_frequency; /* 1/mm; mm */
   float vein_frequency, vein_width, vein_warp, vein_mean;          /* 1/mm; mm */
   float vein_soft;                                                 /* mm */
+  float vein_direction[2][3]; /* across each family's veins, unit */
   float mottle, mottle_frequency;
   int32_t has_beds, has_veins, has_mottle;
   uint32_t seed_bed, seed_vein, seed_mottle, seed_relief;
