@@ -192,8 +192,8 @@ static const finish finishes[FINISHES] = {
 
 /* Variance of one component of gradient noise's gradient, and of that times
  * -5 times its value, over all points: property.stone_relief measures both. */
-#define SLOPE2 0.62
-#define SLOPE2_PITTED 0.62
+#define SLOPE2 0.248
+#define SLOPE2_PITTED 0.212
 
 static void build_finish(stone_constants *w, const settings *s) {
   const finish *f = &finishes[choice(s, P_FINISH)];
