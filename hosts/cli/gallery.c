@@ -212,8 +212,9 @@ int run_gallery(int argc, char **argv) {
       SESSION_DISPLAY_OPTIONS(shared),
       SESSION_RUN_OPTIONS(shared)};
   const command_line line = {.usage = "gallery -o DIR [options]",
-                             .about = "Renders every preset, and what materials can do, into a folder "
-                                      "with an index.html.\n",
+                             .about =
+                                 "Renders every preset, and what materials can do, into a folder "
+                                 "with an index.html.\n",
                              .options = options,
                              .option_count = sizeof options / sizeof options[0]};
   int parsed = options_parse(&line, argc, argv, NULL, &why);

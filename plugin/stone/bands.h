@@ -44,8 +44,8 @@ INLINE vf vein_sheet(const stone_constants *w, const vf p[3], const vf n[3], vf 
   uint32_t seed = w->seed_vein + 16u * (uint32_t)family;
   vf q[3], g[3], fine[3], one = splat(1.0f);
   for (int k = 0; k < 3; k++) q[k] = p[k] * splat(frequency);
-  vf bend = noise_gradient3(q[0] * splat(0.7f), q[1] * splat(0.7f), q[2] * splat(0.7f),
-                            splatu(seed), g);
+  vf bend =
+      noise_gradient3(q[0] * splat(0.7f), q[1] * splat(0.7f), q[2] * splat(0.7f), splatu(seed), g);
   vf shake = noise_gradient3(q[0] * splat(3.9f), q[1] * splat(3.9f), q[2] * splat(3.9f),
                              splatu(seed + 1u), fine);
   vf f = splat(m[0]) * q[0] + splat(m[1]) * q[1] + splat(m[2]) * q[2] +
@@ -61,8 +61,8 @@ INLINE vf vein_sheet(const stone_constants *w, const vf p[3], const vf n[3], vf 
   vf swell = splat(0.2f) + splat(0.9f) * bend + splat(1.1f) * shake + splat(0.6f) * chance;
   vf half = clamp01(swell) * chance * chance * splat(0.5f * w->vein_width / finer);
   vf along = (g[0] * n[0] + g[1] * n[1] + g[2] * n[2]) * k;
-  vf e = vsqrt(s * s * vmax(one - along * along, splat(0.0f)) +
-               splat(w->vein_soft * w->vein_soft) + splat(1e-12f));
+  vf e = vsqrt(s * s * vmax(one - along * along, splat(0.0f)) + splat(w->vein_soft * w->vein_soft) +
+               splat(1e-12f));
   vf high = vmin(d + splat(0.5f) * e, half), low = vmax(d - splat(0.5f) * e, splat(0.0f) - half);
   return vmax(high - low, splat(0.0f)) / e;
 }
@@ -98,8 +98,8 @@ INLINE vf vein_share(const stone_constants *w, const vf p[3], const vf n[3], con
 /* Relative shift of brightness, mean 0. */
 INLINE vf mottle_shift(const stone_constants *w, const vf p[3], vf s) {
   vf g[3], f = splat(w->mottle_frequency);
-  return splat(w->mottle) * noise_fractal3(p[0] * f, p[1] * f, p[2] * f, w->seed_mottle, 3, 2.3f,
-                                           0.6f, s * f, g);
+  return splat(w->mottle) *
+         noise_fractal3(p[0] * f, p[1] * f, p[2] * f, w->seed_mottle, 3, 2.3f, 0.6f, s * f, g);
 }
 
 #endif

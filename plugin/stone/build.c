@@ -11,7 +11,7 @@
 #include "paper_table.h"
 #include "parameters.h"
 
-#define MEASURED 16384u /* points, for means that have no formula: 0.4 % of a share's sd */
+#define MEASURED 8192u /* points, for means that have no formula; whole blocks of every width */
 
 static double num(const settings *s, int at) { return s->list[at].number[0]; }
 static int choice(const settings *s, int at) { return (int)s->list[at].number[0]; }
@@ -157,7 +157,8 @@ static void build_bands(stone_constants *w, const settings *s) {
   for (uint32_t f = 0; f < 2; f++) {
     /* a direction with equal chances, by its height and azimuth */
     uint32_t h = hash1(w->seed + 211u + f);
-    double y = (double)(h >> 16) / 32768.0 - 1.0, t = 6.283185307179586 * (double)(h & 65535u) / 65536.0;
+    double y = (double)(h >> 16) / 32768.0 - 1.0,
+           t = 6.283185307179586 * (double)(h & 65535u) / 65536.0;
     double r = __builtin_sqrt(1.0 - y * y);
     w->vein_direction[f][0] = (float)(r * scalar_cos(t));
     w->vein_direction[f][1] = (float)y;

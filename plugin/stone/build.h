@@ -6,7 +6,7 @@
 #include "stone.h"
 
 /* From settings to what the kernel reads. colours: in the working space.
- * measure: of a kernel of one lane, so that every machine measures the same. */
+ * measure: of any kernel, since all measure the same. */
 int32_t stone_build(stone_constants *w, const sozai_host *host, const settings *s,
                     const float (*colours)[3], stone_measure *measure);
 

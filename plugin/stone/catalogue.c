@@ -70,7 +70,8 @@ static const sozai_value values_inada[] = {
     SRGB("black_colour", 38, 36, 36),
 };
 STONE(inada, "Inada granite (Inada-ishi, Ibaraki)",
-      "White biotite granite of medium to coarse grain: white feldspar, grey glassy quartz, black mica.",
+      "White biotite granite of medium to coarse grain: white feldspar, grey glassy quartz, black "
+      "mica.",
       IUGS "; " GSJ);
 
 static const sozai_value values_makabe[] = {
@@ -93,24 +94,16 @@ static const sozai_value values_makabe[] = {
     SRGB("white_colour", 228, 228, 226),
 };
 STONE(makabe, "Makabe granite (Makabe-ishi, Ibaraki)",
-      "Bluish grey two-mica granite, finer than Inada's and even.",
-      IUGS "; " GSJ);
+      "Bluish grey two-mica granite, finer than Inada's and even.", IUGS "; " GSJ);
 
 static const sozai_value values_aji[] = {
-    NUMBER("grain_size", 0.75),
-    NUMBER("grain_grading", 0.6),
-    NUMBER("grain_interlock", 0.6),
-    NUMBER("grain_blur", 0.07),
-    NUMBER("second_share", 0.34),
-    NUMBER("third_share", 0.12),
-    NUMBER("grain_variation", 0.1),
-    NUMBER("mottle", 0.09),
-    NUMBER("mottle_size", 16.0),
-    SRGB("base_colour", 168, 171, 174),
-    SRGB("second_colour", 122, 125, 129),
-    SRGB("third_colour", 184, 182, 178),
-    NUMBER("black_share", 0.11),
-    NUMBER("speck_size", 0.6),
+    NUMBER("grain_size", 0.75),           NUMBER("grain_grading", 0.6),
+    NUMBER("grain_interlock", 0.6),       NUMBER("grain_blur", 0.07),
+    NUMBER("second_share", 0.34),         NUMBER("third_share", 0.12),
+    NUMBER("grain_variation", 0.1),       NUMBER("mottle", 0.09),
+    NUMBER("mottle_size", 16.0),          SRGB("base_colour", 168, 171, 174),
+    SRGB("second_colour", 122, 125, 129), SRGB("third_colour", 184, 182, 178),
+    NUMBER("black_share", 0.11),          NUMBER("speck_size", 0.6),
     SRGB("black_colour", 40, 41, 44),
 };
 STONE(aji, "Aji granite (Aji-ishi, Kagawa), fine",
@@ -136,7 +129,8 @@ static const sozai_value values_shirakawa[] = {
     CHOICE("finish", "bush_hammered"),
 };
 STONE(shirakawa, "Shirakawa granite (Shirakawa-ishi, Kyoto)",
-      "Pale, slightly warm biotite granite of medium grain, peppered with mica; Kyoto's lanterns and gardens.",
+      "Pale, slightly warm biotite granite of medium grain, peppered with mica; Kyoto's lanterns "
+      "and gardens.",
       IUGS "; " GSJ);
 
 static const sozai_value values_mannari[] = {
@@ -156,9 +150,10 @@ static const sozai_value values_mannari[] = {
     NUMBER("speck_size", 2.0),
     SRGB("black_colour", 40, 36, 34),
 };
-STONE(mannari, "Mannari granite (Mannari-ishi, Okayama)",
-      "Pink granite: salmon alkali feldspar among grey quartz, white plagioclase and a little mica.",
-      IUGS "; " GSJ);
+STONE(
+    mannari, "Mannari granite (Mannari-ishi, Okayama)",
+    "Pink granite: salmon alkali feldspar among grey quartz, white plagioclase and a little mica.",
+    IUGS "; " GSJ);
 
 static const sozai_value values_baltic_brown[] = {
     NUMBER("grain_size", 3.0),
@@ -212,8 +207,7 @@ static const sozai_value values_gabbro[] = {
     NUMBER("mottle_size", 1.5),
 };
 STONE(gabbro, "Black gabbro (Ukigane-ishi, Fukushima)",
-      "Nearly black: plagioclase laths, grey, between pyroxene and hornblende.",
-      IUGS "; " GSJ);
+      "Nearly black: plagioclase laths, grey, between pyroxene and hornblende.", IUGS "; " GSJ);
 
 static const sozai_value values_basalt[] = {
     NUMBER("grain_size", 0.3),
@@ -273,8 +267,7 @@ static const sozai_value values_komatsu[] = {
     CHOICE("finish", "honed"),
 };
 STONE(komatsu, "Hon-Komatsu andesite (Kanagawa)",
-      "Fine greenish grey andesite with small white plagioclase and dark pyroxene.",
-      IUGS "; " GSJ);
+      "Fine greenish grey andesite with small white plagioclase and dark pyroxene.", IUGS "; " GSJ);
 
 static const sozai_value values_oya[] = {
     NUMBER("grain_size", 0.8),
@@ -311,9 +304,10 @@ static const sozai_value values_oya[] = {
     SRGB("hole_colour", 104, 88, 62),
     CHOICE("finish", "sawn"),
 };
-STONE(oya, "Oya tuff (Oya-ishi, Tochigi)",
-      "Pale green, soft: pumice and glass, with brown clots of clay, miso, that weather into holes.",
-      FISHER "; " GSJ);
+STONE(
+    oya, "Oya tuff (Oya-ishi, Tochigi)",
+    "Pale green, soft: pumice and glass, with brown clots of clay, miso, that weather into holes.",
+    FISHER "; " GSJ);
 
 static const sozai_value values_carrara[] = {
     NUMBER("grain_size", 0.45),
@@ -335,8 +329,7 @@ static const sozai_value values_carrara[] = {
     NUMBER("ior", 1.6),
 };
 STONE(carrara, "Carrara marble (Bianco Carrara)",
-      "White, of fine sugary grain, with soft grey veins and clouds.",
-      PRIMAVORI "; " EN12440);
+      "White, of fine sugary grain, with soft grey veins and clouds.", PRIMAVORI "; " EN12440);
 
 static const sozai_value values_nero_marquina[] = {
     NUMBER("grain_size", 0.3),
@@ -360,8 +353,7 @@ static const sozai_value values_nero_marquina[] = {
     NUMBER("ior", 1.6),
 };
 STONE(nero_marquina, "Nero Marquina (limestone, Spain)",
-      "Black, fine, cut by sharp white veins of calcite.",
-      FLUGEL "; " EN12440);
+      "Black, fine, cut by sharp white veins of calcite.", FLUGEL "; " EN12440);
 
 static const sozai_value values_travertino[] = {
     NUMBER("grain_size", 0.6),
@@ -393,8 +385,7 @@ static const sozai_value values_travertino[] = {
     SRGB("black_colour", 140, 114, 82),
 };
 STONE(travertino, "Travertino Romano (Tivoli)",
-      "Cream calcite laid down in bands, with holes drawn out along them.",
-      PENTECOST "; " EN12440);
+      "Cream calcite laid down in bands, with holes drawn out along them.", PENTECOST "; " EN12440);
 
 static const sozai_value values_jura[] = {
     NUMBER("grain_size", 0.5),
@@ -433,8 +424,7 @@ static const sozai_value values_jura[] = {
     NUMBER("ior", 1.6),
 };
 STONE(jura, "Jura limestone (Treuchtlingen)",
-      "Beige limestone crowded with sponges and fossils, pale on grey-beige.",
-      FLUGEL "; " EN12440);
+      "Beige limestone crowded with sponges and fossils, pale on grey-beige.", FLUGEL "; " EN12440);
 
 static const sozai_value values_bluestone[] = {
     NUMBER("grain_size", 0.5),
@@ -551,27 +541,15 @@ static const sozai_value values_terrazzo[] = {
     NUMBER("third_share", 0.0),
 };
 STONE(terrazzo, "Terrazzo (Venetian, marble chips in white cement)",
-      "Crushed marble chips, white, ochre and grey-green, of all sizes to 14 mm, ground flush in a pale binder.",
+      "Crushed marble chips, white, ochre and grey-green, of all sizes to 14 mm, ground flush in a "
+      "pale binder.",
       EN13748);
 
 const sozai_preset *const stone_catalogue[] = {
-    &stone_inada,
-    &stone_makabe,
-    &stone_aji,
-    &stone_shirakawa,
-    &stone_mannari,
-    &stone_baltic_brown,
-    &stone_gabbro,
-    &stone_basalt,
-    &stone_komatsu,
-    &stone_oya,
-    &stone_carrara,
-    &stone_nero_marquina,
-    &stone_travertino,
-    &stone_jura,
-    &stone_bluestone,
-    &stone_slate,
-    &stone_sandstone,
-    &stone_terrazzo,
+    &stone_inada,      &stone_makabe,       &stone_aji,       &stone_shirakawa,
+    &stone_mannari,    &stone_baltic_brown, &stone_gabbro,    &stone_basalt,
+    &stone_komatsu,    &stone_oya,          &stone_carrara,   &stone_nero_marquina,
+    &stone_travertino, &stone_jura,         &stone_bluestone, &stone_slate,
+    &stone_sandstone,  &stone_terrazzo,
 };
 const uint32_t stone_catalogue_count = COUNT(stone_catalogue);

@@ -47,8 +47,7 @@ INLINE void cells_centre(vu h, const vf f[3], int dx, int dy, int dz, vf x[3]) {
 }
 
 /* The nearest two, by power distance, of the 27 cells about the point. */
-INLINE void cells_find(const stone_cells *c, const vf q[3], cells_near *first,
-                       cells_near *second) {
+INLINE void cells_find(const stone_cells *c, const vf q[3], cells_near *first, cells_near *second) {
   vf f[3];
   vi whole[3];
   for (int k = 0; k < 3; k++) f[k] = q[k] - vfloor(q[k], &whole[k]);
@@ -59,8 +58,8 @@ INLINE void cells_find(const stone_cells *c, const vf q[3], cells_near *first,
           (vu)whole[2] * splatu(HASH_Z) + splatu(c->seed);
   for (int n = 0; n < 27; n++) {
     int dx = n % 3 - 1, dy = n / 3 % 3 - 1, dz = n / 9 - 1;
-    vu h = hash_mix(at + splatu((uint32_t)dx * HASH_X + (uint32_t)dy * HASH_Y +
-                                (uint32_t)dz * HASH_Z));
+    vu h = hash_mix(at +
+                    splatu((uint32_t)dx * HASH_X + (uint32_t)dy * HASH_Y + (uint32_t)dz * HASH_Z));
     vf x[3];
     cells_centre(h, f, dx, dy, dz, x);
     vf d = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + to_float((vi)(h & splatu(63u))) * weight;
@@ -237,8 +236,8 @@ INLINE void cells_sum(const stone_cells *c, const vf p[3], const cells_square *s
           (vu)whole[2] * splatu(HASH_Z) + splatu(c->seed);
   for (int m = 0; m < 27; m++) {
     int dx = m % 3 - 1, dy = m / 3 % 3 - 1, dz = m / 9 - 1;
-    vu h = hash_mix(at + splatu((uint32_t)dx * HASH_X + (uint32_t)dy * HASH_Y +
-                                (uint32_t)dz * HASH_Z));
+    vu h = hash_mix(at +
+                    splatu((uint32_t)dx * HASH_X + (uint32_t)dy * HASH_Y + (uint32_t)dz * HASH_Z));
     vf x[3];
     cells_centre(h, f, dx, dy, dz, x);
     vf r = splat(0.62f) - splat(1.1f) * cells_erosion(c, h);
@@ -258,9 +257,7 @@ INLINE void cells_sum(const stone_cells *c, const vf p[3], const cells_square *s
 
 #define CELLS_STEPS 6 /* along a side of the footprint, at most */
 
-INLINE vf cells_length(const vf x[3]) {
-  return vsqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
-}
+INLINE vf cells_length(const vf x[3]) { return vsqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]); }
 
 /* Over a footprint: as many looks or sums as it takes, and past what those
  * reach the expected shares. t1, t2: the square's sides, unit; s: mm. */

@@ -228,41 +228,56 @@ static void evaluate(const stone_constants *w, const stone_io *io, uint32_t from
 
 /* Points spread at random through a space that is large to everything. */
 INLINE vf measure_place(uint32_t at, uint32_t axis) {
-  uint32_t h = hash1(at * 3u + axis + 0x3c6ef372u);
-  return splat((float)(h >> 8) * (1.0f / 16777216.0f));
+  vf r = splat(0.0f);
+  for (uint32_t k = 0; k < LANES; k++) {
+    uint32_t h = hash1((at + k) * 3u + axis + 0x3c6ef372u);
+    set_lane(&r, k, (float)(h >> 8) * (512.0f / 16777216.0f));
+  }
+  return r;
+}
+
+/* One after the other, so that the sum has the same bits for any width. */
+INLINE void measure_add(double *sum, vf x) {
+  for (uint32_t k = 0; k < LANES; k++) *sum += (double)lane(x, k);
+}
+
+static void measure_layer(const stone_cells *layer, uint32_t count, double *fill, double *balls) {
+  const vf zero = splat(0.0f), one = splat(1.0f);
+  const cells_square point = {{zero, zero, zero}, {zero, zero, zero}};
+  const cells_square cell = {{one, zero, zero}, {zero, one, zero}};
+  stone_cells c = *layer; /* all its bodies of kind 1, space in cells */
+  c.chance[0] = c.chance[1] = 2.0f;
+  c.even = 1.0f;
+  c.variation = 0.0f;
+  for (int a = 0; a < 9; a++) c.turn[a / 3][a % 3] = a % 4 ? 0.0f : 1.0f;
+  for (uint32_t i = 0; i < count; i += LANES) {
+    vf q[3], share[2];
+    cells_near near[2];
+    for (uint32_t a = 0; a < 3; a++) q[a] = measure_place(i, a);
+    cells_find(&c, q, &near[0], &near[1]);
+    cells_shares(&c, &near[0], &near[1], &point, &share[0], &share[1]);
+    measure_add(fill, share[0] + share[1]);
+    cells_cover sum = {{zero, zero}, {zero, zero, zero}};
+    cells_sum(&c, q, &cell, &sum);
+    measure_add(balls, sum.cover[0]);
+  }
+  *fill /= count;
+  *balls /= count;
 }
 
 static void measure(const stone_constants *w, uint32_t count, stone_means *out) {
   memset(out, 0, sizeof *out);
-  const vf zero = splat(0.0f), one = splat(1.0f), up[3] = {zero, one, zero};
-  const cells_square point = {{zero, zero, zero}, {zero, zero, zero}};
-  const cells_square cell = {{one, zero, zero}, {zero, one, zero}};
-  for (uint32_t i = 0; i < count; i++) {
-    vf u[3];
-    for (uint32_t a = 0; a < 3; a++) u[a] = measure_place(i, a);
-    for (int l = 0; l < STONE_LAYERS; l++) {
-      stone_cells c = w->layer[l];
-      if (!c.on || !c.shaped) continue;
-      vf q[3], p[3], share[2];
-      cells_near near[2];
-      for (int a = 0; a < 3; a++) q[a] = u[a] * splat(512.0f);
-      cells_find(&c, q, &near[0], &near[1]);
-      cells_shares(&c, &near[0], &near[1], &point, &share[0], &share[1]);
-      out->fill[l] += (double)lane(share[0] + share[1], 0) / count;
-      /* all of them of kind 1, in cells */
-      c.chance[0] = c.chance[1] = 2.0f;
-      c.even = 1.0f;
-      for (int a = 0; a < 9; a++) c.turn[a / 3][a % 3] = a % 4 ? 0.0f : 1.0f;
-      cells_cover balls = {{zero, zero}, {zero, zero, zero}};
-      for (int a = 0; a < 3; a++) p[a] = q[a];
-      cells_sum(&c, p, &cell, &balls);
-      out->balls[l] += (double)lane(balls.cover[0], 0) / count;
-    }
-    if (!w->has_veins) continue;
-    vf p[3];
-    for (int a = 0; a < 3; a++) p[a] = u[a] * splat(512.0f / w->vein_frequency);
-    out->veins += (double)lane(vein_share(w, p, up, up, up, zero), 0) / count;
+  for (int l = 0; l < STONE_LAYERS; l++) {
+    const stone_cells *c = &w->layer[l];
+    if (c->on && c->shaped) measure_layer(c, count, &out->fill[l], &out->balls[l]);
   }
+  const vf zero = splat(0.0f), up[3] = {zero, splat(1.0f), zero};
+  for (uint32_t i = 0; w->has_veins && i < count; i += LANES) {
+    vf p[3];
+    for (uint32_t a = 0; a < 3; a++) p[a] = measure_place(i, a) * splat(1.0f / w->vein_frequency);
+    measure_add(&out->veins, vein_share(w, p, up, up, up, zero));
+  }
+  out->veins /= count;
 }
 
 const stone_kernel NAMED(stone_kernel_) = {STRING(SOZAI_ISA_NAME), LANES, evaluate, measure};

@@ -23,9 +23,7 @@ INLINE vf paper_number(vu h, uint32_t which) {
   return to_float((vi)(m >> 8)) * splat(2.0f / 16777215.0f) - splat(1.0f);
 }
 
-INLINE vi paper_code(vf x) {
-  return to_int(clamp(x, splat(0.0f), splat(255.0f)) + splat(0.5f));
-}
+INLINE vi paper_code(vf x) { return to_int(clamp(x, splat(0.0f), splat(255.0f)) + splat(0.5f)); }
 
 /* A texel: adds part of its colour, and of its being black or white. */
 INLINE void paper_texel(const stone_constants *w, vu h, vf part, vf sum[4]) {
@@ -56,8 +54,7 @@ INLINE void paper_texel(const stone_constants *w, vu h, vf part, vf sum[4]) {
 
 /* One square no wider than a texel: the two texels that it meets along each
  * axis, by their shares. */
-INLINE void paper_look(const stone_constants *w, const vf q[3], const vf e[3], vf part,
-                       vf sum[4]) {
+INLINE void paper_look(const stone_constants *w, const vf q[3], const vf e[3], vf part, vf sum[4]) {
   vu at[3][2];
   vf share[3][2];
   static const uint32_t axis[3] = {HASH_X, HASH_Y, HASH_Z};
@@ -79,8 +76,8 @@ INLINE void paper_look(const stone_constants *w, const vf q[3], const vf e[3], v
 }
 
 /* sum: the colour, and the share of black and white. */
-INLINE void paper_at(const stone_constants *w, const vf p[3], const vf t1[3], const vf t2[3],
-                     vf s, vf sum[4]) {
+INLINE void paper_at(const stone_constants *w, const vf p[3], const vf t1[3], const vf t2[3], vf s,
+                     vf sum[4]) {
   vf zero = splat(0.0f), one = splat(1.0f);
   vf wide = s * splat(w->inverse_texel);
   vi whole;

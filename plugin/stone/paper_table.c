@@ -47,8 +47,8 @@ static void mean_of_lightness(const stone_constants *w, double mean[3]) {
     double l = 2.0 * (i % STEPS + 0.5) / STEPS - 1.0, k = 2.0 * (i / STEPS + 0.5) / STEPS - 1.0;
     for (int c = 0; c < 3; c++) {
       double chroma = 1.0 + (double)w->chroma * k;
-      double x = (double)w->luma + (double)w->lightness * l +
-                 (double)(w->base[c] - w->luma) * chroma;
+      double x =
+          (double)w->luma + (double)w->lightness * l + (double)(w->base[c] - w->luma) * chroma;
       int code = (int)(held(x) + 0.5);
       for (int o = 0; o < 3; o++) {
         mean[o] += (double)w->decode[c][code][o] / (STEPS * STEPS);

@@ -22,7 +22,15 @@ enum {
 /* clang-format on */
 
 enum { MODE_FABRIC, MODE_RGB, MODE_LIGHTNESS };
-enum { FINISH_SAWN, FINISH_POLISHED, FINISH_HONED, FINISH_FLAMED, FINISH_BUSH, FINISH_SPLIT, FINISHES };
+enum {
+  FINISH_SAWN,
+  FINISH_POLISHED,
+  FINISH_HONED,
+  FINISH_FLAMED,
+  FINISH_BUSH,
+  FINISH_SPLIT,
+  FINISHES
+};
 
 extern const sozai_parameter *const stone_parameters[STONE_PARAMETERS];
 extern const sozai_channel *const stone_channels[];

@@ -42,18 +42,18 @@ enum { LAYER_GRAINS, LAYER_INCLUSIONS, LAYER_SPECKS, LAYER_HOLES, STONE_LAYERS }
 /* A layer of cells: a power diagram of jittered points, one to a lattice cell.
  * Lengths are in lattice cells where no unit stands. */
 typedef struct {
-  float turn[3][3];             /* 1/mm: bed space to cells */
-  float grading;                /* spread of the cells' weights */
-  float warp, warp_fine;        /* how far the cells' faces stray, at two sizes */
-  float erode, erode_spread;    /* what a body is smaller than its cell; by chance, more */
-  float radius, radius_spread;  /* of the ball that a body is cut to; a share of it */
-  float chance[2];              /* below the first: kind 1; below the second: kind 2 */
-  float mean[2];                /* expected share of kinds 1 and 2 */
-  float variation;              /* of brightness from cell to cell */
-  float blur;                   /* mm over size: crystals let light through at their edges */
-  float even;                   /* area of the bodies over that of the balls in their place */
-  float fade;                   /* footprint, in cells, from which the mean stands in */
-  int32_t on, shaped;           /* shaped: eroded, or cut to a ball */
+  float turn[3][3];            /* 1/mm: bed space to cells */
+  float grading;               /* spread of the cells' weights */
+  float warp, warp_fine;       /* how far the cells' faces stray, at two sizes */
+  float erode, erode_spread;   /* what a body is smaller than its cell; by chance, more */
+  float radius, radius_spread; /* of the ball that a body is cut to; a share of it */
+  float chance[2];             /* below the first: kind 1; below the second: kind 2 */
+  float mean[2];               /* expected share of kinds 1 and 2 */
+  float variation;             /* of brightness from cell to cell */
+  float blur;                  /* mm over size: crystals let light through at their edges */
+  float even;                  /* area of the bodies over that of the balls in their place */
+  float fade;                  /* footprint, in cells, from which the mean stands in */
+  int32_t on, shaped;          /* shaped: eroded, or cut to a ball */
   uint32_t seed, seed_warp;
 } stone_cells;
 
@@ -73,17 +73,17 @@ typedef struct {
   float colour[STONE_COLOURS][3]; /* working space */
 
   /* the paper's colours */
-  int32_t mode; /* MODE_* */
+  int32_t mode;               /* MODE_* */
   float texel, inverse_texel; /* mm */
   float base[3], spread[3];   /* 8-bit codes; spread for MODE_RGB */
   float luma, lightness, chroma;
-  float black, white;             /* thresholds: below the first, below the second */
-  float texel_mean[3];            /* working space, of all texels */
+  float black, white;              /* thresholds: below the first, below the second */
+  float texel_mean[3];             /* working space, of all texels */
   float decode[3][STONE_CODES][3]; /* what each code of each channel adds, working space */
 
   /* finish */
   float relief[STONE_RELIEF], relief_frequency[STONE_RELIEF]; /* mm; 1/mm */
-  float relief_slope2[STONE_RELIEF]; /* variance of the slope, one axis */
+  float relief_slope2[STONE_RELIEF];                          /* variance of the slope, one axis */
   int32_t relief_octaves, pitted;
   float alpha2;   /* roughness squared where nothing is lost */
   float specular; /* reflectance at normal incidence */

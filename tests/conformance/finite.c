@@ -71,7 +71,8 @@ static void finite_in(const char *id, const char *set) {
         for (uint32_t o = 0; o < b.components; o++) {
           for (uint32_t i = 0; i < BATCH_MAX; i++) {
             if (isfinite(b.out[o][i])) continue;
-            print_error("output %u of %s is %g for", o, k ? info->presets[k - 1]->id : id, (double)b.out[o][i]);
+            print_error("output %u of %s is %g for", o, k ? info->presets[k - 1]->id : id,
+                        (double)b.out[o][i]);
             for (int a = 0; a < 16; a++) print_error(" %g", (double)b.in[a][i]);
             fail_msg("not finite");
           }

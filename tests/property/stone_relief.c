@@ -34,7 +34,13 @@ static void normal_is_the_heights(void **state) {
       /* the point, and both ways along x and y of a face towards +z */
       points_add(&p, x[0], x[1], x[2], 0);
       for (int k = 0; k < 4; k++) {
-        points_add(&p, x[0] + (k == 0 ? h : k == 1 ? -h : 0), x[1] + (k == 2 ? h : k == 3 ? -h : 0),
+        points_add(&p,
+                   x[0] + (k == 0   ? h
+                           : k == 1 ? -h
+                                    : 0),
+                   x[1] + (k == 2   ? h
+                           : k == 3 ? -h
+                                    : 0),
                    x[2], 0);
       }
     }
