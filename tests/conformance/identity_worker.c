@@ -22,7 +22,7 @@
 
 static plugin host;
 static sozai_texture *textures[TEXTURES_MAX];
-static uint32_t texture_count;
+static uint32_t texture_count, wood_count;
 
 static uint64_t blocks;
 static uint32_t batch_size;
@@ -108,8 +108,15 @@ static int make_stones(void) {
   return r;
 }
 
+/* A block's texture: of eight blocks seven are wood's, since a stone under a
+ * wide footprint takes many times as long. */
+static sozai_texture *texture_of(uint64_t block) {
+  if (block % 8 < 7) return textures[(block - block / 8) % wood_count];
+  return textures[wood_count + block / 8 % (texture_count - wood_count)];
+}
+
 static const sozai_texture_info *info_of(uint64_t block) {
-  return host.textures->info_of(textures[block % texture_count]);
+  return host.textures->info_of(texture_of(block));
 }
 
 /* ---- hashing ----------------------------------------------------------- */
@@ -179,7 +186,7 @@ static uint64_t ask(const span *s, uint32_t channels, const uint8_t *active) {
     b.light_colour[c] = input(s, IN_LIGHT_COLOUR + c, SOZAI_INPUT_LIGHT_COLOUR);
     b.view[c] = input(s, IN_VIEW + c, SOZAI_INPUT_VIEW);
   }
-  if (host.textures->evaluate(textures[s->block % texture_count], &b) != SOZAI_OK) {
+  if (host.textures->evaluate(texture_of(s->block), &b) != SOZAI_OK) {
     give_up(host.textures->last_error());
   }
   uint64_t sum = 0;
@@ -273,10 +280,12 @@ int main(int argc, char **argv) {
   }
   if (!batch_size || threads > 64 || plugin_start(&host, argv[1])) return 1;
   int r = make_woods();
+  wood_count = texture_count;
   if (!r) r = make_stones();
   if (r) return r;
   for (uint32_t i = 0; i < texture_count; i++) {
-    if (info_of(i)->component_count > COMPONENTS || info_of(i)->channel_count > 32) return 1;
+    const sozai_texture_info *info = host.textures->info_of(textures[i]);
+    if (info->component_count > COMPONENTS || info->channel_count > 32) return 1;
   }
 
   int alone = threads <= 1;
