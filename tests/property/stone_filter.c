@@ -117,10 +117,14 @@ static void against_1024_samples(void **state) {
   /* The goal is 0.01. It is missed where a footprint is about as wide as a body
    * of strong contrast is large: docs/stone.md. What is held is that this gets
    * no worse. */
+  CHECK(worst <= 0.04 && over <= 24,
+        "worst RMS %.4f (goal 0.01, held 0.04); %u of %u miss the goal (held 24)\n", worst, over,
+        presets() * SIZES);
   CHECK(
-      worst <= 0.04 && over <= 48 && far <= 0,
-      "worst RMS %.4f (goal 0.01, held 0.04), worst mean %.4f; %u of %u miss the goal (held 48)\n",
-      worst, worst_mean, over, presets() * SIZES);
+      far <= 0.002,
+      "worst mean %.4f; beyond 0.002 and three standard errors of %d places by %.4f at most (goal "
+      "0, held 0.002)\n",
+      worst_mean, PLACES, fmax(far, 0));
 }
 
 int main(void) {
