@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "material.h"
+#include "stone/material.h"
 #include "wood/material.h"
 
 const material *const registry[] = {
     &wood_material,
+    &stone_material,
 };
 const uint32_t registry_count = sizeof registry / sizeof registry[0];

@@ -11,6 +11,11 @@
 #define POROSITY(id) ALONE("porosity_" id, .channel = "albedo", .wood = {.porosity = id})
 #define FOOTPRINT(mm) ALONE("footprint_" #mm, .footprint = (float)(mm))
 #define LAYOUT(id) ALONE("layout_" id, .wood = {.layout = id})
+#define STONE(label, size, set, ...) \
+  {.name = "stone." label, .batch = size, .wood = {.cpu = set, .stone = "inada"}, __VA_ARGS__}
+#define STONE_ON(set) STONE("full.batch1024@" set, 1024, set), STONE("full.batch1@" set, 1, set)
+#define STONE_FOOTPRINT(mm) STONE("footprint_" #mm ".batch1024", 1024, NULL, .footprint = (float)(mm))
+#define STONE_OF(id) {.name = "stone." id ".batch1024", .batch = 1024, .wood = {.stone = id}}
 /* clang-format on */
 
 const entry entries[] = {
@@ -59,6 +64,25 @@ const entry entries[] = {
     LAYOUT("strip"),
     LAYOUT("herringbone"),
     LAYOUT("versailles"),
+    STONE("full.batch1024", 1024, NULL),
+    STONE("full.batch1", 1, NULL),
+#if defined(__x86_64__)
+    STONE_ON("avx512"),
+    STONE_ON("avx2"),
+    STONE_ON("sse2"),
+#elif defined(__aarch64__)
+    STONE_ON("neon"),
+#endif
+    STONE_ON("scalar"),
+    STONE_FOOTPRINT(0.3),
+    STONE_FOOTPRINT(1),
+    STONE_FOOTPRINT(3),
+    STONE_FOOTPRINT(10),
+    STONE_FOOTPRINT(100),
+    STONE_OF("carrara"),
+    STONE_OF("travertino"),
+    STONE_OF("terrazzo"),
+    {.name = "stone.create", .kind = ENTRY_CREATE, .wood = {.stone = "travertino"}},
     {.name = "wood.threads2.batch1024", .kind = ENTRY_THREADS, .batch = 1024},
     {.name = "wood.create", .kind = ENTRY_CREATE},
     {.name = "wood.load", .kind = ENTRY_LOAD},

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0
- * The woods that are measured. */
+ * The woods, and the stones, that are measured. */
 #ifndef SOZAI_BENCH_WOOD_H
 #define SOZAI_BENCH_WOOD_H
 
@@ -14,9 +14,10 @@ typedef struct wood {
   const char *reflection; /* NULL: the default */
   const char *layout;     /* NULL: one piece */
   bool pictured;          /* its section is the yardstick's picture */
+  const char *stone;    /* a preset of stone, in place of all this but cpu */
 } wood;
 
-/* A flat-sawn board of the preset keyaki. Where the machine lacks the
+/* A flat-sawn board of the preset keyaki, or a face of the stone. Where the machine lacks the
  * instruction set, true with *out = NULL. picture: the yardstick's, for those
  * that want it. */
 bool wood_create(const wood *w, const char *picture, const plugin *p, sozai_texture **out,

@@ -18,7 +18,6 @@
 #include "session.h"
 #include "sheet.h"
 
-#define MATERIAL "wood"
 #define PATH_SIZE 4096
 #define SHEET_COLUMNS 3
 #define LAYOUT_COLUMNS 6
@@ -48,10 +47,12 @@ static bool write_film(const gallery *g, const film *f, const char *name, failur
   return false;
 }
 
+static const char *material_of(const shot *s) { return s->material ? s->material : "wood"; }
+
 /* ---- one picture ------------------------------------------------------ */
 
 static bool make_recipe(recipe *r, const shot *s, const char *preset, failure *why) {
-  if (!recipe_open(r, MATERIAL, why)) return false;
+  if (!recipe_open(r, material_of(s), why)) return false;
   bool ok = !preset || recipe_set_preset(r, preset, why);
   for (int i = 0; ok && i < SHOT_PARAMS && s->params[i]; i++)
     ok = recipe_set_pair(r, s->params[i], why);
@@ -78,7 +79,7 @@ static void write_caption(const gallery *g, const shot *s, const char *file, con
                           const char *preset) {
   fprintf(g->index, "<figure><img src=\"%s\" alt=\"%s\">\n<figcaption>%s<br><code>", file, title,
           title);
-  fprintf(g->index, "sozai render %s -o %s", MATERIAL, file);
+  fprintf(g->index, "sozai render %s -o %s", material_of(s), file);
   if (preset) fprintf(g->index, " --preset %s", preset);
   for (int i = 0; i < SHOT_PARAMS && s->params[i]; i++) fprintf(g->index, " -p %s", s->params[i]);
   if (s->shape) fprintf(g->index, " --shape %s", s->shape);
@@ -128,7 +129,7 @@ static bool make_picture(gallery *g, const shot *s, const char *name, const char
 
 static bool make_shot(gallery *g, const shot *s, failure *why) {
   if (!s->each_preset) return make_picture(g, s, s->name, s->title, s->preset, why);
-  const sozai_texture_info *info = g->session.plugin.textures->find(MATERIAL);
+  const sozai_texture_info *info = g->session.plugin.textures->find(material_of(s));
   for (uint32_t i = 0; info && i < info->preset_count; i++) {
     char name[128], title[256];
     snprintf(name, sizeof name, "%s-%s", s->name, info->presets[i]->id);
@@ -220,8 +221,9 @@ int run_gallery(int argc, char **argv) {
       SESSION_DISPLAY_OPTIONS(shared),
       SESSION_RUN_OPTIONS(shared)};
   const command_line line = {.usage = "gallery -o DIR [options]",
-                             .about = "Renders every preset, and what wood can do, into a folder "
-                                      "with an index.html.\n",
+                             .about =
+                                 "Renders every preset, and what materials can do, into a folder "
+                                 "with an index.html.\n",
                              .options = options,
                              .option_count = sizeof options / sizeof options[0]};
   int parsed = options_parse(&line, argc, argv, NULL, &why);

@@ -11,6 +11,7 @@
 typedef struct shot {
   const char *name; /* of the file, without its ending; of an each_preset: what it begins with */
   const char *title;
+  const char *material;            /* NULL: wood */
   const char *preset;              /* NULL: the parameters' defaults */
   bool each_preset;                /* once for every preset there is */
   bool on_sheet;                   /* among the small pictures of gallery.png */

@@ -15,6 +15,23 @@ const match_material match_materials[] = {
      .boundary = "heartwood_years",
      .boundary_channel = "time",
      .board = {{"cut", "flat"}}},
+    /* the base and its variation, the minerals that vary it, and the specks */
+    {.id = "stone",
+     .roles = {{"base_colour", NULL},
+               {"second_colour", NULL},
+               {"black_colour", NULL},
+               {"white_colour", NULL}},
+     .brightness = "grain_variation",
+     .part = "",
+     .second_part = "",
+     /* what would take colours of its own is left out, unless given */
+     .board = {{"colour_mode", "fabric"},
+               {"third_share", "0"},
+               {"bed_contrast", "0"},
+               {"inclusion_share", "0"},
+               {"inclusion_second_share", "0"},
+               {"vein_width", "0"},
+               {"hole_share", "0"}}},
 };
 const uint32_t match_material_count = sizeof match_materials / sizeof match_materials[0];
 

@@ -133,3 +133,10 @@ int32_t colour_hue(const sozai_host *host, const sozai_parameter *p, const setti
   for (int c = 0; c < 3; c++) out[c] = most > 0.0 ? (float)(s->number[c] / most) : 1.0f;
   return convert(service, p->id, s->text, out);
 }
+
+int32_t colour_list(const sozai_host *host, const char *space, float (*rgb)[3], uint32_t count) {
+  const sozai_colour_1 *service;
+  int32_t r = find_service(host, &service);
+  for (uint32_t i = 0; i < count && !r; i++) r = convert(service, space, space, rgb[i]);
+  return r;
+}

@@ -21,6 +21,10 @@ int32_t colour_convert(const sozai_host *host, const sozai_texture_info *info, c
 int32_t colour_hue(const sozai_host *host, const sozai_parameter *p, const setting *s,
                    float out[3]);
 
+/* count colours of a space by its name in the texture's own tongue ("sRGB"), in
+ * place, into the working space. */
+int32_t colour_list(const sozai_host *host, const char *space, float (*rgb)[3], uint32_t count);
+
 /* What the colour service at hand calls that space: configs agree on what sRGB
  * is, not on its name. The name itself where there is no service. */
 int32_t colour_name(const sozai_host *host, const char *space, const char **out);

@@ -2,6 +2,7 @@
  *
  * Wood's evaluate: compiled once for each instruction set and width.
  */
+#include "../core/lanes.h"
 #include "boards.h"
 #include "cone.h"
 #include "fibre.h"
@@ -18,46 +19,6 @@
 #define STRING(a) STRING_(a)
 
 extern const wood_kernel NAMED(wood_kernel_);
-
-/* Lanes past the end of the batch repeat the last point: they must not send
- * the others into a branch of their own. */
-INLINE vf load_lanes(const float *p, uint32_t i, uint32_t n) {
-  if (n == LANES) return load(p + i);
-  if (n == 1) return splat(p[i]);
-  vf r = splat(p[i + n - 1]);
-  for (uint32_t k = 0; k + 1 < n; k++) set_lane(&r, k, p[i + k]);
-  return r;
-}
-
-/* NaN to 0, and the rest within a kilometre. */
-INLINE vf finite_coordinate(vf x) {
-  x = sel(eq(x, x), x, splat(0.0f));
-  return clamp(x, splat(-1e6f), splat(1e6f));
-}
-
-/* A direction of any length to a unit one; +z where it has none. */
-INLINE void unit_direction(vf v[3]) {
-  vf square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-  vm usual = and_(gt(square, splat(1e-20f)), lt(square, splat(1e20f)));
-  if (any(not_(usual))) {
-    /* too long or short to square, or not a direction at all */
-    vf big = vmax(vmax(vabs(v[0]), vabs(v[1])), vabs(v[2]));
-    /* NaN loses every comparison: a sum is NaN or infinite if any part is */
-    vf all = vabs(v[0]) + vabs(v[1]) + vabs(v[2]);
-    vm bad = not_(and_(gt(big, splat(1e-30f)), lt(all, splat(1e38f))));
-    vf k = splat(1.0f) / sel(bad, splat(1.0f), big);
-    for (int c = 0; c < 3; c++) {
-      vf x = sel(bad, splat(c == 2 ? 1.0f : 0.0f), v[c] * k);
-      v[c] = sel(usual, v[c], x);
-    }
-    square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-  }
-  /* what is unit already to a few units in the last place stays as it is */
-  vm off = gt(vabs(square - splat(1.0f)), splat(4e-7f));
-  if (!any(off)) return;
-  vf l = sel(off, inverse_root(square), splat(1.0f));
-  for (int c = 0; c < 3; c++) v[c] = v[c] * l;
-}
 
 /* What has been asked for, and the stages that it takes. */
 typedef struct {

@@ -16,12 +16,13 @@ done
 
 works --list
 for name in wood.full.batch{1024,16,1} wood.full.batch{1024,16,1}@scalar wood.threads2.batch1024 \
+  stone.full.batch{1024,1} stone.full.batch{1024,1}@scalar \
   wood.create wood.load wood.albedo.batch1024 wood.grain_wavy.batch1024 \
   wood.porosity_ring.batch1024 wood.footprint_{0.01,0.0625,0.1,0.3,1,3,10,30,100}.batch1024; do
   check "--list has $name" grep -qxF "$name" "$scratch/out"
 done
 same "names that stand twice" "" "$(sort "$scratch/out" | uniq -d)"
-works --list --filter 'full.*1$'
+works --list --filter 'wood.full.*1$'
 same "--filter picks" wood.full.batch1 "$out"
 
 refuses 2 "--jsn" --jsn
@@ -43,6 +44,6 @@ for field in ns_per_point yardstick_ns ratio; do
 done
 same "what it leaves behind" "" "$(ls "$TMPDIR")"
 
-works --quick --filter create
+works --quick --filter 'wood.create'
 check "a table without --json" grep -qE '^wood\.create +[a-z0-9]+ +[0-9.]+' "$scratch/out"
 finish

@@ -1,15 +1,18 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The printed catalogue of parameters and species is the plugin's own, and the
+# The printed catalogues of parameters and presets are the plugin's own, and the
 # figures can be drawn, each with its numbers.
 # shellcheck source=tests/cli/lib.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh" "$@"
 readonly json_check=$4
-printed=$(dirname -- "${BASH_SOURCE[0]}")/../../docs/catalogue-wood.txt
+printed=$(dirname -- "${BASH_SOURCE[0]}")/../../docs
 
-works describe wood
-check "docs/catalogue-wood.txt is current (renew it: sozai describe wood > docs/catalogue-wood.txt)" \
-  cmp "$scratch/out" "$printed"
+for material in wood stone; do
+  file=catalogue-$material.txt
+  works describe "$material"
+  check "docs/$file is current (renew it: sozai describe $material > docs/$file)" \
+    cmp "$scratch/out" "$printed/$file"
+done
 
 works figures -o "$scratch/figures"
 for figure in wood-05 wood-06 wood-07 wood-09; do

@@ -145,6 +145,31 @@ near "its latewood" 0.04 "$pale_late" "$(colour_of sapwood_latewood_colour)"
 check "where one becomes the other" grep -q 'heartwood_years:' both.sozai
 works render both.sozai --camera front --res 64x32 --spp 1 -o both.png
 
+# ---- stone ---------------------------------------------------------------------------------------
+readonly base="0.7000 0.6600 0.6200" second="0.5000 0.4700 0.4600" mica="0.1600 0.1500 0.1500"
+readonly ground=(-p third_share=0 -p black_share=0.08 -p white_share=0.05)
+readonly stone=(-p "base_colour=$base @ sRGB" -p "second_colour=$second @ sRGB" -p "black_colour=$mica @ sRGB")
+granite() { # NAME [option...]: the albedo of a face of 120 x 80 mm
+  local name=$1
+  shift
+  "$sozai" render stone --preset inada --shape plane --size 120x80 --camera front --res 600x400 \
+    --spp 4 --sky 0 --channels albedo -o layers.exr "${ground[@]}" "${stone[@]}" "$@" || failed "no picture $name"
+  oiiotool layers.exr --ch albedo.R,albedo.G,albedo.B --chnames R,G,B -o "$name"
+}
+granite granite.exr
+works match granite.exr --material stone --preset inada --width 120 "${ground[@]}" -o granite.sozai
+agrees "the same granite" 0.05 0.01
+near "its base" 0.01 "$base" "$(colour_of base_colour)"
+near "its second mineral" 0.02 "$second" "$(colour_of second_colour)"
+near "its mica" 0.05 "$mica" "$(colour_of black_colour)"
+works render granite.sozai --camera front --res 64x64 --spp 1 -o granite.png
+granite other-block.exr -p seed=9
+works match other-block.exr --material stone --preset inada --width 120 "${ground[@]}"
+agrees "a face of another block" 0.1 0.02
+near "its base" 0.03 "$base" "$(colour_of base_colour)"
+near "its second mineral" 0.05 "$second" "$(colour_of second_colour)"
+near "its mica" 0.08 "$mica" "$(colour_of black_colour)"
+
 # ---- refusals --------------------------------------------------------------------------------------
 cp known.sozai kept.sozai
 oiiotool --create 1x1 3 -d uint8 -o one.png
@@ -186,7 +211,7 @@ bad "clear.png|transparent" clear.png
 bad "nan.exr|not finite" nan.exr
 bad "huge.tif|20000x20000|67108864" huge.tif
 bad "--space|nope" known.png --space nope
-bad "--material|'stone'|wood can" known.png --material stone
+bad "--material|'glass'|wood" known.png --material glass
 bad "--crop|'1,2,3'" known.png --crop 1,2,3
 bad "--crop|0,0,601,10|600x400" known.png --crop 0,0,601,10
 bad "--crop|-1" known.png --crop=-1,0,50,50

@@ -25,14 +25,33 @@ static const float nasty[] = {NAN,           -NAN,         INFINITY, -INFINITY, 
                               1e20f,         2.1474836e9f, 1.0f};
 #define NASTY (sizeof nasty / sizeof *nasty)
 
-static void finite_in(const char *set) {
-  setenv("SOZAI_CPU", set, 1);
+/* A wood of every preset; a stone of every other, under all finishes. */
+static sozai_texture *make(uint32_t k) {
+  const char *preset = k ? info->presets[k - 1]->id : NULL;
+  if (strcmp(info->id, "wood") == 0) return plugin_wood(&p, preset, "compound");
+  static const char *const finishes[] = {"split", "flamed", "bush_hammered",
+                                         "sawn",  "honed",  "polished"};
+  const sozai_value values[] = {
+      {.id = "finish", .kind = SOZAI_KIND_CHOICE, .text = finishes[k / 2 % 6u]},
+      {.id = "colour_mode", .kind = SOZAI_KIND_CHOICE, .text = k ? "fabric" : "paper_rgb"}};
   sozai_texture *t = NULL;
-  if (p.textures->create(NULL, "wood", NULL, NULL, 0, &t) == SOZAI_ERROR_UNSUPPORTED) return;
+  if (p.textures->create(NULL, info->id, preset, values, 2, &t)) {
+    print_error("create %s: %s", info->id, p.textures->last_error());
+  }
+  return t;
+}
+
+static void finite_in(const char *id, const char *set) {
+  setenv("SOZAI_CPU", set, 1);
+  info = p.textures->find(id);
+  assert_non_null(info);
+  sozai_texture *t = NULL;
+  if (p.textures->create(NULL, id, NULL, NULL, 0, &t) == SOZAI_ERROR_UNSUPPORTED) return;
   p.textures->destroy(t);
   uint64_t r = 1, points = 0;
-  for (uint32_t k = 0; k <= info->preset_count; k++) {
-    t = plugin_wood(&p, k ? info->presets[k - 1]->id : NULL, "compound");
+  uint32_t step = strcmp(id, "wood") == 0 ? 1 : 2;
+  for (uint32_t k = 0; k <= info->preset_count; k += step) {
+    t = make(k);
     assert_non_null(t);
     for (uint32_t round = 0; round < 60; round++) {
       batch_make(&b, info, BATCH_MAX);
@@ -52,7 +71,7 @@ static void finite_in(const char *set) {
         for (uint32_t o = 0; o < b.components; o++) {
           for (uint32_t i = 0; i < BATCH_MAX; i++) {
             if (isfinite(b.out[o][i])) continue;
-            print_error("output %u of %s is %g for", o, k ? info->presets[k - 1]->id : "wood",
+            print_error("output %u of %s is %g for", o, k ? info->presets[k - 1]->id : id,
                         (double)b.out[o][i]);
             for (int a = 0; a < 16; a++) print_error(" %g", (double)b.in[a][i]);
             fail_msg("not finite");
@@ -63,13 +82,14 @@ static void finite_in(const char *set) {
     }
     p.textures->destroy(t);
   }
-  print_message("%s: %llu points, all finite\n", set, (unsigned long long)points);
+  print_message("%s, %s: %llu points, all finite\n", id, set, (unsigned long long)points);
 }
 
 static void always_finite(void **unused) {
   (void)unused;
   static const char *const sets[] = {"scalar", "sse2", "avx2", "avx512", "neon"};
-  for (int i = 0; i < 5; i++) finite_in(sets[i]);
+  for (int i = 0; i < 5; i++) finite_in("wood", sets[i]);
+  for (int i = 0; i < 5; i++) finite_in("stone", sets[i]);
   unsetenv("SOZAI_CPU");
 }
 
@@ -120,10 +140,10 @@ static void vector_read_as(sozai_texture *t, int first, float given, const float
   same(what);
 }
 
-static void as_the_header_says(void **unused) {
-  (void)unused;
+static void header_says_of(const char *id, sozai_texture *t) {
   static const float up[3] = {0.0f, 0.0f, 1.0f};
-  sozai_texture *t = plugin_wood(&p, "mizunara", "compound");
+  info = p.textures->find(id);
+  assert_non_null(t);
   read_as(t, 0, 3, NAN, 0.0f, "a point's NaN is 0");
   read_as(t, 0, 3, INFINITY, 1e6f, "a point's infinity is a kilometre");
   read_as(t, 0, 3, -1e30f, -1e6f, "a point's -1e30 is minus a kilometre");
@@ -149,6 +169,15 @@ static void as_the_header_says(void **unused) {
   evaluate(t, &other);
   same("without a footprint and a light's colour");
   p.textures->destroy(t);
+}
+
+static void as_the_header_says(void **unused) {
+  (void)unused;
+  sozai_texture *stone = NULL;
+  const sozai_value rough = {.id = "finish", .kind = SOZAI_KIND_CHOICE, .text = "flamed"};
+  assert_int_equal(p.textures->create(NULL, "stone", "inada", &rough, 1, &stone), SOZAI_OK);
+  header_says_of("wood", plugin_wood(&p, "mizunara", "compound"));
+  header_says_of("stone", stone);
 }
 
 /* ring_radius and pith too. */

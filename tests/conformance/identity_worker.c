@@ -17,13 +17,12 @@
 
 #include "identity_points.h"
 
-#define TEXTURES_MAX 32
+#define TEXTURES_MAX 128
 #define PIECES 16u /* a block is cut into at most so many, for the threads */
 
 static plugin host;
-static const sozai_texture_info *info;
 static sozai_texture *textures[TEXTURES_MAX];
-static uint32_t texture_count;
+static uint32_t texture_count, wood_count;
 
 static uint64_t blocks;
 static uint32_t batch_size;
@@ -48,7 +47,39 @@ static void give_up(const char *why) {
   atomic_store(&failed, 1);
 }
 
-/* ---- the textures: every preset, with every kind of slope, and layouts - */
+/* ---- the textures ------------------------------------------------------ */
+
+static int make(const char *id, const char *preset, const sozai_value *values, uint32_t count) {
+  if (texture_count == TEXTURES_MAX) return 0;
+  int32_t r = host.textures->create(NULL, id, preset, values, count, &textures[texture_count]);
+  if (r == SOZAI_ERROR_UNSUPPORTED) return 77;
+  if (r != SOZAI_OK) {
+    fprintf(stderr, "create: %s\n", host.textures->last_error());
+    return 1;
+  }
+  texture_count++;
+  return 0;
+}
+
+/* Every fourth preset, with every kind of slope. */
+static int make_woods(void) {
+  static const char *const cuts[] = {"log", "flat", "quarter", "rift", "end"};
+  const sozai_texture_info *info = host.textures->find("wood");
+  int r = info ? 0 : 1;
+  for (uint32_t i = 0; !r && i <= info->preset_count; i += 4) {
+    const sozai_value values[] = {
+        {.id = "grain", .kind = SOZAI_KIND_CHOICE, .text = "compound"},
+        {.id = "cut", .kind = SOZAI_KIND_CHOICE, .text = cuts[i / 4u % 5u]},
+        {.id = "cut_rotation", .kind = SOZAI_KIND_FLOAT, .number = {i / 20u * 33.0}},
+        {.id = "wave_irregularity", .kind = SOZAI_KIND_FLOAT, .number = {i / 4u % 3u * 0.3}},
+        /* within reach of the points */
+        {.id = "heartwood_years", .kind = SOZAI_KIND_FLOAT, .number = {10.0 + 10.0 * (i / 4u % 4u)}},
+        {.id = "coat", .kind = SOZAI_KIND_FLOAT, .number = {i / 4u % 3u * 0.5}},
+        {.id = "reflection", .kind = SOZAI_KIND_CHOICE, .text = i / 4u % 2u ? "fibre_cone" : "kawai"}};
+    r = make("wood", i ? info->presets[i - 1]->id : NULL, values, 7);
+  }
+  return r;
+}
 
 /* Each way of finding a unit, with everything that a layout can have. */
 static int make_layouts(void) {
@@ -56,7 +87,9 @@ static int make_layouts(void) {
                                         "ashlar",  "crazy",       "arcs",       "circles",
                                         "chevron", "end_grain"};
   static const char *const flips[] = {"random", "alternate", "none"};
-  for (uint32_t i = 0; i < sizeof layouts / sizeof *layouts && texture_count < TEXTURES_MAX; i++) {
+  const sozai_texture_info *info = host.textures->find("wood");
+  int r = info ? 0 : 1;
+  for (uint32_t i = 0; !r && i < sizeof layouts / sizeof *layouts; i++) {
     const sozai_value values[] = {
         {.id = "layout", .kind = SOZAI_KIND_CHOICE, .text = layouts[i]},
         {.id = "layout_rotation", .kind = SOZAI_KIND_FLOAT, .number = {17.0 * i}},
@@ -65,38 +98,47 @@ static int make_layouts(void) {
         {.id = "board_flip", .kind = SOZAI_KIND_CHOICE, .text = flips[i % 3u]},
         {.id = "grain", .kind = SOZAI_KIND_CHOICE, .text = "compound"},
         {.id = "reflection", .kind = SOZAI_KIND_CHOICE, .text = i % 2u ? "fibre_cone" : "kawai"}};
-    const char *preset = info->presets[i % info->preset_count]->id;
-    if (host.textures->create(NULL, info->id, preset, values, 7, &textures[texture_count])) {
-      fprintf(stderr, "create %s: %s\n", layouts[i], host.textures->last_error());
-      return 1;
-    }
-    texture_count++;
+    r = make("wood", info->presets[i % info->preset_count]->id, values, 7);
   }
-  return 0;
+  return r;
 }
 
-static int make_textures(void) {
-  static const char *const cuts[] = {"log", "flat", "quarter", "rift", "end"};
-  for (uint32_t i = 0; i <= info->preset_count && texture_count < TEXTURES_MAX; i++) {
+/* Every third preset, which among them have all that a stone can have, every
+ * finish, and both of the paper's modes of colour. */
+static int make_stones(void) {
+  static const char *const finishes[] = {"split", "flamed", "bush_hammered",
+                                         "sawn",  "honed",  "polished"};
+  static const char *const modes[] = {"paper_rgb", "paper_lightness"};
+  static const char *const beds[] = {"x", "y", "z"};
+  const sozai_texture_info *info = host.textures->find("stone");
+  int r = info ? 0 : 1;
+  for (uint32_t i = 0; !r && i < info->preset_count; i += 3) {
     const sozai_value values[] = {
-        {.id = "grain", .kind = SOZAI_KIND_CHOICE, .text = "compound"},
-        {.id = "cut", .kind = SOZAI_KIND_CHOICE, .text = cuts[i % 5u]},
-        {.id = "cut_rotation", .kind = SOZAI_KIND_FLOAT, .number = {i / 5u * 33.0}},
-        {.id = "wave_irregularity", .kind = SOZAI_KIND_FLOAT, .number = {i % 3u * 0.3}},
-        /* within reach of the points */
-        {.id = "heartwood_years", .kind = SOZAI_KIND_FLOAT, .number = {10.0 + 10.0 * (i % 4u)}},
-        {.id = "coat", .kind = SOZAI_KIND_FLOAT, .number = {i % 3u * 0.5}},
-        {.id = "reflection", .kind = SOZAI_KIND_CHOICE, .text = i % 2u ? "fibre_cone" : "kawai"}};
-    const char *preset = i ? info->presets[i - 1]->id : NULL;
-    int32_t r = host.textures->create(NULL, info->id, preset, values, 7, &textures[i]);
-    if (r == SOZAI_ERROR_UNSUPPORTED) return 77;
-    if (r != SOZAI_OK) {
-      fprintf(stderr, "create: %s\n", host.textures->last_error());
-      return 1;
-    }
-    texture_count++;
+        {.id = "finish", .kind = SOZAI_KIND_CHOICE, .text = finishes[i / 3 % 6u]},
+        {.id = "bed", .kind = SOZAI_KIND_CHOICE, .text = beds[i / 3 % 3u]},
+        {.id = "hole_share", .kind = SOZAI_KIND_FLOAT, .number = {i % 2u * 0.05}},
+        {.id = "vein_width", .kind = SOZAI_KIND_FLOAT, .number = {i % 2u ? 0.0 : 4.0}}};
+    r = make("stone", info->presets[i]->id, values, 4);
   }
-  return make_layouts();
+  for (int i = 0; !r && i < 2; i++) {
+    const sozai_value values[] = {
+        {.id = "colour_mode", .kind = SOZAI_KIND_CHOICE, .text = modes[i]},
+        {.id = "paper_black", .kind = SOZAI_KIND_FLOAT, .number = {0.1}},
+        {.id = "paper_white", .kind = SOZAI_KIND_FLOAT, .number = {0.1}}};
+    r = make("stone", NULL, values, 3);
+  }
+  return r;
+}
+
+/* A block's texture: of eight blocks seven are wood's, since a stone under a
+ * wide footprint takes many times as long. */
+static sozai_texture *texture_of(uint64_t block) {
+  if (block % 8 < 7) return textures[(block - block / 8) % wood_count];
+  return textures[wood_count + block / 8 % (texture_count - wood_count)];
+}
+
+static const sozai_texture_info *info_of(uint64_t block) {
+  return host.textures->info_of(texture_of(block));
 }
 
 /* ---- hashing ----------------------------------------------------------- */
@@ -143,6 +185,7 @@ static const float *input(const span *s, int which, uint32_t bit) {
 
 /* Evaluates the channels of `channels` for the active points; the hash. */
 static uint64_t ask(const span *s, uint32_t channels, const uint8_t *active) {
+  const sozai_texture_info *info = info_of(s->block);
   float *out[COMPONENTS] = {0};
   for (uint32_t c = 0; c < info->channel_count; c++) {
     const sozai_channel *k = info->channels[c];
@@ -165,7 +208,7 @@ static uint64_t ask(const span *s, uint32_t channels, const uint8_t *active) {
     b.light_colour[c] = input(s, IN_LIGHT_COLOUR + c, SOZAI_INPUT_LIGHT_COLOUR);
     b.view[c] = input(s, IN_VIEW + c, SOZAI_INPUT_VIEW);
   }
-  if (host.textures->evaluate(textures[s->block % texture_count], &b) != SOZAI_OK) {
+  if (host.textures->evaluate(texture_of(s->block), &b) != SOZAI_OK) {
     give_up(host.textures->last_error());
   }
   uint64_t sum = 0;
@@ -200,7 +243,7 @@ static uint64_t ask_masked(const span *s, uint32_t channels) {
 static uint64_t answer(const span *s) {
   if (!subset) return ask_masked(s, ~0u);
   uint32_t part[3] = {0, 0, 0};
-  for (uint32_t c = 0; c < info->channel_count; c++) {
+  for (uint32_t c = 0; c < info_of(s->block)->channel_count; c++) {
     part[mix64(s->block * 77 + s->from + c * 1000003ull) % 3u] |= 1u << c;
   }
   uint64_t sum = 0;
@@ -258,10 +301,15 @@ int main(int argc, char **argv) {
     flushed |= strcmp(argv[i], "flushed") == 0;
   }
   if (!batch_size || threads > 64 || plugin_start(&host, argv[1])) return 1;
-  info = host.textures->find("wood");
-  if (!info || info->component_count > COMPONENTS || info->channel_count > 32) return 1;
-  int r = make_textures();
+  int r = make_woods();
+  if (!r) r = make_layouts();
+  wood_count = texture_count;
+  if (!r) r = make_stones();
   if (r) return r;
+  for (uint32_t i = 0; i < texture_count; i++) {
+    const sozai_texture_info *info = host.textures->info_of(textures[i]);
+    if (info->component_count > COMPONENTS || info->channel_count > 32) return 1;
+  }
 
   int alone = threads <= 1;
   pthread_t list[64];

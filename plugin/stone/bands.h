@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * What varies slowly in stone: beds, veins, mottle.
+ */
+#ifndef SOZAI_STONE_BANDS_H
+#define SOZAI_STONE_BANDS_H
+
+#include "../core/filter.h"
+#include "../core/noise.h"
+#include "stone.h"
+
+/* How far towards the other bed: 0..1, mean 1/2. A layer of sediment lies over
+ * the last at the same height everywhere but for a slow wave: value noise
+ * across the beds, at three sizes. flat2: how much of the footprint lies across. */
+INLINE vf bed_share(const stone_constants *w, const vf p[3], vf s, vf flat2) {
+  static const float weight[3] = {0.4f, 0.36f, 0.24f}, finer[3] = {0.37f, 1.0f, 2.9f};
+  vf g[3], y = p[1];
+  if (w->bed_wave != 0.0f) {
+    vf f = splat(w->bed_wave_frequency);
+    y = y + splat(w->bed_wave) *
+                noise_gradient3(p[0] * f, p[1] * f, p[2] * f, splatu(w->seed_bed + 7u), g);
+  }
+  /* across the beds in four parts, each with what it is too wide for left out */
+  vf e = splat(0.25f) * s * vsqrt(flat2), sum = splat(0.0f), unused;
+  for (int i = 0; i < 4; i++) {
+    vf at = y + (splat((float)i) - splat(1.5f)) * e, one = splat(0.5f);
+    for (int o = 0; o < 3; o++) {
+      float f = w->bed_frequency * finer[o];
+      vf keep = filter_keep(e, 1.0f / f) * splat(0.9f * weight[o] / HASH_ONE);
+      noise_axis a = noise_split(at * splat(f), HASH_Y);
+      one = one + keep * noise_value1(&a, splatu(w->seed_bed + (uint32_t)o), &unused);
+    }
+    sum = sum + splat(0.25f) * clamp01(one); /* an even clamp keeps the mean */
+  }
+  return sum;
+}
+
+/* One family of veins: fractures in a direction, bent; each by chance thick,
+ * thin or not there, and swelling and pinching out along its way. The share of
+ * the footprint within half a vein's width of its middle. */
+INLINE vf vein_sheet(const stone_constants *w, const vf p[3], const vf n[3], vf s, int family) {
+  const float finer = family ? 2.4f : 1.0f, *m = w->vein_direction[family];
+  float frequency = w->vein_frequency * finer;
+  uint32_t seed = w->seed_vein + 16u * (uint32_t)family;
+  vf q[3], g[3], fine[3], one = splat(1.0f);
+  for (int k = 0; k < 3; k++) q[k] = p[k] * splat(frequency);
+  vf bend =
+      noise_gradient3(q[0] * splat(0.7f), q[1] * splat(0.7f), q[2] * splat(0.7f), splatu(seed), g);
+  vf shake = noise_gradient3(q[0] * splat(3.9f), q[1] * splat(3.9f), q[2] * splat(3.9f),
+                             splatu(seed + 1u), fine);
+  vf f = splat(m[0]) * q[0] + splat(m[1]) * q[1] + splat(m[2]) * q[2] +
+         splat(w->vein_warp) * (bend + splat(0.12f) * shake);
+  vi which;
+  vf middle = vfloor(f + splat(0.5f), &which);
+  for (int k = 0; k < 3; k++) {
+    g[k] = splat(m[k]) + splat(w->vein_warp) * (splat(0.7f) * g[k] + splat(0.468f) * fine[k]);
+  }
+  vf k = inverse_root(vmax(g[0] * g[0] + g[1] * g[1] + g[2] * g[2], splat(0.09f)));
+  vf d = vabs(f - middle) * k * splat(1.0f / frequency);
+  vf chance = vabs(hash_signed(hash_mix((vu)which + splatu(seed)))) * splat(1.0f / HASH_ONE);
+  vf swell = splat(0.2f) + splat(0.9f) * bend + splat(1.1f) * shake + splat(0.6f) * chance;
+  vf half = clamp01(swell) * chance * chance * splat(0.5f * w->vein_width / finer);
+  vf along = (g[0] * n[0] + g[1] * n[1] + g[2] * n[2]) * k;
+  vf e = vsqrt(s * s * vmax(one - along * along, splat(0.0f)) + splat(w->vein_soft * w->vein_soft) +
+               splat(1e-12f));
+  vf high = vmin(d + splat(0.5f) * e, half), low = vmax(d - splat(0.5f) * e, splat(0.0f) - half);
+  return vmax(high - low, splat(0.0f)) / e;
+}
+
+#define VEIN_STEPS 5
+
+/* Over the footprint: veins bend, so that a wide one is looked at in parts. */
+INLINE vf vein_share(const stone_constants *w, const vf p[3], const vf n[3], const vf t1[3],
+                     const vf t2[3], vf s) {
+  vf one = splat(1.0f), sum = splat(0.0f), wide = s * splat(w->vein_frequency);
+  vi whole;
+  vf parts = vmax(wide * splat(10.0f), vmin(s * splat(1.5f / w->vein_width), splat(1.3f)));
+  vf steps = clamp(vfloor(parts + splat(0.85f), &whole), one, splat(VEIN_STEPS));
+  vf inverse = one / steps, h = s * inverse;
+  vf keep = one - smooth_step(splat(1.5f), splat(4.0f), wide);
+  for (int j = 0; j < VEIN_STEPS; j++) {
+    vm row = lt(splat((float)j), steps);
+    if (!any(row)) break;
+    vf v = (splat((float)j + 0.5f) * inverse - splat(0.5f)) * s;
+    for (int i = 0; i < VEIN_STEPS; i++) {
+      vm there = and_(row, lt(splat((float)i), steps));
+      if (!any(there)) break;
+      vf u = (splat((float)i + 0.5f) * inverse - splat(0.5f)) * s, at[3];
+      for (int k = 0; k < 3; k++) at[k] = p[k] + t1[k] * u + t2[k] * v;
+      vf a = vein_sheet(w, at, n, h, 0);
+      vf b = vein_sheet(w, at, n, h, 1);
+      sum = sel(there, sum + (one - (one - a) * (one - splat(0.8f) * b)), sum);
+    }
+  }
+  return mix(splat(w->vein_mean), sum * (inverse * inverse), keep);
+}
+
+/* Relative shift of brightness, mean 0. */
+INLINE vf mottle_shift(const stone_constants *w, const vf p[3], vf s) {
+  vf g[3], f = splat(w->mottle_frequency);
+  return splat(w->mottle) *
+         noise_fractal3(p[0] * f, p[1] * f, p[2] * f, w->seed_mottle, 3, 2.3f, 0.6f, s * f, g);
+}
+
+#endif

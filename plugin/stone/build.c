@@ -1,0 +1,256 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * From settings to the constants that the kernel reads.
+ */
+#include "build.h"
+
+#include <string.h>
+
+#include "../core/hash1.h"
+#include "../core/scalar.h"
+#include "paper_table.h"
+#include "parameters.h"
+
+#define MEASURED 8192u /* points, for means that have no formula; whole blocks of every width */
+
+static double num(const settings *s, int at) { return s->list[at].number[0]; }
+static int choice(const settings *s, int at) { return (int)s->list[at].number[0]; }
+
+static uint32_t seed_of(const settings *s) {
+  uint32_t h = hash1((uint32_t)num(s, P_SEED) + 0x7f4a7c15u);
+  for (const char *t = s->list[P_OBJECT].text; t && *t; t++) {
+    h = hash1(h ^ (uint32_t)(unsigned char)*t);
+  }
+  return h;
+}
+
+/* ---- layers of cells -------------------------------------------------- */
+
+typedef struct {
+  double size, stretch, grading, interlock, gap, roundness, variation, blur, share[2];
+} body;
+
+static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped) {
+  /* a rotation in whole numbers: no axis, no diagonal */
+  static const double aslant[3][3] = {{2.0, 6.0, 9.0}, {6.0, 7.0, -6.0}, {-9.0, 6.0, -2.0}};
+  for (int i = 0; i < 3; i++) {
+    for (int k = 0; k < 3; k++) {
+      c->turn[i][k] = (float)(aslant[i][k] / 11.0 * (k == 1 ? b->stretch : 1.0) / b->size);
+    }
+  }
+  c->grading = (float)(0.35 * b->grading);
+  /* noise's gradient is within +-3 and mostly within +-1 */
+  c->warp = (float)(0.2 * b->interlock);
+  c->warp_fine = (float)(0.045 * b->interlock);
+  c->variation = (float)b->variation;
+  c->blur = (float)(b->blur / b->size);
+  c->seed = hash1(seed);
+  c->seed_warp = hash1(seed + 0x51ed270bu);
+  c->on = 1;
+  c->shaped = shaped;
+  c->fade = 6.0f;
+  c->radius = 9.0f;
+  if (shaped) {
+    c->erode = (float)(0.5 * b->gap / b->size);
+    c->erode_spread = (float)(0.42 * b->grading * (1.0 - b->roundness));
+    if (b->roundness > 0.0) {
+      c->radius = (float)(0.9 - 0.42 * b->roundness);
+      c->radius_spread = (float)(b->grading * b->roundness);
+    }
+    c->grading = 0.0f;
+  }
+}
+
+/* What part of the cells a share of area takes, their bodies filling `fill`. */
+static void set_shares(stone_cells *c, const body *b, double fill) {
+  double left = 1.0, sum = 0.0;
+  for (int k = 0; k < 2; k++) {
+    double p = fill > 1e-6 ? b->share[k] / fill : 0.0;
+    if (p > left) p = left;
+    left -= p;
+    sum += p;
+    c->chance[k] = (float)sum;
+    c->mean[k] = (float)(p * fill);
+  }
+}
+
+static body grains_of(const settings *s) {
+  body b = {.size = num(s, P_GRAIN_SIZE),
+            .stretch = num(s, P_GRAIN_STRETCH),
+            .grading = num(s, P_GRAIN_GRADING),
+            .interlock = num(s, P_GRAIN_INTERLOCK),
+            .variation = num(s, P_VARIATION),
+            .blur = num(s, P_GRAIN_BLUR),
+            .share = {num(s, P_SECOND_SHARE), num(s, P_THIRD_SHARE)}};
+  return b;
+}
+
+static body inclusions_of(const settings *s) {
+  body b = {.size = num(s, P_INCLUSION_SIZE),
+            .stretch = num(s, P_INCLUSION_STRETCH),
+            .grading = num(s, P_INCLUSION_GRADING),
+            .interlock = num(s, P_INCLUSION_INTERLOCK),
+            .gap = num(s, P_INCLUSION_GAP),
+            .roundness = num(s, P_INCLUSION_ROUNDNESS),
+            .variation = num(s, P_INCLUSION_VARIATION),
+            .blur = 0.3 * num(s, P_GRAIN_BLUR),
+            .share = {num(s, P_INCLUSION_SHARE), num(s, P_INCLUSION_SECOND_SHARE)}};
+  return b;
+}
+
+/* Specks and holes are ragged, and of all sizes up to the largest. */
+static body specks_of(const settings *s) {
+  body b = {.size = num(s, P_SPECK_SIZE),
+            .stretch = num(s, P_SPECK_STRETCH),
+            .grading = 0.8,
+            .interlock = 0.6,
+            .roundness = 0.4,
+            .blur = 0.3 * num(s, P_GRAIN_BLUR),
+            .share = {num(s, P_BLACK_SHARE), num(s, P_WHITE_SHARE)}};
+  return b;
+}
+
+static body holes_of(const settings *s) {
+  body b = {.size = num(s, P_HOLE_SIZE),
+            .grading = 0.85,
+            .interlock = 1.0,
+            .roundness = 0.8,
+            .share = {num(s, P_HOLE_SHARE), 0.0}};
+  /* hole_size is across the bed, a cell's size along it */
+  b.stretch = num(s, P_HOLE_STRETCH);
+  b.size *= b.stretch;
+  return b;
+}
+
+static void build_layers(stone_constants *w, const settings *s, stone_measure *measure) {
+  const body bodies[STONE_LAYERS] = {grains_of(s), inclusions_of(s), specks_of(s), holes_of(s)};
+  for (int l = 0; l < STONE_LAYERS; l++) {
+    const body *b = &bodies[l];
+    if (l != LAYER_GRAINS && b->share[0] + b->share[1] <= 0.0) continue;
+    build_cells(&w->layer[l], w->seed + 0x9e3779b9u * (uint32_t)(l + 1), b, l != LAYER_GRAINS);
+  }
+  stone_means m;
+  measure(w, MEASURED, &m);
+  m.fill[LAYER_GRAINS] = 1.0;
+  w->vein_mean = (float)m.veins;
+  for (int l = 0; l < STONE_LAYERS; l++) {
+    set_shares(&w->layer[l], &bodies[l], m.fill[l]);
+    w->layer[l].even = m.balls[l] > 1e-6 ? (float)(m.fill[l] / m.balls[l]) : 1.0f;
+  }
+}
+
+/* ---- what varies slowly ----------------------------------------------- */
+
+static void build_bands(stone_constants *w, const settings *s) {
+  w->bed_contrast = (float)num(s, P_BED_CONTRAST);
+  w->bed_frequency = (float)(1.0 / num(s, P_BED_THICKNESS));
+  w->bed_wave = (float)num(s, P_BED_WAVE);
+  w->bed_wave_frequency = (float)(1.0 / num(s, P_BED_WAVELENGTH));
+  w->has_beds = w->bed_contrast > 0.0f;
+  w->mottle = (float)num(s, P_MOTTLE);
+  w->mottle_frequency = (float)(1.0 / num(s, P_MOTTLE_SIZE));
+  w->has_mottle = w->mottle > 0.0f;
+  w->vein_width = (float)num(s, P_VEIN_WIDTH);
+  w->vein_soft = (float)num(s, P_VEIN_SOFTNESS);
+  w->vein_frequency = (float)(1.0 / num(s, P_VEIN_SPACING));
+  w->vein_warp = (float)(1.3 * num(s, P_VEIN_WARP));
+  for (uint32_t f = 0; f < 2; f++) {
+    /* a direction with equal chances, by its height and azimuth */
+    uint32_t h = hash1(w->seed + 211u + f);
+    double y = (double)(h >> 16) / 32768.0 - 1.0,
+           t = 6.283185307179586 * (double)(h & 65535u) / 65536.0;
+    double r = __builtin_sqrt(1.0 - y * y);
+    w->vein_direction[f][0] = (float)(r * scalar_cos(t));
+    w->vein_direction[f][1] = (float)y;
+    w->vein_direction[f][2] = (float)(r * scalar_sin(t));
+  }
+  w->has_veins = w->vein_width > 0.0f;
+  w->seed_bed = hash1(w->seed + 101u);
+  w->seed_vein = hash1(w->seed + 102u);
+  w->seed_mottle = hash1(w->seed + 103u);
+  w->seed_relief = hash1(w->seed + 104u);
+}
+
+/* ---- finish ----------------------------------------------------------- */
+
+/* Heights and sizes of each octave in mm, sizes of 0 or less in grains; GGX's
+ * alpha of what is finer. After the ranges of roughness that stone standards
+ * and makers give for dressed faces (DIN 18500; JIS A 5003): polished below
+ * 0.01 mm, flamed 1 to 3 mm, bush hammered 2 to 4 mm, split 10 mm and more. */
+typedef struct {
+  double alpha, height[STONE_RELIEF], size[STONE_RELIEF];
+  int pitted;
+} finish;
+
+static const finish finishes[FINISHES] = {
+    [FINISH_SAWN] = {0.55, {0.05, 0.03}, {6.0, 0.8}, 0},
+    [FINISH_POLISHED] = {0.04, {0.0008}, {-1.0}, 0},
+    [FINISH_HONED] = {0.28, {0.006, 0.003}, {-1.0, 0.4}, 0},
+    [FINISH_FLAMED] = {0.6, {0.9, 0.8, 0.35, 0.12}, {-5.0, -1.8, -0.7, -0.25}, 0},
+    [FINISH_BUSH] = {0.65, {0.9, 0.5, 0.3, 0.1}, {5.5, 3.1, 1.2, 0.4}, 1},
+    [FINISH_SPLIT] = {0.6, {16.0, 6.0, 2.5, 0.9, 0.3}, {130.0, 47.0, 17.0, 6.0, 2.0}, 0},
+};
+
+/* Variance of one component of gradient noise's gradient, and of that times
+ * -5 times its value, over all points: property.stone_relief measures both. */
+#define SLOPE2 0.248
+#define SLOPE2_PITTED 0.212
+
+static void build_finish(stone_constants *w, const settings *s) {
+  const finish *f = &finishes[choice(s, P_FINISH)];
+  double scale = num(s, P_RELIEF), grain = num(s, P_GRAIN_SIZE);
+  if (grain < 0.4) grain = 0.4; /* heat and hammers take more than a single fine grain */
+  w->pitted = f->pitted;
+  for (int o = 0; o < STONE_RELIEF && f->size[o] != 0.0; o++) {
+    double size = f->size[o] < 0.0 ? -f->size[o] * grain : f->size[o], height = f->height[o];
+    /* a coarse stone spalls deeper */
+    if (f->size[o] < 0.0 && choice(s, P_FINISH) == FINISH_FLAMED) height *= grain / 3.0;
+    double slope = scale * height / size;
+    w->relief[o] = (float)(scale * height);
+    w->relief_frequency[o] = (float)(1.0 / size);
+    w->relief_slope2[o] = (float)(slope * slope * (f->pitted && o < 2 ? SLOPE2_PITTED : SLOPE2));
+    w->relief_octaves = o + 1;
+  }
+  double alpha = f->alpha * num(s, P_ROUGHNESS);
+  if (alpha > 1.0) alpha = 1.0;
+  if (alpha < 0.02) alpha = 0.02;
+  w->alpha2 = (float)(alpha * alpha);
+  double n = num(s, P_IOR), r = (n - 1.0) / (n + 1.0);
+  w->specular = (float)(r * r);
+}
+
+/* ---- the paper's colours ---------------------------------------------- */
+
+static int32_t build_paper(stone_constants *w, const sozai_host *host, const settings *s) {
+  w->mode = choice(s, P_MODE);
+  if (w->mode == MODE_FABRIC) return SOZAI_OK;
+  w->texel = (float)num(s, P_PAPER_TEXEL);
+  w->inverse_texel = (float)(1.0 / num(s, P_PAPER_TEXEL));
+  for (int c = 0; c < 3; c++) {
+    w->base[c] = (float)s->list[P_PAPER_BASE].number[c];
+    w->spread[c] = (float)s->list[P_PAPER_VARIATION].number[c];
+  }
+  /* Rec.709's weights, of encoded numbers: luma */
+  w->luma = (float)(0.2126 * (double)w->base[0] + 0.7152 * (double)w->base[1] +
+                    0.0722 * (double)w->base[2]);
+  w->lightness = (float)num(s, P_PAPER_LIGHTNESS);
+  w->chroma = (float)num(s, P_PAPER_CHROMA);
+  double black = num(s, P_PAPER_BLACK), white = num(s, P_PAPER_WHITE);
+  if (black + white > 1.0) white = 1.0 - black;
+  w->black = (float)black;
+  w->white = (float)(black + white);
+  return paper_build(w, host);
+}
+
+int32_t stone_build(stone_constants *w, const sozai_host *host, const settings *s,
+                    const float (*colours)[3], stone_measure *measure) {
+  static const int swap[3] = {0, 1, 2};
+  w->seed = seed_of(s);
+  w->swap = swap[choice(s, P_BED)];
+  for (int c = 0; c < 3; c++) w->offset[c] = (float)s->list[P_OFFSET].number[c];
+  memcpy(w->colour, colours[P_BASE], sizeof w->colour); /* they stand together in both */
+  build_bands(w, s);
+  build_finish(w, s);
+  build_layers(w, s, measure);
+  return build_paper(w, host, s);
+}

@@ -1,0 +1,283 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Stone's evaluate: compiled once for each instruction set and width.
+ */
+#include "../core/lanes.h"
+#include "bands.h"
+#include "cells.h"
+#include "gloss.h"
+#include "paper.h"
+#include "relief.h"
+
+#define PASTE_(a, b) a##b
+#define PASTE(a, b) PASTE_(a, b)
+#define NAMED(name) PASTE(name, SOZAI_KERNEL_SUFFIX)
+#define STRING_(a) #a
+#define STRING(a) STRING_(a)
+
+extern const stone_kernel NAMED(stone_kernel_);
+
+/* A block of LANES points on its way through the stages. */
+typedef struct {
+  uint32_t i, n;
+  vf p[3], nrm[3]; /* bed space */
+  vf s;
+  vf t1[3], t2[3]; /* the footprint's sides */
+  vf albedo[3], speck, hole;
+} block;
+
+static int wanted(const stone_io *io, int first, int count) {
+  return (io->wanted >> first & ((1ull << count) - 1)) != 0;
+}
+
+INLINE void put(const stone_io *io, const block *k, int channel, vf x) {
+  if (io->wanted >> channel & 1) store_active(io->in, io->out[channel], k->i, k->n, x);
+}
+
+/* Object space to bed space, which is its own way back. */
+INLINE void exchange(const stone_constants *w, vf v[3]) {
+  vf y = v[1];
+  v[1] = v[w->swap];
+  v[w->swap] = y;
+}
+
+/* The square's sides: the two axes of bed space nearest to the surface, the
+ * first of them laid down on it. */
+INLINE void square_sides(const vf n[3], vf t1[3], vf t2[3]) {
+  vf ax = vabs(n[0]), ay = vabs(n[1]), az = vabs(n[2]), zero = splat(0.0f);
+  vm x_least = and_(le(ax, ay), le(ax, az)), x_most = and_(not_(le(ax, ay)), not_(le(ax, az)));
+  /* x unless the normal is along it, then y */
+  vm use_x = or_(x_least, not_(x_most));
+  vf a = sel(use_x, n[0], n[1]);
+  vf k = inverse_root(vmax(splat(1.0f) - a * a, splat(1e-6f)));
+  t1[0] = (sel(use_x, splat(1.0f), zero) - a * n[0]) * k;
+  t1[1] = (sel(use_x, zero, splat(1.0f)) - a * n[1]) * k;
+  t1[2] = (zero - a * n[2]) * k;
+  t2[0] = n[1] * t1[2] - n[2] * t1[1];
+  t2[1] = n[2] * t1[0] - n[0] * t1[2];
+  t2[2] = n[0] * t1[1] - n[1] * t1[0];
+}
+
+INLINE void stage_load(const stone_constants *w, const stone_io *io, block *k) {
+  for (int c = 0; c < 3; c++) {
+    vf x = finite_coordinate(load_lanes(io->in->point[c], k->i, k->n));
+    k->p[c] = x + splat(w->offset[c]);
+    /* without a normal: a square that leans alike against every axis */
+    k->nrm[c] = splat(0.57735027f);
+  }
+  k->s = splat(0.0f);
+  if (io->in->footprint) {
+    k->s = clamp(load_lanes(io->in->footprint, k->i, k->n), splat(0.0f), splat(1e4f));
+  }
+  if (io->in->normal[0]) {
+    for (int c = 0; c < 3; c++) k->nrm[c] = load_lanes(io->in->normal[c], k->i, k->n);
+    unit_direction(k->nrm);
+  }
+  exchange(w, k->p);
+  exchange(w, k->nrm);
+  square_sides(k->nrm, k->t1, k->t2);
+}
+
+/* A layer over what is there: its two colours cover part of all others. */
+INLINE void lay_over(const stone_cells *c, const block *k, vf weight[STONE_COLOURS], int first,
+                     int second, vf *cover) {
+  cells_cover q;
+  cells_at(c, k->p, k->t1, k->t2, k->s, &q);
+  *cover = vmin(q.cover[0] + q.cover[1], splat(1.0f));
+  vf left = splat(1.0f) - *cover;
+  for (int i = 0; i < STONE_COLOURS; i++) weight[i] = weight[i] * left;
+  weight[first] = weight[first] + q.toned[1];
+  weight[second] = weight[second] + q.toned[2];
+}
+
+INLINE void stage_fabric(const stone_constants *w, block *k) {
+  vf zero = splat(0.0f), one = splat(1.0f), weight[STONE_COLOURS];
+  for (int i = 0; i < STONE_COLOURS; i++) weight[i] = zero;
+  weight[COLOUR_BASE] = one;
+  k->speck = k->hole = zero;
+  if (w->layer[LAYER_GRAINS].on) {
+    cells_cover q;
+    cells_at(&w->layer[LAYER_GRAINS], k->p, k->t1, k->t2, k->s, &q);
+    weight[COLOUR_BASE] = q.toned[0];
+    weight[COLOUR_SECOND] = q.toned[1];
+    weight[COLOUR_THIRD] = q.toned[2];
+  }
+  if (w->has_beds) {
+    vf flat2 = vmax(one - k->nrm[1] * k->nrm[1], zero);
+    vf b = splat(w->bed_contrast) * bed_share(w, k->p, k->s, flat2);
+    weight[COLOUR_BED] = weight[COLOUR_BASE] * b;
+    weight[COLOUR_BASE] = weight[COLOUR_BASE] * (one - b);
+  }
+  if (w->has_mottle) {
+    vf shift = one + mottle_shift(w, k->p, k->s);
+    for (int i = 0; i <= COLOUR_BED; i++) weight[i] = weight[i] * shift;
+  }
+  vf cover;
+  if (w->layer[LAYER_SPECKS].on) {
+    lay_over(&w->layer[LAYER_SPECKS], k, weight, COLOUR_BLACK, COLOUR_WHITE, &k->speck);
+  }
+  if (w->layer[LAYER_INCLUSIONS].on) {
+    lay_over(&w->layer[LAYER_INCLUSIONS], k, weight, COLOUR_INCLUSION, COLOUR_INCLUSION_SECOND,
+             &cover);
+    k->speck = k->speck * (one - cover);
+  }
+  if (w->has_veins) {
+    vf v = vein_share(w, k->p, k->nrm, k->t1, k->t2, k->s), left = one - v;
+    for (int i = 0; i < STONE_COLOURS; i++) weight[i] = weight[i] * left;
+    weight[COLOUR_VEIN] = v;
+    k->speck = k->speck * left;
+  }
+  if (w->layer[LAYER_HOLES].on) {
+    lay_over(&w->layer[LAYER_HOLES], k, weight, COLOUR_HOLE, COLOUR_HOLE, &k->hole);
+    k->speck = k->speck * (one - k->hole);
+  }
+  for (int c = 0; c < 3; c++) {
+    vf sum = zero;
+    for (int i = 0; i < STONE_COLOURS; i++) sum = sum + weight[i] * splat(w->colour[i][c]);
+    k->albedo[c] = sum;
+  }
+}
+
+INLINE void stage_paper(const stone_constants *w, block *k) {
+  vf sum[4];
+  paper_at(w, k->p, k->t1, k->t2, k->s, sum);
+  for (int c = 0; c < 3; c++) k->albedo[c] = sum[c];
+  k->speck = sum[3];
+  k->hole = splat(0.0f);
+}
+
+/* The number of the crystal at the point itself. */
+INLINE void stage_grain(const stone_constants *w, const stone_io *io, block *k) {
+  const stone_cells *c = &w->layer[LAYER_GRAINS];
+  vf q[3];
+  cells_near near[2];
+  (void)cells_place(c, k->p, q);
+  cells_find(c, q, &near[0], &near[1]);
+  vu h = hash_mix(near[0].h + splatu(HASH_Z));
+  put(io, k, STONE_GRAIN, to_float((vi)(h >> 8)) * splat(1.0f / 16777216.0f));
+}
+
+/* An input's direction; with zero_is_normal, `otherwise` where it is none. */
+INLINE void direction_of(const stone_constants *w, const block *k, const float *const from[3],
+                         const vf otherwise[3], int zero_is_normal, vf out[3]) {
+  for (int c = 0; c < 3; c++) out[c] = otherwise[c];
+  if (!from[0]) return;
+  vf v[3], size = splat(0.0f);
+  for (int c = 0; c < 3; c++) {
+    v[c] = load_lanes(from[c], k->i, k->n);
+    size = size + vabs(v[c]);
+  }
+  vm given = and_(gt(size, splat(0.0f)), lt(size, splat(1e38f)));
+  unit_direction(v);
+  exchange(w, v);
+  for (int c = 0; c < 3; c++) out[c] = zero_is_normal ? sel(given, v[c], otherwise[c]) : v[c];
+}
+
+INLINE void stage_surface(const stone_constants *w, const stone_io *io, block *k, int radiance) {
+  vf slope[3], lost, zero = splat(0.0f);
+  vf height = relief_at(w, k->p, k->s, slope, &lost);
+  put(io, k, STONE_HEIGHT, height);
+  vf along = gloss_dot(slope, k->nrm), n[3], back[3];
+  for (int c = 0; c < 3; c++) n[c] = k->nrm[c] - (slope[c] - along * k->nrm[c]);
+  vf l = inverse_root(vmax(gloss_dot(n, n), splat(1e-12f)));
+  for (int c = 0; c < 3; c++) back[c] = n[c] = n[c] * l;
+  exchange(w, back);
+  for (int c = 0; c < 3; c++) put(io, k, STONE_NORMAL + c, back[c]);
+  vf alpha2 = vmin(splat(w->alpha2) + splat(2.0f) * lost, splat(1.0f));
+  put(io, k, STONE_ROUGHNESS, vsqrt(alpha2));
+  vf specular = splat(w->specular) * (splat(1.0f) - k->hole);
+  put(io, k, STONE_SPECULAR, specular);
+  if (!radiance) return;
+  vf light[3], view[3], below;
+  direction_of(w, k, io->in->light, k->nrm, 0, light);
+  direction_of(w, k, io->in->view, k->nrm, 1, view);
+  vf lobe = gloss_lobe(n, light, view, alpha2, specular, &below);
+  /* light from behind the sawn face lights no slope of it */
+  vm front = gt(gloss_dot(light, k->nrm), zero);
+  for (int c = 0; c < 3; c++) {
+    vf r = sel(front, below * k->albedo[c] + lobe, zero);
+    if (io->in->light_colour[c]) {
+      vf e = load_lanes(io->in->light_colour[c], k->i, k->n);
+      r = r * sel(lt(vabs(e), splat(1e30f)), e, zero);
+    }
+    put(io, k, STONE_RADIANCE + c, r);
+  }
+}
+
+static void evaluate(const stone_constants *w, const stone_io *io, uint32_t from, uint32_t to) {
+  int radiance = wanted(io, STONE_RADIANCE, 3);
+  int colour = wanted(io, STONE_ALBEDO, 3) || radiance || wanted(io, STONE_SPECULAR, 2);
+  int surface = wanted(io, STONE_NORMAL, 6) || radiance;
+  for (uint32_t i = from; i < to; i += LANES) {
+    block k = {.i = i, .n = to - i < LANES ? to - i : LANES};
+    stage_load(w, io, &k);
+    if (colour) {
+      if (w->mode == 0)
+        stage_fabric(w, &k);
+      else
+        stage_paper(w, &k);
+      for (int c = 0; c < 3; c++) put(io, &k, STONE_ALBEDO + c, k.albedo[c]);
+      put(io, &k, STONE_SPECK, k.speck);
+    } else {
+      k.hole = splat(0.0f);
+    }
+    if (wanted(io, STONE_GRAIN, 1)) stage_grain(w, io, &k);
+    if (surface) stage_surface(w, io, &k, radiance);
+  }
+}
+
+/* Points spread at random through a space that is large to everything. */
+INLINE vf measure_place(uint32_t at, uint32_t axis) {
+  vf r = splat(0.0f);
+  for (uint32_t k = 0; k < LANES; k++) {
+    uint32_t h = hash1((at + k) * 3u + axis + 0x3c6ef372u);
+    set_lane(&r, k, (float)(h >> 8) * (512.0f / 16777216.0f));
+  }
+  return r;
+}
+
+/* One after the other, so that the sum has the same bits for any width. */
+INLINE void measure_add(double *sum, vf x) {
+  for (uint32_t k = 0; k < LANES; k++) *sum += (double)lane(x, k);
+}
+
+static void measure_layer(const stone_cells *layer, uint32_t count, double *fill, double *balls) {
+  const vf zero = splat(0.0f), one = splat(1.0f);
+  const cells_square point = {{zero, zero, zero}, {zero, zero, zero}};
+  const cells_square cell = {{one, zero, zero}, {zero, one, zero}};
+  stone_cells c = *layer; /* all its bodies of kind 1, space in cells */
+  c.chance[0] = c.chance[1] = 2.0f;
+  c.even = 1.0f;
+  c.variation = 0.0f;
+  for (int a = 0; a < 9; a++) c.turn[a / 3][a % 3] = a % 4 ? 0.0f : 1.0f;
+  for (uint32_t i = 0; i < count; i += LANES) {
+    vf q[3], share[2];
+    cells_near near[2];
+    for (uint32_t a = 0; a < 3; a++) q[a] = measure_place(i, a);
+    cells_find(&c, q, &near[0], &near[1]);
+    cells_shares(&c, &near[0], &near[1], &point, &share[0], &share[1]);
+    measure_add(fill, share[0] + share[1]);
+    cells_cover sum = {{zero, zero}, {zero, zero, zero}};
+    cells_sum(&c, q, &cell, &sum);
+    measure_add(balls, sum.cover[0]);
+  }
+  *fill /= count;
+  *balls /= count;
+}
+
+static void measure(const stone_constants *w, uint32_t count, stone_means *out) {
+  memset(out, 0, sizeof *out);
+  for (int l = 0; l < STONE_LAYERS; l++) {
+    const stone_cells *c = &w->layer[l];
+    if (c->on && c->shaped) measure_layer(c, count, &out->fill[l], &out->balls[l]);
+  }
+  const vf zero = splat(0.0f), up[3] = {zero, splat(1.0f), zero};
+  for (uint32_t i = 0; w->has_veins && i < count; i += LANES) {
+    vf p[3];
+    for (uint32_t a = 0; a < 3; a++) p[a] = measure_place(i, a) * splat(1.0f / w->vein_frequency);
+    measure_add(&out->veins, vein_share(w, p, up, up, up, zero));
+  }
+  out->veins /= count;
+}
+
+const stone_kernel NAMED(stone_kernel_) = {STRING(SOZAI_ISA_NAME), LANES, evaluate, measure};

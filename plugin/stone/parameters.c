@@ -1,0 +1,520 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Stone's parameters and output channels, as data.
+ */
+#include "parameters.h"
+
+#include "stone.h"
+
+#define COUNT(a) (sizeof(a) / sizeof((a)[0]))
+
+/* clang-format off */
+static const sozai_parameter seed = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_INT,
+   .id = "seed", .label = "Seed", .group = "stone", .unit = "",
+   .doc = "Which block: another seed is another block from the same quarry.",
+   .hard_min = 0, .hard_max = 4294967295, .soft_min = 0, .soft_max = 1000, .default_number = {1}};
+
+static const sozai_parameter object = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_TEXT,
+   .id = "object", .label = "Object", .group = "stone", .unit = "",
+   .doc = "A name that is mixed into the seed, so that each object is hewn from a block of its "
+   "own. Empty: the seed alone.",
+   .default_text = ""};
+
+static const char *const bed_choices[] = {"x", "y", "z"};
+static const char *const bed_docs[] = {
+   "+x",
+   "+y: beds lie level where +y is up",
+   "+z: the face is split along the bed"};
+
+static const sozai_parameter bed = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_CHOICE,
+   .id = "bed", .label = "Bed", .group = "stone", .unit = "",
+   .doc = "Which axis of the object lies across the natural bed.",
+   .choices = bed_choices, .choice_docs = bed_docs, .choice_count = COUNT(bed_choices), .default_number = {1}};
+
+static const sozai_parameter offset = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT3,
+   .id = "offset", .label = "Offset", .group = "stone", .unit = "mm",
+   .doc = "Added to the point: another part of the block.",
+   .hard_min = -100000, .hard_max = 100000, .soft_min = -1000, .soft_max = 1000, .default_number = {0, 0, 0}};
+
+static const char *const colour_mode_choices[] = {"fabric", "paper_rgb", "paper_lightness"};
+
+static const char *const colour_mode_docs[] = {
+   "crystals, beds, inclusions, veins and holes, below",
+   "Yamanaka and Nagaoka's: to each texel R, G and B varied independently",
+   "the same, but lightness and chroma varied, so that the hue holds"};
+
+static const sozai_parameter colour_mode = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_CHOICE,
+   .id = "colour_mode", .label = "Colour mode", .group = "stone", .unit = "",
+   .doc = "What gives the colour.",
+   .choices = colour_mode_choices, .choice_docs = colour_mode_docs, .choice_count = COUNT(colour_mode_choices), .default_number = {0}};
+
+static const sozai_parameter grain_size = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "grain_size", .label = "Grain size", .group = "grains", .unit = "mm",
+   .doc = "Spacing of the crystals' centres, the mean.",
+   .hard_min = 0.05, .hard_max = 200, .soft_min = 0.2, .soft_max = 20, .default_number = {2}};
+
+static const sozai_parameter grain_grading = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "grain_grading", .label = "Grading", .group = "grains", .unit = "",
+   .doc = "How unequal in size the crystals are: 0 even, 1 seriate.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.6}};
+
+static const sozai_parameter grain_stretch = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "grain_stretch", .label = "Stretch", .group = "grains", .unit = "",
+   .doc = "How much longer crystals are along the bed than across it.",
+   .hard_min = 0.2, .hard_max = 20, .soft_min = 1, .soft_max = 6, .default_number = {1}};
+
+static const sozai_parameter grain_interlock = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "grain_interlock", .label = "Interlock", .group = "grains", .unit = "",
+   .doc = "How far the crystals' outlines stray from planes: 0 mosaic, 1 sutured.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.6}};
+
+static const sozai_parameter grain_blur = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "grain_blur", .label = "Translucency", .group = "grains", .unit = "mm",
+   .doc = "How far light carries from one crystal into the next: the width of their borders.",
+   .hard_min = 0, .hard_max = 20, .soft_min = 0, .soft_max = 1, .default_number = {0.1}};
+
+static const sozai_parameter second_share = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "second_share", .label = "Second mineral", .group = "grains", .unit = "",
+   .doc = "Its share of the grains.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
+
+static const sozai_parameter third_share = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "third_share", .label = "Third mineral", .group = "grains", .unit = "",
+   .doc = "Its share of the grains.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
+
+static const sozai_parameter grain_variation = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "grain_variation", .label = "Variation", .group = "grains", .unit = "",
+   .doc = "How much lighter or darker than its mineral a grain, or a part of one, may be; strays "
+   "to three times this.",
+   .hard_min = 0, .hard_max = 0.35, .soft_min = 0, .soft_max = 0.2, .default_number = {0.1}};
+
+static const sozai_parameter bed_thickness = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "bed_thickness", .label = "Bed thickness", .group = "bedding", .unit = "mm",
+   .doc = "Of a layer of sediment, the mean.",
+   .hard_min = 0.2, .hard_max = 10000, .soft_min = 2, .soft_max = 200, .default_number = {20}};
+
+static const sozai_parameter bed_contrast = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "bed_contrast", .label = "Bed contrast", .group = "bedding", .unit = "",
+   .doc = "How far the layers go from the base's colour to bed_colour; on the average half of "
+   "this.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
+
+static const sozai_parameter bed_wave = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "bed_wave", .label = "Wave", .group = "bedding", .unit = "mm",
+   .doc = "How far the layers rise and fall.",
+   .hard_min = 0, .hard_max = 1000, .soft_min = 0, .soft_max = 50, .default_number = {3}};
+
+static const sozai_parameter bed_wavelength = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "bed_wavelength", .label = "Wavelength", .group = "bedding", .unit = "mm",
+   .doc = "Of that rise and fall.",
+   .hard_min = 1, .hard_max = 100000, .soft_min = 20, .soft_max = 1000, .default_number = {120}};
+
+static const sozai_parameter mottle = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "mottle", .label = "Mottle", .group = "bedding", .unit = "",
+   .doc = "Cloudiness: the relative shift of brightness, which stays within twice this.",
+   .hard_min = 0, .hard_max = 0.4, .soft_min = 0, .soft_max = 0.2, .default_number = {0}};
+
+static const sozai_parameter mottle_size = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "mottle_size", .label = "Mottle size", .group = "bedding", .unit = "mm",
+   .doc = "Of the clouds.",
+   .hard_min = 0.5, .hard_max = 10000, .soft_min = 2, .soft_max = 300, .default_number = {30}};
+
+static const sozai_parameter inclusion_size = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "inclusion_size", .label = "Inclusion size", .group = "inclusions", .unit = "mm",
+   .doc = "Spacing at which inclusions (phenocrysts, clasts, fossils, a terrazzo's chips) would "
+   "fill the stone: their largest size.",
+   .hard_min = 0.1, .hard_max = 1000, .soft_min = 1, .soft_max = 60, .default_number = {10}};
+
+static const sozai_parameter inclusion_share = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "inclusion_share", .label = "Inclusions", .group = "inclusions", .unit = "",
+   .doc = "Share of area of inclusions of the first kind.",
+   .hard_min = 0, .hard_max = 0.9, .soft_min = 0, .soft_max = 0.6, .default_number = {0}};
+
+static const sozai_parameter inclusion_second_share = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "inclusion_second_share", .label = "Inclusions, second", .group = "inclusions", .unit = "",
+   .doc = "Share of area of inclusions of the second kind.",
+   .hard_min = 0, .hard_max = 0.9, .soft_min = 0, .soft_max = 0.6, .default_number = {0}};
+
+static const sozai_parameter inclusion_gap = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "inclusion_gap", .label = "Gap", .group = "inclusions", .unit = "mm",
+   .doc = "What stays free between an inclusion and its neighbours.",
+   .hard_min = 0, .hard_max = 100, .soft_min = 0, .soft_max = 5, .default_number = {0.3}};
+
+static const sozai_parameter inclusion_roundness = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "inclusion_roundness", .label = "Roundness", .group = "inclusions", .unit = "",
+   .doc = "0: angular, as crystals and crushed chips; 1: cut to balls.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
+
+static const sozai_parameter inclusion_grading = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "inclusion_grading", .label = "Inclusion grading", .group = "inclusions", .unit = "",
+   .doc = "How unequal in size they are.",
+   .hard_min = 0, .hard_max = 0.95, .soft_min = 0, .soft_max = 0.9, .default_number = {0.5}};
+
+static const sozai_parameter inclusion_stretch = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "inclusion_stretch", .label = "Inclusion stretch", .group = "inclusions", .unit = "",
+   .doc = "How much longer they are along the bed than across it.",
+   .hard_min = 0.2, .hard_max = 20, .soft_min = 1, .soft_max = 6, .default_number = {1}};
+
+static const sozai_parameter inclusion_interlock = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "inclusion_interlock", .label = "Raggedness", .group = "inclusions", .unit = "",
+   .doc = "How far their outlines stray from planes or balls.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.1}};
+
+static const sozai_parameter inclusion_variation = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "inclusion_variation", .label = "Inclusion variation", .group = "inclusions", .unit = "",
+   .doc = "The same of inclusions.",
+   .hard_min = 0, .hard_max = 0.35, .soft_min = 0, .soft_max = 0.2, .default_number = {0.1}};
+
+static const sozai_parameter speck_size = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "speck_size", .label = "Speck size", .group = "specks", .unit = "mm",
+   .doc = "Largest size of the specks.",
+   .hard_min = 0.05, .hard_max = 50, .soft_min = 0.2, .soft_max = 6, .default_number = {1}};
+
+static const sozai_parameter black_share = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "black_share", .label = "Black specks", .group = "specks", .unit = "",
+   .doc = "Share of area: mica, hornblende, ore.",
+   .hard_min = 0, .hard_max = 0.5, .soft_min = 0, .soft_max = 0.2, .default_number = {0}};
+
+static const sozai_parameter white_share = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "white_share", .label = "White specks", .group = "specks", .unit = "",
+   .doc = "Share of area: quartz, shell, calcite.",
+   .hard_min = 0, .hard_max = 0.5, .soft_min = 0, .soft_max = 0.2, .default_number = {0}};
+
+static const sozai_parameter speck_stretch = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "speck_stretch", .label = "Speck stretch", .group = "specks", .unit = "",
+   .doc = "How much longer they are along the bed than across it.",
+   .hard_min = 0.2, .hard_max = 20, .soft_min = 1, .soft_max = 6, .default_number = {1}};
+
+static const sozai_parameter vein_spacing = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "vein_spacing", .label = "Vein spacing", .group = "veins", .unit = "mm",
+   .doc = "From vein to vein, about.",
+   .hard_min = 1, .hard_max = 10000, .soft_min = 20, .soft_max = 600, .default_number = {120}};
+
+static const sozai_parameter vein_width = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "vein_width", .label = "Vein width", .group = "veins", .unit = "mm",
+   .doc = "Greatest width; veins swell and pinch out. 0: none.",
+   .hard_min = 0, .hard_max = 500, .soft_min = 0, .soft_max = 30, .default_number = {0}};
+
+static const sozai_parameter vein_softness = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "vein_softness", .label = "Vein softness", .group = "veins", .unit = "mm",
+   .doc = "How gradually a vein becomes the stone beside it.",
+   .hard_min = 0, .hard_max = 500, .soft_min = 0, .soft_max = 30, .default_number = {1}};
+
+static const sozai_parameter vein_warp = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "vein_warp", .label = "Vein warp", .group = "veins", .unit = "",
+   .doc = "How contorted they are.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.5}};
+
+static const sozai_parameter hole_size = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "hole_size", .label = "Hole size", .group = "holes", .unit = "mm",
+   .doc = "Largest size across the bed of open pores and vugs.",
+   .hard_min = 0.1, .hard_max = 500, .soft_min = 0.5, .soft_max = 40, .default_number = {6}};
+
+static const sozai_parameter hole_share = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "hole_share", .label = "Holes", .group = "holes", .unit = "",
+   .doc = "Share of area.",
+   .hard_min = 0, .hard_max = 0.4, .soft_min = 0, .soft_max = 0.2, .default_number = {0}};
+
+static const sozai_parameter hole_stretch = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "hole_stretch", .label = "Hole stretch", .group = "holes", .unit = "",
+   .doc = "How much longer they are along the bed.",
+   .hard_min = 0.2, .hard_max = 20, .soft_min = 1, .soft_max = 8, .default_number = {1}};
+
+static const sozai_parameter base_colour = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "base_colour", .label = "Base", .group = "colour", .unit = "",
+   .doc = "The first mineral, or the ground mass.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.7686, 0.7529, 0.7294}, .default_text = "sRGB"};
+
+static const sozai_parameter second_colour = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "second_colour", .label = "Second mineral", .group = "colour", .unit = "",
+   .doc = "Of the grains.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.5882, 0.5804, 0.5725}, .default_text = "sRGB"};
+
+static const sozai_parameter third_colour = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "third_colour", .label = "Third mineral", .group = "colour", .unit = "",
+   .doc = "Of the grains.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.4314, 0.4157, 0.4}, .default_text = "sRGB"};
+
+static const sozai_parameter bed_colour = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "bed_colour", .label = "Beds", .group = "colour", .unit = "",
+   .doc = "What layers shade the base into.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.6667, 0.5882, 0.4706}, .default_text = "sRGB"};
+
+static const sozai_parameter inclusion_colour = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "inclusion_colour", .label = "Inclusions", .group = "colour", .unit = "",
+   .doc = "Of the first kind.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.8627, 0.8471, 0.8235}, .default_text = "sRGB"};
+
+static const sozai_parameter inclusion_second_colour = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "inclusion_second_colour", .label = "Inclusions, second", .group = "colour", .unit = "",
+   .doc = "Of the second kind.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.3529, 0.3137, 0.2745}, .default_text = "sRGB"};
+
+static const sozai_parameter black_colour = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "black_colour", .label = "Black specks", .group = "colour", .unit = "",
+   .doc = "Their colour.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.1098, 0.1059, 0.1059}, .default_text = "sRGB"};
+
+static const sozai_parameter white_colour = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "white_colour", .label = "White specks", .group = "colour", .unit = "",
+   .doc = "Their colour.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.9333, 0.9255, 0.9098}, .default_text = "sRGB"};
+
+static const sozai_parameter vein_colour = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "vein_colour", .label = "Veins", .group = "colour", .unit = "",
+   .doc = "Their colour.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.4706, 0.4784, 0.4941}, .default_text = "sRGB"};
+
+static const sozai_parameter hole_colour = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "hole_colour", .label = "Holes", .group = "colour", .unit = "",
+   .doc = "What is seen of their depth.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.2745, 0.2275, 0.1804}, .default_text = "sRGB"};
+
+static const sozai_parameter paper_texel = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "paper_texel", .label = "Texel", .group = "paper", .unit = "mm",
+   .doc = "Side of a texel, a cube in space.",
+   .hard_min = 0.01, .hard_max = 1000, .soft_min = 0.1, .soft_max = 10, .default_number = {1}};
+
+static const sozai_parameter paper_base = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT3,
+   .id = "paper_base", .label = "Base", .group = "paper", .unit = "code",
+   .doc = "R, G and B of display-referred sRGB, 8 bits.",
+   .hard_min = 0, .hard_max = 255, .soft_min = 0, .soft_max = 255, .default_number = {50, 50, 50}};
+
+static const sozai_parameter paper_variation = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT3,
+   .id = "paper_variation", .label = "Variation", .group = "paper", .unit = "code",
+   .doc = "paper_rgb: the most that R, G and B each depart from the base.",
+   .hard_min = 0, .hard_max = 255, .soft_min = 0, .soft_max = 100, .default_number = {30, 30, 30}};
+
+static const sozai_parameter paper_lightness = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "paper_lightness", .label = "Lightness variation", .group = "paper", .unit = "code",
+   .doc = "paper_lightness: the most that all three rise or fall together.",
+   .hard_min = 0, .hard_max = 255, .soft_min = 0, .soft_max = 100, .default_number = {30}};
+
+static const sozai_parameter paper_chroma = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "paper_chroma", .label = "Chroma variation", .group = "paper", .unit = "",
+   .doc = "paper_lightness: the most that their departure from grey grows or shrinks, relative.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.3}};
+
+static const sozai_parameter paper_black = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "paper_black", .label = "Black texels", .group = "paper", .unit = "",
+   .doc = "Their proportion; RGB 0, 0, 0.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 0.2, .default_number = {0}};
+
+static const sozai_parameter paper_white = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "paper_white", .label = "White texels", .group = "paper", .unit = "",
+   .doc = "Their proportion; RGB 255, 255, 255.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 0.2, .default_number = {0}};
+
+static const char *const finish_choices[] = {"sawn", "polished", "honed", "flamed", "bush_hammered", "split"};
+
+static const char *const finish_docs[] = {
+   "sawn, flat and dull",
+   "polished to a gloss",
+   "ground to a satin",
+   "spalled crystal by crystal under a flame",
+   "dressed with the points of a bush hammer",
+   "split along the grain, as it broke"};
+
+static const sozai_parameter finish = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_CHOICE,
+   .id = "finish", .label = "Finish", .group = "finish", .unit = "",
+   .doc = "What the mason left the face like.",
+   .choices = finish_choices, .choice_docs = finish_docs, .choice_count = COUNT(finish_choices), .default_number = {1}};
+
+static const sozai_parameter relief = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "relief", .label = "Relief", .group = "finish", .unit = "",
+   .doc = "Multiplies the finish's height.",
+   .hard_min = 0, .hard_max = 10, .soft_min = 0, .soft_max = 3, .default_number = {1}};
+
+static const sozai_parameter roughness_scale = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "roughness_scale", .label = "Roughness", .group = "finish", .unit = "",
+   .doc = "Multiplies the finish's roughness.",
+   .hard_min = 0.05, .hard_max = 4, .soft_min = 0.3, .soft_max = 2, .default_number = {1}};
+
+static const sozai_parameter ior = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "ior", .label = "Index of refraction", .group = "finish", .unit = "",
+   .doc = "Of the mineral at the surface: quartz and feldspar 1.54, calcite 1.6.",
+   .hard_min = 1, .hard_max = 3, .soft_min = 1.3, .soft_max = 1.8, .default_number = {1.54}};
+
+const sozai_parameter *const stone_parameters[STONE_PARAMETERS] = {
+   [P_SEED] = &seed,
+   [P_OBJECT] = &object,
+   [P_BED] = &bed,
+   [P_OFFSET] = &offset,
+   [P_MODE] = &colour_mode,
+   [P_GRAIN_SIZE] = &grain_size,
+   [P_GRAIN_GRADING] = &grain_grading,
+   [P_GRAIN_STRETCH] = &grain_stretch,
+   [P_GRAIN_INTERLOCK] = &grain_interlock,
+   [P_GRAIN_BLUR] = &grain_blur,
+   [P_SECOND_SHARE] = &second_share,
+   [P_THIRD_SHARE] = &third_share,
+   [P_VARIATION] = &grain_variation,
+   [P_BED_THICKNESS] = &bed_thickness,
+   [P_BED_CONTRAST] = &bed_contrast,
+   [P_BED_WAVE] = &bed_wave,
+   [P_BED_WAVELENGTH] = &bed_wavelength,
+   [P_MOTTLE] = &mottle,
+   [P_MOTTLE_SIZE] = &mottle_size,
+   [P_INCLUSION_SIZE] = &inclusion_size,
+   [P_INCLUSION_SHARE] = &inclusion_share,
+   [P_INCLUSION_SECOND_SHARE] = &inclusion_second_share,
+   [P_INCLUSION_GAP] = &inclusion_gap,
+   [P_INCLUSION_ROUNDNESS] = &inclusion_roundness,
+   [P_INCLUSION_GRADING] = &inclusion_grading,
+   [P_INCLUSION_STRETCH] = &inclusion_stretch,
+   [P_INCLUSION_INTERLOCK] = &inclusion_interlock,
+   [P_INCLUSION_VARIATION] = &inclusion_variation,
+   [P_SPECK_SIZE] = &speck_size,
+   [P_BLACK_SHARE] = &black_share,
+   [P_WHITE_SHARE] = &white_share,
+   [P_SPECK_STRETCH] = &speck_stretch,
+   [P_VEIN_SPACING] = &vein_spacing,
+   [P_VEIN_WIDTH] = &vein_width,
+   [P_VEIN_SOFTNESS] = &vein_softness,
+   [P_VEIN_WARP] = &vein_warp,
+   [P_HOLE_SIZE] = &hole_size,
+   [P_HOLE_SHARE] = &hole_share,
+   [P_HOLE_STRETCH] = &hole_stretch,
+   [P_BASE] = &base_colour,
+   [P_SECOND] = &second_colour,
+   [P_THIRD] = &third_colour,
+   [P_BED_COLOUR] = &bed_colour,
+   [P_INCLUSION] = &inclusion_colour,
+   [P_INCLUSION_SECOND] = &inclusion_second_colour,
+   [P_BLACK] = &black_colour,
+   [P_WHITE] = &white_colour,
+   [P_VEIN] = &vein_colour,
+   [P_HOLE] = &hole_colour,
+   [P_PAPER_TEXEL] = &paper_texel,
+   [P_PAPER_BASE] = &paper_base,
+   [P_PAPER_VARIATION] = &paper_variation,
+   [P_PAPER_LIGHTNESS] = &paper_lightness,
+   [P_PAPER_CHROMA] = &paper_chroma,
+   [P_PAPER_BLACK] = &paper_black,
+   [P_PAPER_WHITE] = &paper_white,
+   [P_FINISH] = &finish,
+   [P_RELIEF] = &relief,
+   [P_ROUGHNESS] = &roughness_scale,
+   [P_IOR] = &ior};
+
+static const sozai_channel channel_albedo = {
+   .size = sizeof(sozai_channel), .first = STONE_ALBEDO, .components = 3,
+   .needs = SOZAI_INPUT_POINT,
+   .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
+   .id = "albedo", .unit = "", .suffixes = "rgb",
+   .doc = "Diffuse reflectance, scene-linear, in the working space."};
+
+static const sozai_channel channel_radiance = {
+   .size = sizeof(sozai_channel), .first = STONE_RADIANCE, .components = 3,
+   .needs = SOZAI_INPUT_POINT | SOZAI_INPUT_NORMAL | SOZAI_INPUT_LIGHT,
+   .uses = SOZAI_INPUT_LIGHT_COLOUR | SOZAI_INPUT_VIEW | SOZAI_INPUT_FOOTPRINT,
+   .id = "radiance", .unit = "", .suffixes = "rgb",
+   .doc = "Towards the eye under the light, times light_colour: Lambert's below a surface of "
+   "`specular` and `roughness` (GGX), about `normal`."};
+
+static const sozai_channel channel_normal = {
+   .size = sizeof(sozai_channel), .first = STONE_NORMAL, .components = 3,
+   .needs = SOZAI_INPUT_POINT,
+   .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
+   .id = "normal", .unit = "", .suffixes = "xyz",
+   .doc = "Unit normal of the finished face, object space: from the exact gradient of `height`."};
+
+static const sozai_channel channel_height = {
+   .size = sizeof(sozai_channel), .first = STONE_HEIGHT, .components = 1,
+   .needs = SOZAI_INPUT_POINT,
+   .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
+   .id = "height", .unit = "mm", .suffixes = "",
+   .doc = "Of the finished face over the face given, along its normal."};
+
+static const sozai_channel channel_roughness = {
+   .size = sizeof(sozai_channel), .first = STONE_ROUGHNESS, .components = 1,
+   .needs = SOZAI_INPUT_POINT,
+   .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
+   .id = "roughness", .unit = "", .suffixes = "",
+   .doc = "GGX's alpha: the finish's, and the slopes that the footprint averages out."};
+
+static const sozai_channel channel_specular = {
+   .size = sizeof(sozai_channel), .first = STONE_SPECULAR, .components = 1,
+   .needs = SOZAI_INPUT_POINT,
+   .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
+   .id = "specular", .unit = "", .suffixes = "",
+   .doc = "Reflectance at normal incidence; none where holes are."};
+
+static const sozai_channel channel_speck = {
+   .size = sizeof(sozai_channel), .first = STONE_SPECK, .components = 1,
+   .needs = SOZAI_INPUT_POINT,
+   .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
+   .id = "speck", .unit = "", .suffixes = "",
+   .doc = "Share of the footprint that black and white specks cover."};
+
+static const sozai_channel channel_grain = {
+   .size = sizeof(sozai_channel), .first = STONE_GRAIN, .components = 1,
+   .needs = SOZAI_INPUT_POINT,
+   .id = "grain", .unit = "", .suffixes = "",
+   .doc = "A number between 0 and 1 for the crystal at the point: a mask, not filtered."};
+
+const sozai_channel *const stone_channels[] = {
+   &channel_albedo, &channel_radiance, &channel_normal, &channel_height, &channel_roughness, &channel_specular, &channel_speck, &channel_grain};
+/* clang-format on */
+const uint32_t stone_channel_count = COUNT(stone_channels);

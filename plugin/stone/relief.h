@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * The surface that a finish leaves: a height over the sawn face, a function of
+ * the place in space, with its exact gradient.
+ */
+#ifndef SOZAI_STONE_RELIEF_H
+#define SOZAI_STONE_RELIEF_H
+
+#include "../core/noise.h"
+#include "stone.h"
+
+/* Height in mm, its gradient, and the variance of slope along one axis that the
+ * footprint averages out. */
+INLINE vf relief_at(const stone_constants *w, const vf p[3], vf s, vf slope[3], vf *lost) {
+  vf height = splat(0.0f), one = splat(1.0f);
+  slope[0] = slope[1] = slope[2] = *lost = height;
+  for (int o = 0; o < w->relief_octaves; o++) {
+    vf f = splat(w->relief_frequency[o]), g[3];
+    vf keep = one - smooth_step(splat(0.25f), splat(1.0f), s * f);
+    *lost = *lost + (one - keep * keep) * splat(w->relief_slope2[o]);
+    if (!any(gt(keep, splat(0.0f)))) continue;
+    vf v = noise_gradient3(p[0] * f, p[1] * f, p[2] * f, splatu(w->seed_relief + (uint32_t)o), g);
+    vf scale = one;
+    if (w->pitted && o < 2) {
+      /* bumps between the pits that a hammer's points leave */
+      scale = splat(-5.0f) * v;
+      v = splat(0.25f) - splat(2.5f) * v * v;
+    }
+    vf k = keep * splat(w->relief[o]);
+    height = height + k * v;
+    for (int a = 0; a < 3; a++) slope[a] = slope[a] + k * f * scale * g[a];
+  }
+  return height;
+}
+
+#endif

@@ -1,0 +1,130 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Stone: what a created one is, numbers and tables that never change.
+ *
+ * The way from a point to its stone
+ *   object space -> bed space     an exchange of axes: +y is across the beds
+ *   grains                        crystals that fill space, of three minerals
+ *   bedding, mottle               what varies slowly, over the grains
+ *   inclusions, specks            bodies within the ground mass, over it
+ *   veins, holes                  what came last, over everything
+ * All of it is a field in space: a block goes on through its chamfers and down
+ * its sides. Or, with `colour_mode` of the paper's, a cube of one colour to a
+ * texel in place of all that.
+ */
+#ifndef SOZAI_STONE_H
+#define SOZAI_STONE_H
+
+#include <stdint.h>
+
+#include "../../api/sozai_colour.h"
+
+#define STONE_RELIEF 5  /* octaves of a finish's relief */
+#define STONE_CODES 256 /* of the paper's 8-bit RGB */
+
+/* Colours of the palette, which albedo is a sum of. */
+enum {
+  COLOUR_BASE,
+  COLOUR_SECOND,
+  COLOUR_THIRD,
+  COLOUR_BED,
+  COLOUR_INCLUSION,
+  COLOUR_INCLUSION_SECOND,
+  COLOUR_BLACK,
+  COLOUR_WHITE,
+  COLOUR_VEIN,
+  COLOUR_HOLE,
+  STONE_COLOURS
+};
+
+enum { LAYER_GRAINS, LAYER_INCLUSIONS, LAYER_SPECKS, LAYER_HOLES, STONE_LAYERS };
+
+/* A layer of cells: a power diagram of jittered points, one to a lattice cell.
+ * Lengths are in lattice cells where no unit stands. */
+typedef struct {
+  float turn[3][3];            /* 1/mm: bed space to cells */
+  float grading;               /* spread of the cells' weights */
+  float warp, warp_fine;       /* how far the cells' faces stray, at two sizes */
+  float erode, erode_spread;   /* what a body is smaller than its cell; by chance, more */
+  float radius, radius_spread; /* of the ball that a body is cut to; a share of it */
+  float chance[2];             /* below the first: kind 1; below the second: kind 2 */
+  float mean[2];               /* expected share of kinds 1 and 2 */
+  float variation;             /* of brightness from cell to cell */
+  float blur;                  /* mm over size: crystals let light through at their edges */
+  float even;                  /* area of the bodies over that of the balls in their place */
+  float fade;                  /* footprint, in cells, from which the mean stands in */
+  int32_t on, shaped;          /* shaped: eroded, or cut to a ball */
+  uint32_t seed, seed_warp;
+} stone_cells;
+
+typedef struct {
+  int32_t swap;    /* the axis that changes places with y, or 1 */
+  float offset[3]; /* mm, object space */
+  stone_cells layer[STONE_LAYERS];
+
+  float bed_frequency, bed_contrast, bed_wave, bed_wave_frequency; /* 1/mm; mm */
+  float vein_frequency, vein_width, vein_warp, vein_mean;          /* 1/mm; mm */
+  float vein_soft;                                                 /* mm */
+  float vein_direction[2][3]; /* across each family's veins, unit */
+  float mottle, mottle_frequency;
+  int32_t has_beds, has_veins, has_mottle;
+  uint32_t seed_bed, seed_vein, seed_mottle, seed_relief;
+
+  float colour[STONE_COLOURS][3]; /* working space */
+
+  /* the paper's colours */
+  int32_t mode;               /* MODE_* */
+  float texel, inverse_texel; /* mm */
+  float base[3], spread[3];   /* 8-bit codes; spread for MODE_RGB */
+  float luma, lightness, chroma;
+  float black, white;              /* thresholds: below the first, below the second */
+  float texel_mean[3];             /* working space, of all texels */
+  float decode[3][STONE_CODES][3]; /* what each code of each channel adds, working space */
+
+  /* finish */
+  float relief[STONE_RELIEF], relief_frequency[STONE_RELIEF]; /* mm; 1/mm */
+  float relief_slope2[STONE_RELIEF];                          /* variance of the slope, one axis */
+  int32_t relief_octaves, pitted;
+  float alpha2;   /* roughness squared where nothing is lost */
+  float specular; /* reflectance at normal incidence */
+  uint32_t seed;
+} stone_constants;
+
+typedef struct {
+  const sozai_batch *in;
+  float *const *out;
+  uint64_t wanted; /* bit c: out[c] is not NULL */
+} stone_io;
+
+/* Components of the output channels, in their order. */
+enum {
+  STONE_ALBEDO = 0,
+  STONE_RADIANCE = 3,
+  STONE_NORMAL = 6,
+  STONE_HEIGHT = 9,
+  STONE_ROUGHNESS = 10,
+  STONE_SPECULAR = 11,
+  STONE_SPECK = 12,
+  STONE_GRAIN = 13,
+  STONE_COMPONENTS = 14
+};
+
+typedef void stone_evaluate(const stone_constants *w, const stone_io *io, uint32_t from,
+                            uint32_t to);
+/* Means of what has no formula, over `count` points: how much of a cell the
+ * bodies of each layer fill, and the balls that stand for them; and the veins'
+ * share. */
+typedef struct {
+  double fill[STONE_LAYERS], balls[STONE_LAYERS], veins;
+} stone_means;
+typedef void stone_measure(const stone_constants *w, uint32_t count, stone_means *out);
+
+/* One compilation of the kernel. */
+typedef struct {
+  const char *name; /* of the instruction set */
+  uint32_t lanes;
+  stone_evaluate *evaluate;
+  stone_measure *measure;
+} stone_kernel;
+
+#endif

@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Filtering: a stone's albedo under a footprint against the average of 1,024
+ * points of the square it stands for, for every preset and size of footprint.
+ *
+ * The square lies as docs/stone.md says it does, along the axes of space. What
+ * a square turned otherwise would give is printed beside it: no filter that is
+ * not told the turn can know.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "cmocka_all.h"
+#include "wood.h"
+
+#define PI 3.14159265358979
+enum { SIDE = 32, SAMPLES = SIDE * SIDE, PLACES = 96, SIZES = 9 };
+static const double sizes[SIZES] = {0.01, 0.03, 0.1, 0.3, 1, 3, 10, 30, 100};
+
+static void ask_albedo(points *p, const sozai_texture *t) {
+  sozai_batch b = {.size = sizeof b, .count = p->count, .footprint = p->footprint};
+  for (int c = 0; c < 3; c++) {
+    b.point[c] = p->point[c];
+    b.normal[c] = p->normal[c];
+  }
+  b.out = p->out;
+  b.out_count = 3;
+  assert_int_equal(textures->evaluate(t, &b), SOZAI_OK);
+}
+
+/* One face to an axis, and one that leans. */
+static void face(int k, double n[3], double u[3], double v[3]) {
+  static const double of[4][3][3] = {{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
+                                     {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}},
+                                     {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                     {{0, 0.6, 0.8}, {1, 0, 0}, {0, 0.8, -0.6}}};
+  memcpy(n, of[k][0], sizeof of[k][0]);
+  memcpy(u, of[k][1], sizeof of[k][1]);
+  memcpy(v, of[k][2], sizeof of[k][2]);
+}
+
+typedef struct {
+  double square, mean;
+  unsigned n;
+} errors;
+
+static void one_place(points *p, const sozai_texture *t, int k, double s, double turn, errors *e) {
+  double n[3], u[3], v[3], at[3];
+  face(k, n, u, v);
+  for (int c = 0; c < 3; c++) at[c] = 4000 * (uniform() - 0.5);
+  points_clear(p);
+  for (int i = 0; i <= SAMPLES; i++) {
+    double a = i < SAMPLES ? ((i % SIDE + uniform()) / SIDE - 0.5) * s : 0;
+    double b = i < SAMPLES ? ((i / SIDE + uniform()) / SIDE - 0.5) * s : 0;
+    double x = a * cos(turn) - b * sin(turn), y = a * sin(turn) + b * cos(turn);
+    unsigned j = points_add(p, at[0] + x * u[0] + y * v[0], at[1] + x * u[1] + y * v[1],
+                            at[2] + x * u[2] + y * v[2], i < SAMPLES ? 0 : s);
+    for (int c = 0; c < 3; c++) p->normal[c][j] = (float)n[c];
+  }
+  ask_albedo(p, t);
+  for (int ch = 0; ch < 3; ch++) {
+    double truth = 0;
+    for (int i = 0; i < SAMPLES; i++) truth += (double)p->out[ch][i] / SAMPLES;
+    double error = (double)p->out[ch][SAMPLES] - truth;
+    e->square += error * error;
+    e->mean += error;
+    e->n++;
+  }
+}
+
+static unsigned presets(void) { return textures->find("stone")->preset_count; }
+
+/* How many of the table's entries miss the goal for RMS, and by how much a mean
+ * goes beyond its goal and what chance gives it in so many places. */
+static unsigned missed;
+static double beyond;
+
+static void table(double turned, double *worst, double *worst_mean) {
+  missed = 0;
+  beyond = 0;
+  points p = {0};
+  print_message("%-14s", "");
+  for (unsigned f = 0; f < SIZES; f++) print_message("%16g", sizes[f]);
+  print_message("\n");
+  for (unsigned k = 0; k < presets(); k++) {
+    const char *id = textures->find("stone")->presets[k]->id;
+    sozai_texture *t;
+    assert_int_equal(textures->create(NULL, "stone", id, NULL, 0, &t), SOZAI_OK);
+    print_message("%-14s", id);
+    for (unsigned f = 0; f < SIZES; f++) {
+      errors e = {0};
+      for (int i = 0; i < PLACES; i++) one_place(&p, t, i % 4, sizes[f], turned * uniform(), &e);
+      double rms = sqrt(e.square / e.n), mean = e.mean / e.n;
+      missed += rms > 0.01;
+      beyond = fmax(beyond, fabs(mean) - 0.002 - 3 * rms / sqrt(PLACES));
+      *worst = fmax(*worst, rms);
+      *worst_mean = fmax(*worst_mean, fabs(mean));
+      print_message("  %.4f/%+.4f", rms, mean);
+    }
+    print_message("\n");
+    textures->destroy(t);
+  }
+  points_free(&p);
+}
+
+static void against_1024_samples(void **state) {
+  (void)state;
+  double worst = 0, worst_mean = 0, turned = 0, turned_mean = 0;
+  uniform_seed(61);
+  print_message("RMS / mean error of albedo, by footprint in mm:\n");
+  table(0, &worst, &worst_mean);
+  unsigned over = missed;
+  double far = beyond;
+  print_message("the same against a square turned at random:\n");
+  table(PI, &turned, &turned_mean);
+  print_message("turned: worst RMS %.4f, worst mean %.4f\n", turned, turned_mean);
+  /* The goal is 0.01. It is missed where a footprint is about as wide as a body
+   * of strong contrast is large: docs/stone.md. What is held is that this gets
+   * no worse. */
+  CHECK(worst <= 0.04 && over <= 24,
+        "worst RMS %.4f (goal 0.01, held 0.04); %u of %u miss the goal (held 24)\n", worst, over,
+        presets() * SIZES);
+  CHECK(
+      far <= 0.002,
+      "worst mean %.4f; beyond 0.002 and three standard errors of %d places by %.4f at most (goal "
+      "0, held 0.002)\n",
+      worst_mean, PLACES, fmax(far, 0));
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {cmocka_unit_test(against_1024_samples)};
+  return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
+}

@@ -1,0 +1,120 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Solid stone: one fabric through a block, whatever face shows it; shares that
+ * are shares of area; and albedo linear in the palette.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "cmocka_all.h"
+#include "wood.h"
+
+enum { SPECK = 12, N = 200000 };
+
+static sozai_texture *make(const char *preset, const sozai_value *values, uint32_t count) {
+  sozai_texture *t = NULL;
+  if (textures->create(NULL, "stone", preset, values, count, &t)) {
+    fail_msg("%s", textures->last_error());
+  }
+  return t;
+}
+
+static sozai_value number(const char *id, double x) {
+  return (sozai_value){.id = id, .kind = SOZAI_KIND_FLOAT, .number = {x}};
+}
+
+static void any_face_shows_the_same(void **state) {
+  (void)state;
+  const sozai_texture_info *info = textures->find("stone");
+  for (uint32_t k = 0; k < info->preset_count; k++) {
+    sozai_texture *t = make(info->presets[k]->id, NULL, 0);
+    points p = {0};
+    uniform_seed(91);
+    for (int i = 0; i < 2000; i++) {
+      double x[3];
+      for (int c = 0; c < 3; c++) x[c] = 400 * (uniform() - 0.5);
+      for (int f = 0; f < 2; f++) {
+        unsigned j = points_add(&p, x[0], x[1], x[2], 0);
+        for (int c = 0; f && c < 3; c++) p.normal[c][j] = (float)(uniform() - 0.5);
+      }
+    }
+    points_ask(&p, t);
+    double worst = 0;
+    for (unsigned i = 0; i < p.count; i += 2) {
+      for (int c = 0; c < 3; c++) {
+        worst = fmax(worst, fabs((double)(p.out[c][i] - p.out[c][i + 1])));
+      }
+    }
+    /* the width of a line that is a micron of a vein's edge depends on the face */
+    CHECK(worst < 1e-4, "%s: two faces through a point differ by %.2g\n", info->presets[k]->id,
+          worst);
+    points_free(&p);
+    textures->destroy(t);
+  }
+}
+
+static void shares_are_of_area(void **state) {
+  (void)state;
+  static const double black[] = {0.02, 0.06, 0.15};
+  for (int k = 0; k < 3; k++) {
+    const sozai_value v[] = {number("black_share", black[k]), number("white_share", 0.03)};
+    sozai_texture *t = make(NULL, v, 2);
+    points p = {0};
+    uniform_seed(92);
+    for (int i = 0; i < N; i++) {
+      points_add(&p, 900 * (uniform() - 0.5), 900 * (uniform() - 0.5), 0, 0);
+    }
+    points_ask(&p, t);
+    double share = 0;
+    for (int i = 0; i < N; i++) share += (double)p.out[SPECK][i] / N;
+    double wanted = black[k] + 0.03;
+    CHECK(fabs(share - wanted) < 0.05 * wanted, "specks of %.2f and 0.03: %.4f of the area\n",
+          black[k], share);
+    points_free(&p);
+    textures->destroy(t);
+  }
+}
+
+/* Every colour alone, the others black: their sum is the whole. */
+static void linear_in_the_palette(void **state) {
+  (void)state;
+  static const char *const ids[] = {"base_colour",  "second_colour",    "third_colour",
+                                    "bed_colour",   "inclusion_colour", "inclusion_second_colour",
+                                    "black_colour", "white_colour",     "vein_colour",
+                                    "hole_colour"};
+  enum { COLOURS = 10, POINTS = 4000 };
+  static double sum[POINTS];
+  points p = {0};
+  uniform_seed(93);
+  for (int i = 0; i < POINTS; i++) {
+    points_add(&p, 300 * (uniform() - 0.5), 300 * (uniform() - 0.5), 0, 3 * uniform());
+  }
+  double worst = 0;
+  for (int k = 0; k <= COLOURS; k++) {
+    sozai_value v[COLOURS + 1] = {number("vein_width", 4)};
+    for (int c = 0; c < COLOURS; c++) {
+      double x = k == COLOURS || k == c ? 0.05 * (c + 1) : 0;
+      v[c + 1] = (sozai_value){
+          .id = ids[c], .kind = SOZAI_KIND_COLOUR, .number = {x, x, x}, .text = "lin_rec709"};
+    }
+    sozai_texture *t = make("oya", v, COLOURS + 1);
+    points_ask(&p, t);
+    for (int i = 0; i < POINTS; i++) {
+      if (k == COLOURS) {
+        worst = fmax(worst, fabs(sum[i] - (double)p.out[0][i]));
+      } else {
+        sum[i] = (k ? sum[i] : 0) + (double)p.out[0][i];
+      }
+    }
+    textures->destroy(t);
+  }
+  CHECK(worst < 1e-5, "the sum of ten palettes of one colour is off by %.2g\n", worst);
+  points_free(&p);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {cmocka_unit_test(any_face_shows_the_same),
+                                     cmocka_unit_test(shares_are_of_area),
+                                     cmocka_unit_test(linear_in_the_palette)};
+  return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
+}
