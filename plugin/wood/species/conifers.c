@@ -223,7 +223,7 @@ static const sozai_value values_yew[] = {
     SRGB("latewood_colour", 144, 82, 46),
     SRGB("sapwood_earlywood_colour", 236, 214, 168),
     SRGB("sapwood_latewood_colour", 210, 178, 126),
-    NUMBER("heartwood_years", 110.0),
+    NUMBER("heartwood_years", 200.0),
     NUMBER("heartwood_edge", 0.3),
     NUMBER("specular", 0.1),
 };
@@ -282,7 +282,7 @@ static const sozai_value values_kaya[] = {
     SRGB("latewood_colour", 202, 158, 94),
     SRGB("sapwood_earlywood_colour", 236, 208, 150),
     SRGB("sapwood_latewood_colour", 214, 178, 118),
-    NUMBER("heartwood_years", 100.0),
+    NUMBER("heartwood_years", 160.0),
     NUMBER("specular", 0.09),
 };
 SPECIES(kaya, "Kaya, Japanese nutmeg yew (Torreya nucifera)",
@@ -301,7 +301,7 @@ static const sozai_value values_tsuga[] = {
     SRGB("latewood_colour", 168, 120, 92),
     SRGB("sapwood_earlywood_colour", 234, 208, 172),
     SRGB("sapwood_latewood_colour", 192, 150, 118),
-    NUMBER("heartwood_years", 80.0),
+    NUMBER("heartwood_years", 150.0),
     NUMBER("specular", 0.06),
 };
 SPECIES(tsuga, "Tsuga, southern Japanese hemlock (Tsuga sieboldii)",
@@ -320,7 +320,7 @@ static const sozai_value values_ichii[] = {
     SRGB("latewood_colour", 158, 92, 56),
     SRGB("sapwood_earlywood_colour", 238, 216, 174),
     SRGB("sapwood_latewood_colour", 214, 180, 132),
-    NUMBER("heartwood_years", 110.0),
+    NUMBER("heartwood_years", 180.0),
     NUMBER("heartwood_edge", 0.3),
     NUMBER("specular", 0.1),
 };
@@ -356,9 +356,9 @@ static const sozai_value values_southern_pine[] = {
     NUMBER("fibre_brightness", 0.08),
     NUMBER("fibre_width", 0.05),
     SRGB("earlywood_colour", 228, 178, 118),
-    SRGB("latewood_colour", 162, 96, 50),
+    SRGB("latewood_colour", 174, 111, 62),
     SRGB("sapwood_earlywood_colour", 240, 214, 164),
-    SRGB("sapwood_latewood_colour", 200, 148, 92),
+    SRGB("sapwood_latewood_colour", 207, 160, 105),
     NUMBER("heartwood_years", 90.0),
     NUMBER("specular", 0.06),
 };
