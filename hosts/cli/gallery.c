@@ -20,7 +20,7 @@
 
 #define MATERIAL "wood"
 #define PATH_SIZE 4096
-#define SHEET_COLUMNS 3
+#define SHEET_COLUMNS 15 /* five species, three cuts of each */
 
 typedef struct gallery {
   session session;
@@ -124,15 +124,16 @@ static bool make_picture(gallery *g, const shot *s, const char *name, const char
   return ok;
 }
 
-static bool make_shot(gallery *g, const shot *s, failure *why) {
-  if (!s->each_preset) return make_picture(g, s, s->name, s->title, s->preset, why);
+/* The `count` shots that every preset has, of one preset after another. */
+static bool make_of_each(gallery *g, const shot *shots, uint32_t count, failure *why) {
   const sozai_texture_info *info = g->session.plugin.textures->find(MATERIAL);
-  for (uint32_t i = 0; info && i < info->preset_count; i++) {
-    char name[128], title[256];
-    snprintf(name, sizeof name, "%s-%s", s->name, info->presets[i]->id);
-    snprintf(title, sizeof title, "%s, %s", info->presets[i]->label, s->title);
-    if (!make_picture(g, s, name, title, info->presets[i]->id, why)) return false;
-  }
+  for (uint32_t i = 0; info && i < info->preset_count; i++)
+    for (const shot *s = shots; s < shots + count; s++) {
+      char name[128], title[256];
+      snprintf(name, sizeof name, "%s-%s", s->name, info->presets[i]->id);
+      snprintf(title, sizeof title, "%s, %s", info->presets[i]->label, s->title);
+      if (!make_picture(g, s, name, title, info->presets[i]->id, why)) return false;
+    }
   return true;
 }
 
@@ -148,8 +149,11 @@ static bool make_folder(const char *folder, failure *why) {
 }
 
 static bool make_pictures(gallery *g, failure *why) {
-  for (uint32_t i = 0; i < gallery_shot_count; i++) {
-    if (!make_shot(g, &gallery_shots[i], why)) return false;
+  uint32_t each = 0;
+  while (each < gallery_shot_count && gallery_shots[each].each_preset) each++;
+  if (!make_of_each(g, gallery_shots, each, why)) return false;
+  for (const shot *s = gallery_shots + each; s < gallery_shots + gallery_shot_count; s++) {
+    if (!make_picture(g, s, s->name, s->title, s->preset, why)) return false;
   }
   film f;
   if (!sheet_finish(&g->sheet, SHEET_COLUMNS, &f, why)) return false;

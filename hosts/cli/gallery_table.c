@@ -3,22 +3,32 @@
 
 #include <stddef.h>
 
-#define BOARD .width = 720, .height = 540
+#define TILE .shape = "plane", .camera = "front", .width = 320, .height = 240
 #define FACE .shape = "plane", .camera = "front", .width = 960, .height = 640
 
 const shot gallery_shots[] = {
     {.name = "flat",
-     .title = "flat-sawn",
+     .title = "flat-sawn, 120 mm across",
      .each_preset = true,
      .on_sheet = true,
      .params = {"cut=flat"},
-     BOARD},
+     .size = "120x90",
+     TILE},
     {.name = "quarter",
-     .title = "quarter-sawn",
+     .title = "quarter-sawn, 120 mm across",
      .each_preset = true,
+     .on_sheet = true,
      .params = {"cut=quarter"},
-     BOARD},
+     .size = "120x90",
+     TILE},
     {.name = "end",
+     .title = "end grain, 32 mm across",
+     .each_preset = true,
+     .on_sheet = true,
+     .params = {"cut=end"},
+     .size = "32x24",
+     TILE},
+    {.name = "block",
      .title = "Mizunara, an end-grain block",
      .preset = "mizunara",
      .params = {"cut=end"},

@@ -12,7 +12,7 @@ typedef struct shot {
   const char *name; /* of the file, without its ending; of an each_preset: what it begins with */
   const char *title;
   const char *preset;              /* NULL: the parameters' defaults */
-  bool each_preset;                /* once for every preset there is */
+  bool each_preset;                /* once for every preset there is; these come first */
   bool on_sheet;                   /* among the small pictures of gallery.png */
   const char *params[SHOT_PARAMS]; /* name=value, the last ones NULL */
   /* As options of `sozai render` are written; NULL: their defaults. */

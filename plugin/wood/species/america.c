@@ -228,7 +228,7 @@ static const sozai_value values_balsa[] = {
     NUMBER("fibre_brightness", 0.07),
     SRGB("earlywood_colour", 232, 216, 190),
     SRGB("latewood_colour", 216, 196, 168),
-    SRGB("vessel_colour", 208, 187, 157),
+    SRGB("vessel_colour", 210, 189, 159),
     SRGB("sapwood_earlywood_colour", 238, 224, 200),
     SRGB("sapwood_latewood_colour", 222, 204, 178),
     NUMBER("heartwood_years", 10.0),

@@ -49,7 +49,7 @@ static const sozai_value values_yamazakura[] = {
     NUMBER("slope_noise_length", 45.0),
     DIFFUSE_POROUS(120.0, 46.0, 0.2),
     RAYS(3.0, 0.5, 55.0, 30.0),
-    SRGB("ray_colour", 212, 164, 122),
+    SRGB("ray_colour", 209, 160, 118),
     NUMBER("fibre_brightness", 0.1),
     SRGB("earlywood_colour", 200, 146, 102),
     SRGB("latewood_colour", 164, 108, 70),

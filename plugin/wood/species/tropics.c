@@ -103,7 +103,7 @@ static const sozai_value values_zebrano[] = {
     NUMBER("fibre_brightness", 0.1),
     SRGB("earlywood_colour", 196, 156, 104),
     SRGB("latewood_colour", 101, 71, 47),
-    SRGB("vessel_colour", 158, 121, 79),
+    SRGB("vessel_colour", 167, 129, 85),
     SRGB("sapwood_earlywood_colour", 226, 208, 172),
     SRGB("sapwood_latewood_colour", 210, 187, 149),
     NUMBER("heartwood_years", 160.0),
