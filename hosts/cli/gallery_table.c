@@ -3,7 +3,7 @@
 
 #include <stddef.h>
 
-#define TILE .shape = "plane", .camera = "front", .width = 320, .height = 240
+#define TILE .shape = "plane", .camera = "front", .width = 200, .height = 150
 #define FACE .shape = "plane", .camera = "front", .width = 960, .height = 640
 
 const shot gallery_shots[] = {
