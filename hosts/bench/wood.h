@@ -14,7 +14,7 @@ typedef struct wood {
   const char *reflection; /* NULL: the default */
   const char *layout;     /* NULL: one piece */
   bool pictured;          /* its section is the yardstick's picture */
-  const char *stone;    /* a preset of stone, in place of all this but cpu */
+  const char *stone;      /* a preset of stone, in place of all this but cpu */
 } wood;
 
 /* A flat-sawn board of the preset keyaki, or a face of the stone. Where the machine lacks the

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * Renders the pictures of gallery_table.c, an index.html that shows them, and
- * gallery.png and layouts.png, which show some of them small on one sheet each. A picture whose
- * parameters the plugin does not know is left out with a line that says so. */
+ * gallery.png, stones.png and layouts.png, which show some of them small on one sheet each. A
+ * picture whose parameters the plugin does not know is left out with a line that says so. */
 #include "commands.h"
 
 #include <errno.h>
@@ -19,15 +19,16 @@
 #include "sheet.h"
 
 #define PATH_SIZE 4096
-#define SHEET_COLUMNS 3
+#define SHEET_COLUMNS 15 /* five species, three cuts of each */
 #define LAYOUT_COLUMNS 6
+#define STONE_COLUMNS 5
 
 typedef struct gallery {
   session session;
   const char *folder;
   uint32_t spp;
   FILE *index;
-  sheet sheet, layouts;
+  sheet sheet, stones, layouts;
   uint32_t made, left_out;
 } gallery;
 
@@ -97,6 +98,7 @@ static bool keep_picture(gallery *g, const shot *s, const film *f, const char *n
   snprintf(file, sizeof file, "%s.png", name);
   if (!write_film(g, f, file, why)) return false;
   if (s->on_sheet && !sheet_add(&g->sheet, f, why)) return false;
+  if (s->on_stones && !sheet_add(&g->stones, f, why)) return false;
   if (s->on_layouts && !sheet_add(&g->layouts, f, why)) return false;
   write_caption(g, s, file, title, preset);
   g->made++;
@@ -127,15 +129,17 @@ static bool make_picture(gallery *g, const shot *s, const char *name, const char
   return ok;
 }
 
-static bool make_shot(gallery *g, const shot *s, failure *why) {
-  if (!s->each_preset) return make_picture(g, s, s->name, s->title, s->preset, why);
-  const sozai_texture_info *info = g->session.plugin.textures->find(material_of(s));
-  for (uint32_t i = 0; info && i < info->preset_count; i++) {
-    char name[128], title[256];
-    snprintf(name, sizeof name, "%s-%s", s->name, info->presets[i]->id);
-    snprintf(title, sizeof title, "%s, %s", info->presets[i]->label, s->title);
-    if (!make_picture(g, s, name, title, info->presets[i]->id, why)) return false;
-  }
+/* The `count` shots that every preset of a material has, of one preset after
+ * another. */
+static bool make_of_each(gallery *g, const shot *shots, uint32_t count, failure *why) {
+  const sozai_texture_info *info = g->session.plugin.textures->find(material_of(shots));
+  for (uint32_t i = 0; info && i < info->preset_count; i++)
+    for (const shot *s = shots; s < shots + count; s++) {
+      char name[128], title[256];
+      snprintf(name, sizeof name, "%s-%s", s->name, info->presets[i]->id);
+      snprintf(title, sizeof title, "%s, %s", info->presets[i]->label, s->title);
+      if (!make_picture(g, s, name, title, info->presets[i]->id, why)) return false;
+    }
   return true;
 }
 
@@ -160,10 +164,19 @@ static bool make_sheet(const gallery *g, const sheet *s, uint32_t columns, const
 }
 
 static bool make_pictures(gallery *g, failure *why) {
-  for (uint32_t i = 0; i < gallery_shot_count; i++) {
-    if (!make_shot(g, &gallery_shots[i], why)) return false;
+  const shot *end = gallery_shots + gallery_shot_count;
+  for (const shot *s = gallery_shots; s < end;) {
+    uint32_t each = 0;
+    while (s + each < end && s[each].each_preset &&
+           strcmp(material_of(s + each), material_of(s)) == 0)
+      each++;
+    if (each ? !make_of_each(g, s, each, why)
+             : !make_picture(g, s, s->name, s->title, s->preset, why))
+      return false;
+    s += each ? each : 1;
   }
   return make_sheet(g, &g->sheet, SHEET_COLUMNS, "gallery.png", why) &&
+         (g->stones.count == 0 || make_sheet(g, &g->stones, STONE_COLUMNS, "stones.png", why)) &&
          (g->layouts.count == 0 || make_sheet(g, &g->layouts, LAYOUT_COLUMNS, "layouts.png", why));
 }
 
@@ -199,6 +212,7 @@ static bool make_gallery(const session_options *shared, const char *folder, uint
   if (!session_open(&g.session, shared, why)) return false;
   bool ok = make_folder(folder, why) && make_index(&g, why);
   sheet_free(&g.sheet);
+  sheet_free(&g.stones);
   sheet_free(&g.layouts);
   session_close(&g.session);
   if (!ok) return false;

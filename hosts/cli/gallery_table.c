@@ -3,7 +3,7 @@
 
 #include <stddef.h>
 
-#define BOARD .width = 720, .height = 540
+#define TILE .shape = "plane", .camera = "front", .width = 200, .height = 150
 #define FACE .shape = "plane", .camera = "front", .width = 960, .height = 640
 
 #define LAID(id, label, species, mm, a, b, c)                                                      \
@@ -15,17 +15,27 @@
 
 const shot gallery_shots[] = {
     {.name = "flat",
-     .title = "flat-sawn",
+     .title = "flat-sawn, 120 mm across",
      .each_preset = true,
      .on_sheet = true,
      .params = {"cut=flat"},
-     BOARD},
+     .size = "120x90",
+     TILE},
     {.name = "quarter",
-     .title = "quarter-sawn",
+     .title = "quarter-sawn, 120 mm across",
      .each_preset = true,
+     .on_sheet = true,
      .params = {"cut=quarter"},
-     BOARD},
+     .size = "120x90",
+     TILE},
     {.name = "end",
+     .title = "end grain, 32 mm across",
+     .each_preset = true,
+     .on_sheet = true,
+     .params = {"cut=end"},
+     .size = "32x24",
+     TILE},
+    {.name = "block",
      .title = "Mizunara, an end-grain block",
      .preset = "mizunara",
      .params = {"cut=end"},
@@ -137,20 +147,20 @@ const shot gallery_shots[] = {
      .title = "300 mm across",
      .material = "stone",
      .each_preset = true,
-     .on_sheet = true,
+     .on_stones = true,
      .size = "300x225",
      .shape = "plane",
      .camera = "front",
-     .width = 720,
-     .height = 540},
+     .width = 320,
+     .height = 240},
     {.name = "stone-ball",
      .title = "a ball of 120 mm",
      .material = "stone",
      .each_preset = true,
      .shape = "sphere",
      .size = "120",
-     .width = 720,
-     .height = 540},
+     .width = 320,
+     .height = 240},
     {.name = "stone-near",
      .title = "Inada granite, 30 mm across",
      .material = "stone",

@@ -13,8 +13,9 @@ typedef struct shot {
   const char *title;
   const char *material;            /* NULL: wood */
   const char *preset;              /* NULL: the parameters' defaults */
-  bool each_preset;                /* once for every preset there is */
+  bool each_preset;                /* once for every preset there is; these come first */
   bool on_sheet;                   /* among the small pictures of gallery.png */
+  bool on_stones;                  /* or of stones.png */
   bool on_layouts;                 /* or of layouts.png */
   const char *params[SHOT_PARAMS]; /* name=value, the last ones NULL */
   /* As options of `sozai render` are written; NULL: their defaults. */

@@ -73,9 +73,13 @@ static int make_woods(void) {
         {.id = "cut_rotation", .kind = SOZAI_KIND_FLOAT, .number = {i / 20u * 33.0}},
         {.id = "wave_irregularity", .kind = SOZAI_KIND_FLOAT, .number = {i / 4u % 3u * 0.3}},
         /* within reach of the points */
-        {.id = "heartwood_years", .kind = SOZAI_KIND_FLOAT, .number = {10.0 + 10.0 * (i / 4u % 4u)}},
+        {.id = "heartwood_years",
+         .kind = SOZAI_KIND_FLOAT,
+         .number = {10.0 + 10.0 * (i / 4u % 4u)}},
         {.id = "coat", .kind = SOZAI_KIND_FLOAT, .number = {i / 4u % 3u * 0.5}},
-        {.id = "reflection", .kind = SOZAI_KIND_CHOICE, .text = i / 4u % 2u ? "fibre_cone" : "kawai"}};
+        {.id = "reflection",
+         .kind = SOZAI_KIND_CHOICE,
+         .text = i / 4u % 2u ? "fibre_cone" : "kawai"}};
     r = make("wood", i ? info->presets[i - 1]->id : NULL, values, 7);
   }
   return r;

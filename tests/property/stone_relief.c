@@ -50,7 +50,8 @@ static void normal_is_the_heights(void **state) {
       const float *a = p.out[STONE_HEIGHT] + i;
       double dx = (double)(a[1] - a[2]) / (2 * h), dy = (double)(a[3] - a[4]) / (2 * h);
       double nz = (double)p.out[STONE_NORMAL + 2][i];
-      double gx = -(double)p.out[STONE_NORMAL][i] / nz, gy = -(double)p.out[STONE_NORMAL + 1][i] / nz;
+      double gx = -(double)p.out[STONE_NORMAL][i] / nz,
+             gy = -(double)p.out[STONE_NORMAL + 1][i] / nz;
       worst = fmax(worst, hypot(gx - dx, gy - dy));
       steepest = fmax(steepest, hypot(dx, dy));
       height = fmax(height, fabs((double)a[0]));

@@ -1,0 +1,99 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * The words an entry of the catalogue is written in. A line of several values
+ * names them here, in the units that `sozai describe wood` prints.
+ *
+ * Anatomy (vessel diameters and densities, rows, rays, ring structure) is
+ * typical of the ranges that the literature named gives for the species, and
+ * not the measurement of one tree; colours are the planed wood's as seen, in
+ * sRGB. Rays are those that the eye meets: the finest are left to the fibres.
+ */
+#ifndef SOZAI_WOOD_SPECIES_ENTRY_H
+#define SOZAI_WOOD_SPECIES_ENTRY_H
+
+#include "../../../api/sozai.h"
+#include "list.h"
+
+#define DECLARE(key) extern const sozai_preset species_##key;
+SPECIES_ALL(DECLARE)
+#undef DECLARE
+
+#define COUNT(a) (sizeof(a) / sizeof((a)[0]))
+#define NUMBER(name, x)                                                                            \
+  {                                                                                                \
+    .id = name, .kind = SOZAI_KIND_FLOAT, .number = { x }                                          \
+  }
+#define WHOLE(name, x)                                                                             \
+  {                                                                                                \
+    .id = name, .kind = SOZAI_KIND_INT, .number = { x }                                            \
+  }
+#define CHOICE(name, c)                                                                            \
+  { .id = name, .kind = SOZAI_KIND_CHOICE, .text = c }
+/* sRGB as 8-bit numbers */
+#define SRGB(name, r, g, b)                                                                        \
+  {                                                                                                \
+    .id = name, .kind = SOZAI_KIND_COLOUR, .number = {(r) / 255.0, (g) / 255.0, (b) / 255.0},      \
+    .text = "sRGB"                                                                                 \
+  }
+
+#define RINGS(width, variation, waviness)                                                          \
+  NUMBER("ring_width", width), NUMBER("ring_variation", variation), NUMBER("undulation", waviness)
+#define LATEWOOD(fraction, abruptness)                                                             \
+  NUMBER("latewood_fraction", fraction), NUMBER("latewood_abruptness", abruptness)
+
+#define WAVY(slope, length, irregularity)                                                          \
+  CHOICE("grain", "wavy"), NUMBER("wave_slope", slope), NUMBER("wave_length", length),             \
+      NUMBER("wave_irregularity", irregularity)
+#define INTERLOCKED(slope, years, length)                                                          \
+  CHOICE("grain", "interlocked"), NUMBER("interlocked_slope", slope),                              \
+      NUMBER("interlocked_years", years), NUMBER("interlocked_length", length)
+
+#define CONIFER CHOICE("porosity", "none")
+#define DIFFUSE_POROUS(density, diameter, spread)                                                  \
+  CHOICE("porosity", "diffuse"), NUMBER("vessel_density", density),                                \
+      NUMBER("vessel_diameter", diameter), NUMBER("vessel_diameter_spread", spread)
+#define SEMI_RING_POROUS(density, diameter, late, spread)                                          \
+  CHOICE("porosity", "semi_ring"), NUMBER("vessel_density", density),                              \
+      NUMBER("vessel_diameter", diameter), NUMBER("vessel_diameter_late", late),                   \
+      NUMBER("vessel_diameter_spread", spread)
+/* The latewood's vessels; the earlywood's follow as EARLYWOOD_ROWS. */
+#define RING_POROUS(density, diameter, spread)                                                     \
+  CHOICE("porosity", "ring"), NUMBER("vessel_density", density),                                   \
+      NUMBER("vessel_diameter", diameter), NUMBER("vessel_diameter_spread", spread)
+#define EARLYWOOD_ROWS(rows, density, diameter, spread, jitter)                                    \
+  WHOLE("earlywood_rows", rows), NUMBER("earlywood_density", density),                             \
+      NUMBER("earlywood_diameter", diameter), NUMBER("earlywood_diameter_spread", spread),         \
+      NUMBER("earlywood_jitter", jitter)
+#define RAYS(density, height, width, length)                                                       \
+  NUMBER("ray_density", density), NUMBER("ray_height", height), NUMBER("ray_width", width),        \
+      NUMBER("ray_length", length)
+
+#define SPECIES(key, name, about, literature)                                                      \
+  const sozai_preset species_##key = {.size = sizeof(sozai_preset),                                \
+                                      .value_count = COUNT(values_##key),                          \
+                                      .id = #key,                                                  \
+                                      .label = name,                                               \
+                                      .doc = about,                                                \
+                                      .source = literature,                                        \
+                                      .values = values_##key}
+
+#define ITOH                                                                                       \
+  "Itoh T., Anatomical description of Japanese hardwoods I-V, Wood Research and Technical Notes "  \
+  "31-35 (1995-1999)"
+#define INSIDEWOOD "InsideWood database, NC State University (IAWA feature codes)"
+#define FFPRI "Forestry and Forest Products Research Institute, Japanese wood database"
+#define WAGENFUEHR "Wagenfuehr R., Holzatlas, 6th edition (2007)"
+#define SCHOCH                                                                                     \
+  "Schoch W., Heller I., Schweingruber F. H., Kienast F., Wood anatomy of central European "       \
+  "species (2004)"
+#define HANDBOOK "USDA Forest Products Laboratory, Wood Handbook, FPL-GTR-190 (2010)"
+#define PANSHIN "Panshin A. J., de Zeeuw C., Textbook of wood technology, 4th edition (1980)"
+#define RICHTER                                                                                    \
+  "Richter H. G., Dallwitz M. J., Commercial timbers: descriptions, illustrations, "               \
+  "identification, and information retrieval (2000 onwards)"
+#define METCALFE "Metcalfe C. R., Chalk L., Anatomy of the dicotyledons (1950)"
+#define GYMNOSPERMS                                                                                \
+  "IAWA Committee, IAWA list of microscopic features for softwood identification, IAWA Journal "   \
+  "25 (2004)"
+
+#endif
