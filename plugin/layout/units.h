@@ -143,21 +143,22 @@ INLINE void unit_of_strip(const layout *l, vf x, vf y, vf e, layout_unit *p, cov
 INLINE void unit_of_ashlar(const layout *l, vf x, vf y, vf e, layout_unit *p, cover *c) {
   strip_place at = strip_at(l, x, y);
   vf one = splat(1.0f), zero = splat(0.0f), width = splat(l->width);
-  vu h = hash_mix(layout_id(l, at.i, at.j, splati(0)) + splatu(HASH_X));
+  vi id = (vi)layout_id(l, at.i, at.j, splati(0));
+  vu h = hash_mix((vu)id + splatu(HASH_X));
   vf upright = (splat(0.35f) + splat(0.3f) * layout_random(h)) * at.length;
-  upright = sel(lti((vi)(h << 24), splati(0)), at.length, upright);
-  vm right = le(upright, at.u);
+  upright = sel(lti((vi)(h & splatu(255u)), splati(128)), at.length, upright);
+  vm right = lt(upright, at.u);
   vf x0 = sel(right, upright, zero), length = sel(right, at.length - upright, upright);
-  vu g = hash_mix(h + (vu)seli(right, splati(1), splati(0)));
+  id = seli(right, id + splati(1), id);
+  vu g = hash_mix((vu)id + splatu(HASH_Y));
   vf across = (splat(0.35f) + splat(0.3f) * layout_random(g)) * width;
-  across = sel(lti((vi)(g << 24), splati(0)), width, across);
-  vm upper = le(across, at.v);
+  across = sel(lti((vi)(g & splatu(255u)), splati(128)), width, across);
+  vm upper = lt(across, at.v);
   vf y0 = sel(upper, across, zero), high = sel(upper, width - across, across);
   vf u = at.u - x0, v = at.v - y0;
   cover_pair(c, v, high - v, zero, one, l->joint, e);
   cover_pair(c, u, length - u, one, zero, l->joint, e);
-  vi part = seli(right, splati(1), splati(0)) + seli(upper, splati(2), splati(0));
-  unit_frame(p, layout_id(l, at.i, at.j, part), u, v, length, high, one, zero);
+  unit_frame(p, (vu)seli(upper, id + splati(2), id), u, v, length, high, one, zero);
 }
 
 /* ---- irregular polygons ----------------------------------------------- */
