@@ -134,11 +134,11 @@ static int make_stones(void) {
   return r;
 }
 
-/* A block's texture: of eight blocks seven are wood's, since a stone under a
+/* A block's texture: of 64 blocks 63 are wood's, since a stone under a
  * wide footprint takes many times as long. */
 static sozai_texture *texture_of(uint64_t block) {
-  if (block % 8 < 7) return textures[(block - block / 8) % wood_count];
-  return textures[wood_count + block / 8 % (texture_count - wood_count)];
+  if (block % 64 < 63) return textures[(block - block / 64) % wood_count];
+  return textures[wood_count + block / 64 % (texture_count - wood_count)];
 }
 
 static const sozai_texture_info *info_of(uint64_t block) {
