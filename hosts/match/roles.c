@@ -14,7 +14,8 @@ const match_material match_materials[] = {
      .second_part = "sapwood",
      .boundary = "heartwood_years",
      .boundary_channel = "time",
-     .board = {{"cut", "flat"}}},
+     /* rays have a colour of their own, and are left out unless given */
+     .board = {{"cut", "flat"}, {"ray_density", "0"}}},
     /* the base and its variation, the minerals that vary it, and the specks */
     {.id = "stone",
      .roles = {{"base_colour", NULL},

@@ -8,12 +8,12 @@ readonly shipped=$4
 command -v oiiotool >/dev/null || { echo "skipped: no oiiotool"; exit 77; }
 cd "$scratch" || exit 1
 
-# photograph NAME [option...]: the albedo of a board of 120 x 80 mm.
+# photograph NAME [option...]: the albedo of a board of 120 x 80 mm, without rays.
 photograph() {
   local name=$1
   shift
   "$sozai" render wood --cut flat --shape plane --size 120x80 --camera front --res 600x400 --spp 4 \
-    --sky 0 --channels albedo -o layers.exr "$@" || failed "no picture $name"
+    --sky 0 -p ray_density=0 --channels albedo -o layers.exr "$@" || failed "no picture $name"
   oiiotool layers.exr --ch albedo.R,albedo.G,albedo.B --chnames R,G,B -o "$name"
 }
 
@@ -217,7 +217,7 @@ bad "--crop|0,0,601,10|600x400" known.png --crop 0,0,601,10
 bad "--crop|-1" known.png --crop=-1,0,50,50
 bad "300 pixels|1024" known.png --crop 0,0,3,100
 bad "--width|'0'|0.1|100000" known.png --width 0
-bad "ash" known.png --preset ash
+bad "no_such_wood" known.png --preset no_such_wood
 bad "ring_width|-3|0.2" known.png -p ring_width=-3
 bad "widht" known.png -p widht=3
 check "the file that was there is untouched" cmp known.sozai kept.sozai
