@@ -68,7 +68,7 @@ done
 # ---- refusals ----------------------------------------------------------------------------
 refuses 2 "none.ocio" colour --config "$scratch/none.ocio"
 refuses 2 "unknown material 'ood'|wood" colour ood
-refuses 2 "preset 'ash'" colour wood --preset ash
+refuses 2 "preset 'no_such_wood'" colour wood --preset no_such_wood
 refuses 2 "parameter 'tint'" colour wood -p tint=1
 refuses 2 "--preset" colour --preset keyaki
 refuses 2 "unexpected argument 'two'" colour one two

@@ -192,7 +192,7 @@ bad "--crop|0,0,601,10|600x400" known.png --crop 0,0,601,10
 bad "--crop|-1" known.png --crop=-1,0,50,50
 bad "300 pixels|1024" known.png --crop 0,0,3,100
 bad "--width|'0'|0.1|100000" known.png --width 0
-bad "ash" known.png --preset ash
+bad "no_such_wood" known.png --preset no_such_wood
 bad "ring_width|-3|0.2" known.png -p ring_width=-3
 bad "widht" known.png -p widht=3
 check "the file that was there is untouched" cmp known.sozai kept.sozai
