@@ -50,7 +50,7 @@ printf 'material: wood\nparams:\n  earlywood_colour: "0.5 0.4 0.3 @ acescg"\n' >
 works colour "$scratch/some.sozai"
 holds "in use: $scratch/some.sozai"
 holds "acescg -> ACEScg"
-holds "latewood_colour, vessel_colour, sapwood_earlywood_colour, sapwood_latewood_colour"
+holds "ray_colour, latewood_colour, vessel_colour, sapwood_earlywood_colour, sapwood_latewood_colour"
 
 # ---- JSON ---------------------------------------------------------------------------
 json() { works colour --json "$@" && check "JSON of: $*" "$json_check" "$scratch/out"; }
@@ -68,7 +68,7 @@ done
 # ---- refusals ----------------------------------------------------------------------------
 refuses 2 "none.ocio" colour --config "$scratch/none.ocio"
 refuses 2 "unknown material 'ood'|wood" colour ood
-refuses 2 "preset 'ash'" colour wood --preset ash
+refuses 2 "preset 'no_such_wood'" colour wood --preset no_such_wood
 refuses 2 "parameter 'tint'" colour wood -p tint=1
 refuses 2 "--preset" colour --preset keyaki
 refuses 2 "unexpected argument 'two'" colour one two

@@ -87,7 +87,7 @@ refuses 2 "pitch|1e+09|0.1|1000" eval wood -p pitch=1e9 <<<$'px,py,pz\n1,2,3'
 refuses 2 "pitch|'soft'" eval wood -p pitch=soft <<<$'px,py,pz\n1,2,3'
 refuses 2 "cut|'diagonal'|quarter" eval wood -p cut=diagonal <<<$'px,py,pz\n1,2,3'
 refuses 2 "'pitch'|name=value" eval wood -p pitch <<<$'px,py,pz\n1,2,3'
-refuses 2 "'ash'" eval wood --preset ash <<<$'px,py,pz\n1,2,3'
+refuses 2 "'no_such_wood'" eval wood --preset no_such_wood <<<$'px,py,pz\n1,2,3'
 refuses 2 "--threads|'0'|1 to 256" eval wood --threads 0 <<<$'px,py,pz\n1,2,3'
 refuses 2 "cannot read|none.csv" eval wood -i "$scratch/none.csv"
 refuses 2 "cannot write|nowhere" eval wood -o "$scratch/nowhere/out.csv" <<<$'px,py,pz\n1,2,3'
