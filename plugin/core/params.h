@@ -31,4 +31,8 @@ void settings_free(settings *s, const sozai_host *host);
 int32_t settings_value(const settings *s, const sozai_texture_info *info, const char *id,
                        sozai_value *out);
 
+/* The setting at a place in the table: a number, or the index of a choice. */
+static inline double number_at(const settings *s, int place) { return s->list[place].number[0]; }
+static inline int choice_at(const settings *s, int place) { return (int)number_at(s, place); }
+
 #endif

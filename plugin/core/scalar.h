@@ -12,6 +12,8 @@ double scalar_cos(double x);
 /* x > 0 */
 double scalar_log(double x);
 double scalar_exp(double x);
+/* Of what rounding may have made negative: 0. */
+static inline double scalar_root(double x) { return x > 0.0 ? __builtin_sqrt(x) : 0.0; }
 /* out[i] = the x at which a normal distribution of mean 0 and sd 1 reaches
  * (i + 1/2) / count; count even. Below 1e-10 off. */
 void scalar_normal_quantiles(double *out, int count);

@@ -13,11 +13,8 @@
 
 #define MEASURED 8192u /* points, for means that have no formula; whole blocks of every width */
 
-static double num(const settings *s, int at) { return s->list[at].number[0]; }
-static int choice(const settings *s, int at) { return (int)s->list[at].number[0]; }
-
 static uint32_t seed_of(const settings *s) {
-  uint32_t h = hash1((uint32_t)num(s, P_SEED) + 0x7f4a7c15u);
+  uint32_t h = hash1((uint32_t)number_at(s, P_SEED) + 0x7f4a7c15u);
   for (const char *t = s->list[P_OBJECT].text; t && *t; t++) {
     h = hash1(h ^ (uint32_t)(unsigned char)*t);
   }
@@ -75,49 +72,49 @@ static void set_shares(stone_cells *c, const body *b, double fill) {
 }
 
 static body grains_of(const settings *s) {
-  body b = {.size = num(s, P_GRAIN_SIZE),
-            .stretch = num(s, P_GRAIN_STRETCH),
-            .grading = num(s, P_GRAIN_GRADING),
-            .interlock = num(s, P_GRAIN_INTERLOCK),
-            .variation = num(s, P_VARIATION),
-            .blur = num(s, P_GRAIN_BLUR),
-            .share = {num(s, P_SECOND_SHARE), num(s, P_THIRD_SHARE)}};
+  body b = {.size = number_at(s, P_GRAIN_SIZE),
+            .stretch = number_at(s, P_GRAIN_STRETCH),
+            .grading = number_at(s, P_GRAIN_GRADING),
+            .interlock = number_at(s, P_GRAIN_INTERLOCK),
+            .variation = number_at(s, P_VARIATION),
+            .blur = number_at(s, P_GRAIN_BLUR),
+            .share = {number_at(s, P_SECOND_SHARE), number_at(s, P_THIRD_SHARE)}};
   return b;
 }
 
 static body inclusions_of(const settings *s) {
-  body b = {.size = num(s, P_INCLUSION_SIZE),
-            .stretch = num(s, P_INCLUSION_STRETCH),
-            .grading = num(s, P_INCLUSION_GRADING),
-            .interlock = num(s, P_INCLUSION_INTERLOCK),
-            .gap = num(s, P_INCLUSION_GAP),
-            .roundness = num(s, P_INCLUSION_ROUNDNESS),
-            .variation = num(s, P_INCLUSION_VARIATION),
-            .blur = 0.3 * num(s, P_GRAIN_BLUR),
-            .share = {num(s, P_INCLUSION_SHARE), num(s, P_INCLUSION_SECOND_SHARE)}};
+  body b = {.size = number_at(s, P_INCLUSION_SIZE),
+            .stretch = number_at(s, P_INCLUSION_STRETCH),
+            .grading = number_at(s, P_INCLUSION_GRADING),
+            .interlock = number_at(s, P_INCLUSION_INTERLOCK),
+            .gap = number_at(s, P_INCLUSION_GAP),
+            .roundness = number_at(s, P_INCLUSION_ROUNDNESS),
+            .variation = number_at(s, P_INCLUSION_VARIATION),
+            .blur = 0.3 * number_at(s, P_GRAIN_BLUR),
+            .share = {number_at(s, P_INCLUSION_SHARE), number_at(s, P_INCLUSION_SECOND_SHARE)}};
   return b;
 }
 
 /* Specks and holes are ragged, and of all sizes up to the largest. */
 static body specks_of(const settings *s) {
-  body b = {.size = num(s, P_SPECK_SIZE),
-            .stretch = num(s, P_SPECK_STRETCH),
+  body b = {.size = number_at(s, P_SPECK_SIZE),
+            .stretch = number_at(s, P_SPECK_STRETCH),
             .grading = 0.8,
             .interlock = 0.6,
             .roundness = 0.4,
-            .blur = 0.3 * num(s, P_GRAIN_BLUR),
-            .share = {num(s, P_BLACK_SHARE), num(s, P_WHITE_SHARE)}};
+            .blur = 0.3 * number_at(s, P_GRAIN_BLUR),
+            .share = {number_at(s, P_BLACK_SHARE), number_at(s, P_WHITE_SHARE)}};
   return b;
 }
 
 static body holes_of(const settings *s) {
-  body b = {.size = num(s, P_HOLE_SIZE),
+  body b = {.size = number_at(s, P_HOLE_SIZE),
             .grading = 0.85,
             .interlock = 1.0,
             .roundness = 0.8,
-            .share = {num(s, P_HOLE_SHARE), 0.0}};
+            .share = {number_at(s, P_HOLE_SHARE), 0.0}};
   /* hole_size is across the bed, a cell's size along it */
-  b.stretch = num(s, P_HOLE_STRETCH);
+  b.stretch = number_at(s, P_HOLE_STRETCH);
   b.size *= b.stretch;
   return b;
 }
@@ -142,18 +139,18 @@ static void build_layers(stone_constants *w, const settings *s, stone_measure *m
 /* ---- what varies slowly ----------------------------------------------- */
 
 static void build_bands(stone_constants *w, const settings *s) {
-  w->bed_contrast = (float)num(s, P_BED_CONTRAST);
-  w->bed_frequency = (float)(1.0 / num(s, P_BED_THICKNESS));
-  w->bed_wave = (float)num(s, P_BED_WAVE);
-  w->bed_wave_frequency = (float)(1.0 / num(s, P_BED_WAVELENGTH));
+  w->bed_contrast = (float)number_at(s, P_BED_CONTRAST);
+  w->bed_frequency = (float)(1.0 / number_at(s, P_BED_THICKNESS));
+  w->bed_wave = (float)number_at(s, P_BED_WAVE);
+  w->bed_wave_frequency = (float)(1.0 / number_at(s, P_BED_WAVELENGTH));
   w->has_beds = w->bed_contrast > 0.0f;
-  w->mottle = (float)num(s, P_MOTTLE);
-  w->mottle_frequency = (float)(1.0 / num(s, P_MOTTLE_SIZE));
+  w->mottle = (float)number_at(s, P_MOTTLE);
+  w->mottle_frequency = (float)(1.0 / number_at(s, P_MOTTLE_SIZE));
   w->has_mottle = w->mottle > 0.0f;
-  w->vein_width = (float)num(s, P_VEIN_WIDTH);
-  w->vein_soft = (float)num(s, P_VEIN_SOFTNESS);
-  w->vein_frequency = (float)(1.0 / num(s, P_VEIN_SPACING));
-  w->vein_warp = (float)(1.3 * num(s, P_VEIN_WARP));
+  w->vein_width = (float)number_at(s, P_VEIN_WIDTH);
+  w->vein_soft = (float)number_at(s, P_VEIN_SOFTNESS);
+  w->vein_frequency = (float)(1.0 / number_at(s, P_VEIN_SPACING));
+  w->vein_warp = (float)(1.3 * number_at(s, P_VEIN_WARP));
   for (uint32_t f = 0; f < 2; f++) {
     /* a direction with equal chances, by its height and azimuth */
     uint32_t h = hash1(w->seed + 211u + f);
@@ -197,35 +194,35 @@ static const finish finishes[FINISHES] = {
 #define SLOPE2_PITTED 0.212
 
 static void build_finish(stone_constants *w, const settings *s) {
-  const finish *f = &finishes[choice(s, P_FINISH)];
-  double scale = num(s, P_RELIEF), grain = num(s, P_GRAIN_SIZE);
+  const finish *f = &finishes[choice_at(s, P_FINISH)];
+  double scale = number_at(s, P_RELIEF), grain = number_at(s, P_GRAIN_SIZE);
   if (grain < 0.4) grain = 0.4; /* heat and hammers take more than a single fine grain */
   w->pitted = f->pitted;
   for (int o = 0; o < STONE_RELIEF && f->size[o] != 0.0; o++) {
     double size = f->size[o] < 0.0 ? -f->size[o] * grain : f->size[o], height = f->height[o];
     /* a coarse stone spalls deeper */
-    if (f->size[o] < 0.0 && choice(s, P_FINISH) == FINISH_FLAMED) height *= grain / 3.0;
+    if (f->size[o] < 0.0 && choice_at(s, P_FINISH) == FINISH_FLAMED) height *= grain / 3.0;
     double slope = scale * height / size;
     w->relief[o] = (float)(scale * height);
     w->relief_frequency[o] = (float)(1.0 / size);
     w->relief_slope2[o] = (float)(slope * slope * (f->pitted && o < 2 ? SLOPE2_PITTED : SLOPE2));
     w->relief_octaves = o + 1;
   }
-  double alpha = f->alpha * num(s, P_ROUGHNESS);
+  double alpha = f->alpha * number_at(s, P_ROUGHNESS);
   if (alpha > 1.0) alpha = 1.0;
   if (alpha < 0.02) alpha = 0.02;
   w->alpha2 = (float)(alpha * alpha);
-  double n = num(s, P_IOR), r = (n - 1.0) / (n + 1.0);
+  double n = number_at(s, P_IOR), r = (n - 1.0) / (n + 1.0);
   w->specular = (float)(r * r);
 }
 
 /* ---- the paper's colours ---------------------------------------------- */
 
 static int32_t build_paper(stone_constants *w, const sozai_host *host, const settings *s) {
-  w->mode = choice(s, P_MODE);
+  w->mode = choice_at(s, P_MODE);
   if (w->mode == MODE_FABRIC) return SOZAI_OK;
-  w->texel = (float)num(s, P_PAPER_TEXEL);
-  w->inverse_texel = (float)(1.0 / num(s, P_PAPER_TEXEL));
+  w->texel = (float)number_at(s, P_PAPER_TEXEL);
+  w->inverse_texel = (float)(1.0 / number_at(s, P_PAPER_TEXEL));
   for (int c = 0; c < 3; c++) {
     w->base[c] = (float)s->list[P_PAPER_BASE].number[c];
     w->spread[c] = (float)s->list[P_PAPER_VARIATION].number[c];
@@ -233,9 +230,9 @@ static int32_t build_paper(stone_constants *w, const sozai_host *host, const set
   /* Rec.709's weights, of encoded numbers: luma */
   w->luma = (float)(0.2126 * (double)w->base[0] + 0.7152 * (double)w->base[1] +
                     0.0722 * (double)w->base[2]);
-  w->lightness = (float)num(s, P_PAPER_LIGHTNESS);
-  w->chroma = (float)num(s, P_PAPER_CHROMA);
-  double black = num(s, P_PAPER_BLACK), white = num(s, P_PAPER_WHITE);
+  w->lightness = (float)number_at(s, P_PAPER_LIGHTNESS);
+  w->chroma = (float)number_at(s, P_PAPER_CHROMA);
+  double black = number_at(s, P_PAPER_BLACK), white = number_at(s, P_PAPER_WHITE);
   if (black + white > 1.0) white = 1.0 - black;
   w->black = (float)black;
   w->white = (float)(black + white);
@@ -246,7 +243,7 @@ int32_t stone_build(stone_constants *w, const sozai_host *host, const settings *
                     const float (*colours)[3], stone_measure *measure) {
   static const int swap[3] = {0, 1, 2};
   w->seed = seed_of(s);
-  w->swap = swap[choice(s, P_BED)];
+  w->swap = swap[choice_at(s, P_BED)];
   for (int c = 0; c < 3; c++) w->offset[c] = (float)s->list[P_OFFSET].number[c];
   memcpy(w->colour, colours[P_BASE], sizeof w->colour); /* they stand together in both */
   build_bands(w, s);

@@ -9,19 +9,8 @@
  */
 #include "catalogue.h"
 
-#define COUNT(a) (sizeof(a) / sizeof((a)[0]))
-#define NUMBER(name, x)                                                                            \
-  {                                                                                                \
-    .id = name, .kind = SOZAI_KIND_FLOAT, .number = { x }                                          \
-  }
-#define CHOICE(name, c)                                                                            \
-  { .id = name, .kind = SOZAI_KIND_CHOICE, .text = c }
-/* sRGB as 8-bit numbers */
-#define SRGB(name, r, g, b)                                                                        \
-  {                                                                                                \
-    .id = name, .kind = SOZAI_KIND_COLOUR, .number = {(r) / 255.0, (g) / 255.0, (b) / 255.0},      \
-    .text = "sRGB"                                                                                 \
-  }
+#include "../core/preset.h"
+
 #define STONE(key, name, about, literature)                                                        \
   static const sozai_preset stone_##key = {.size = sizeof(sozai_preset),                           \
                                            .value_count = COUNT(values_##key),                     \

@@ -6,8 +6,6 @@
 #include "build.h"
 #include "parameters.h"
 
-static double num(const settings *s, int p) { return s->list[p].number[0]; }
-
 /* Which parameter layout_build means, and why it will not do. */
 static int32_t refuse(const settings *s, const layout *l, const char *what, double least,
                       double most) {
@@ -25,7 +23,8 @@ static int32_t refuse(const settings *s, const layout *l, const char *what, doub
 }
 
 static int32_t build_profile(wood_boards *b, const settings *s) {
-  const double angle = num(s, P_BEVEL_ANGLE) * 0.017453292519943295769, bevel = num(s, P_BEVEL);
+  const double angle = number_at(s, P_BEVEL_ANGLE) * 0.017453292519943295769,
+               bevel = number_at(s, P_BEVEL);
   double most = 0.5 * ((double)b->layout.narrowest - (double)b->layout.joint);
   if (bevel > most) {
     return fail(SOZAI_ERROR_RANGE,
@@ -36,8 +35,8 @@ static int32_t build_profile(wood_boards *b, const settings *s) {
   layout_profile *p = &b->profile;
   p->bevel = (float)bevel;
   p->slope = (float)(scalar_sin(angle) / scalar_cos(angle));
-  p->depth = (float)(b->layout.joint > 0.0f ? num(s, P_JOINT_DEPTH) : 0.0);
-  p->cup = (float)num(s, P_CUPPING);
+  p->depth = (float)(b->layout.joint > 0.0f ? number_at(s, P_JOINT_DEPTH) : 0.0);
+  p->cup = (float)number_at(s, P_CUPPING);
   double foot = (double)p->bevel * (double)p->slope, round = 2.0 * bevel;
   double sides = round / (double)b->layout.length + round / (double)b->layout.width;
   p->mean = (float)(-((double)b->layout.share * (foot + (double)p->depth) + 0.5 * foot * sides));
@@ -46,22 +45,23 @@ static int32_t build_profile(wood_boards *b, const settings *s) {
 
 int32_t wood_build_boards(wood_constants *w, const settings *s, const float (*colours)[3]) {
   wood_boards *b = &w->boards;
-  layout_choice c = {.kind = (int32_t)num(s, P_LAYOUT),
-                     .length = num(s, P_BOARD_LENGTH),
-                     .width = num(s, P_BOARD_WIDTH),
-                     .joint = num(s, P_JOINT_WIDTH),
-                     .variation = num(s, P_BOARD_LENGTH_VARIATION),
-                     .stagger = num(s, P_STAGGER),
-                     .angle = num(s, P_CHEVRON_ANGLE),
+  layout_choice c = {.kind = (int32_t)number_at(s, P_LAYOUT),
+                     .length = number_at(s, P_BOARD_LENGTH),
+                     .width = number_at(s, P_BOARD_WIDTH),
+                     .joint = number_at(s, P_JOINT_WIDTH),
+                     .variation = number_at(s, P_BOARD_LENGTH_VARIATION),
+                     .stagger = number_at(s, P_STAGGER),
+                     .angle = number_at(s, P_CHEVRON_ANGLE),
                      /* boards along +y, as boards that are cut alone */
-                     .turn = 90.0 + num(s, P_LAYOUT_ROTATION)};
+                     .turn = 90.0 + number_at(s, P_LAYOUT_ROTATION)};
   double least, most;
   const char *wrong = layout_build(&b->layout, &c, &least, &most);
   if (wrong) return refuse(s, &b->layout, wrong, least, most);
   if (c.kind == LAYOUT_NONE) return SOZAI_OK;
   int32_t r = build_profile(b, s);
   if (r) return r;
-  double flat = num(s, P_CUT_FLAT), rift = num(s, P_CUT_RIFT), quarter = num(s, P_CUT_QUARTER);
+  double flat = number_at(s, P_CUT_FLAT), rift = number_at(s, P_CUT_RIFT),
+         quarter = number_at(s, P_CUT_QUARTER);
   double sum = flat + rift + quarter;
   if (sum <= 0.0) {
     return fail(
@@ -72,11 +72,11 @@ int32_t wood_build_boards(wood_constants *w, const settings *s, const float (*co
   }
   b->flat = (float)(flat / sum);
   b->rift = (float)(rift / sum);
-  b->distance = (float)num(s, P_CUT_DISTANCE);
+  b->distance = (float)number_at(s, P_CUT_DISTANCE);
   if (b->distance < 0.0f) b->distance = -b->distance;
-  b->tone = (float)num(s, P_TONE_SPREAD);
-  b->flip = (int32_t)num(s, P_FLIP);
-  b->end = c.kind == LAYOUT_END_GRAIN || (int32_t)num(s, P_CUT) == CUT_END;
+  b->tone = (float)number_at(s, P_TONE_SPREAD);
+  b->flip = (int32_t)number_at(s, P_FLIP);
+  b->end = c.kind == LAYOUT_END_GRAIN || (int32_t)number_at(s, P_CUT) == CUT_END;
   memcpy(b->joint_colour, colours[P_JOINT_COLOUR], sizeof b->joint_colour);
   return SOZAI_OK;
 }

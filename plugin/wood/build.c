@@ -44,21 +44,18 @@ static double normal(uint32_t seed, uint32_t stream, uint32_t k) {
   return quantiles[(uint32_t)(uniform(seed, stream, k) * QUANTILES)];
 }
 
-static double num(const settings *s, int p) { return s->list[p].number[0]; }
-static int choice(const settings *s, int p) { return (int)s->list[p].number[0]; }
-
 /* ---- cut -------------------------------------------------------------- */
 
 static void build_cut(wood_constants *w, const settings *s) {
-  int cut = choice(s, P_CUT);
-  double angle = num(s, P_CUT_ROTATION) * TWO_PI / 360.0, d = num(s, P_CUT_DISTANCE);
+  int cut = choice_at(s, P_CUT);
+  double angle = number_at(s, P_CUT_ROTATION) * TWO_PI / 360.0, d = number_at(s, P_CUT_DISTANCE);
   double c = scalar_cos(angle), n = scalar_sin(angle);
   /* the object's axes in the log, before the turn: columns are x, y, z */
   static const double along[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   static const double end[3][3] = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
   const double(*axes)[3] = cut == CUT_END ? end : along;
   static const double half_root = 0.70710678118654752440;
-  double place[3] = {0, cut == CUT_LOG ? 0 : num(s, P_CUT_HEIGHT), 0};
+  double place[3] = {0, cut == CUT_LOG ? 0 : number_at(s, P_CUT_HEIGHT), 0};
   if (cut == CUT_FLAT) place[2] = d;
   if (cut == CUT_QUARTER || cut == CUT_END) place[0] = d;
   if (cut == CUT_RIFT) place[0] = place[2] = d * half_root;
@@ -80,21 +77,21 @@ static void build_cut(wood_constants *w, const settings *s) {
 /* ---- stem ------------------------------------------------------------- */
 
 static int32_t build_stem(wood_constants *w, const settings *s) {
-  w->pith_amplitude = (float)(2.0 * num(s, P_PITH_WANDER)); /* the noise stays within half */
+  w->pith_amplitude = (float)(2.0 * number_at(s, P_PITH_WANDER)); /* the noise stays within half */
   w->pith_frequency = (float)(1.0 / 900.0);
-  w->taper = (float)(num(s, P_TAPER) / (1000.0 * 100.0));
+  w->taper = (float)(number_at(s, P_TAPER) / (1000.0 * 100.0));
 
   /* harmonics fall off as 1/k, and their sum stays within the wobble */
   double total = 0.0;
   for (int k = 1; k <= WOOD_HARMONICS; k++) total += 1.0 / k;
   for (int k = 1; k <= WOOD_HARMONICS; k++) {
-    double a = num(s, P_OUTLINE) / (k * total);
+    double a = number_at(s, P_OUTLINE) / (k * total);
     double t = TWO_PI * uniform(w->seed, STREAM_OUTLINE, (uint32_t)k);
     w->outline_cos[k - 1] = (float)(a * scalar_cos(t));
     w->outline_sin[k - 1] = (float)(a * scalar_sin(t));
   }
 
-  double u = num(s, P_UNDULATION), size = num(s, P_UNDULATION_SIZE);
+  double u = number_at(s, P_UNDULATION), size = number_at(s, P_UNDULATION_SIZE);
   if (u > 0.0900001 * size) {
     return fail(
         SOZAI_ERROR_RANGE,
@@ -134,7 +131,8 @@ static int32_t ring_widths(const wood_constants *w, const settings *s, double *w
     for (int j = 0; j < WOOD_RINGS; j++) width[j] = (double)b->data[(uint64_t)j % n];
     return SOZAI_OK;
   }
-  double mean = num(s, P_RING_WIDTH), sd = num(s, P_RING_VARIATION), sum = 0.0, before = 0.0;
+  double mean = number_at(s, P_RING_WIDTH), sd = number_at(s, P_RING_VARIATION), sum = 0.0,
+         before = 0.0;
   for (int j = 0; j < WOOD_RINGS; j++) {
     /* good years come together: neighbours correlate by 0.4 */
     double n = normal(w->seed, STREAM_RINGS, (uint32_t)j);
@@ -159,7 +157,7 @@ static double late_profile_integral(const wood_constants *w, double f) {
 }
 
 static void build_season(wood_constants *w, const settings *s) {
-  double fraction = num(s, P_LATE_FRACTION), gradual = 1.0 - num(s, P_LATE_ABRUPTNESS);
+  double fraction = number_at(s, P_LATE_FRACTION), gradual = 1.0 - number_at(s, P_LATE_ABRUPTNESS);
   double middle = 1.0 - fraction;
   double before = middle * (0.03 + 0.87 * gradual), after = fraction * (0.08 + 0.52 * gradual);
   w->late_middle = (float)middle;
@@ -174,7 +172,7 @@ static int32_t build_rings(wood_constants *w, const settings *s) {
   double width[WOOD_RINGS], total = 0.0, least = 1e30, late = 0.0;
   int32_t r = ring_widths(w, s, width);
   if (r) return r;
-  double variation = num(s, P_LATE_VARIATION), whole = late_profile_integral(w, 1.0);
+  double variation = number_at(s, P_LATE_VARIATION), whole = late_profile_integral(w, 1.0);
   for (int j = 0; j < WOOD_RINGS; j++) {
     w->start[j] = (float)total;
     total += width[j];
@@ -226,16 +224,16 @@ static int32_t build_rings(wood_constants *w, const settings *s) {
 /* ---- grain ------------------------------------------------------------ */
 
 static void build_grain(wood_constants *w, const settings *s) {
-  int grain = choice(s, P_GRAIN), all = grain == GRAIN_COMPOUND;
-  if (all || grain == GRAIN_SPIRAL) w->spiral = (float)num(s, P_SPIRAL_SLOPE);
+  int grain = choice_at(s, P_GRAIN), all = grain == GRAIN_COMPOUND;
+  if (all || grain == GRAIN_SPIRAL) w->spiral = (float)number_at(s, P_SPIRAL_SLOPE);
   if (all || grain == GRAIN_WAVY) {
-    double a = num(s, P_WAVE_SLOPE), l = num(s, P_WAVE_LENGTH);
+    double a = number_at(s, P_WAVE_SLOPE), l = number_at(s, P_WAVE_LENGTH);
     w->has_wave = a > 0.0;
     w->wave_slope = (float)a;
     w->wave_displacement = (float)(a * l / TWO_PI);
     w->wave_frequency = (float)(1.0 / l);
     w->wave_number = (float)(TWO_PI / l);
-    double u = num(s, P_WAVE_IRREGULARITY);
+    double u = number_at(s, P_WAVE_IRREGULARITY);
     w->has_wave_irregularity = u > 0.0;
     /* the phase strays by 0.4 of a turn over lengths of four waves: its slope
      * stays within 1.3472 * 5 / 4 lambda = 0.27 of 2 pi / lambda, so that the
@@ -244,13 +242,13 @@ static void build_grain(wood_constants *w, const settings *s) {
     w->wave_irregularity_frequency = (float)(1.0 / (4.0 * l));
   }
   if (all || grain == GRAIN_INTERLOCKED) {
-    w->has_interlocked = num(s, P_INTERLOCKED_SLOPE) > 0.0;
-    w->interlocked_slope = (float)num(s, P_INTERLOCKED_SLOPE);
-    w->interlocked_frequency = (float)(1.0 / num(s, P_INTERLOCKED_YEARS));
-    w->interlocked_length = (float)num(s, P_INTERLOCKED_LENGTH);
+    w->has_interlocked = number_at(s, P_INTERLOCKED_SLOPE) > 0.0;
+    w->interlocked_slope = (float)number_at(s, P_INTERLOCKED_SLOPE);
+    w->interlocked_frequency = (float)(1.0 / number_at(s, P_INTERLOCKED_YEARS));
+    w->interlocked_length = (float)number_at(s, P_INTERLOCKED_LENGTH);
   }
   static const double weight[2] = {0.65, 0.35}, scale[2] = {1.0, 0.37};
-  double most = num(s, P_SLOPE_NOISE), length = num(s, P_SLOPE_NOISE_LENGTH);
+  double most = number_at(s, P_SLOPE_NOISE), length = number_at(s, P_SLOPE_NOISE_LENGTH);
   w->has_slope_noise = most > 0.0;
   for (int o = 0; o < 2; o++) {
     double l = length * scale[o];
@@ -333,13 +331,13 @@ static void build_row_overlap(wood_constants *w, double row_density) {
 }
 
 static void build_vessels(wood_constants *w, const settings *s) {
-  int porosity = choice(s, P_POROSITY);
+  int porosity = choice_at(s, P_POROSITY);
   w->has_pores = porosity != POROSITY_NONE;
-  w->rows = porosity == POROSITY_RING ? (int32_t)num(s, P_ROWS) : 0;
+  w->rows = porosity == POROSITY_RING ? (int32_t)number_at(s, P_ROWS) : 0;
 
-  double d = num(s, P_PORE_DIAMETER), spread = num(s, P_PORE_SPREAD);
-  double density = num(s, P_PORE_DENSITY);
-  double late = porosity == POROSITY_SEMI_RING ? num(s, P_PORE_DIAMETER_LATE) / d : 1.0;
+  double d = number_at(s, P_PORE_DIAMETER), spread = number_at(s, P_PORE_SPREAD);
+  double density = number_at(s, P_PORE_DENSITY);
+  double late = porosity == POROSITY_SEMI_RING ? number_at(s, P_PORE_DIAMETER_LATE) / d : 1.0;
   double square = build_radii(&w->pores, d, spread);
   double largest = (double)w->pores.radius * (1.0 + 2.5 * spread) * (late > 1.0 ? late : 1.0);
   w->pore_cell = (float)(1.0 / __builtin_sqrt(density));
@@ -355,18 +353,19 @@ static void build_vessels(wood_constants *w, const settings *s) {
   double g = late - 1.0;
   w->pore_ring_mean = (float)(1.0 + g + g * g / 3.0);
 
-  double row_d = num(s, P_ROW_DIAMETER), row_density = num(s, P_ROW_DENSITY);
-  double row_square = build_radii(&w->row, row_d, num(s, P_ROW_SPREAD));
+  double row_d = number_at(s, P_ROW_DIAMETER), row_density = number_at(s, P_ROW_DENSITY);
+  double row_square = build_radii(&w->row, row_d, number_at(s, P_ROW_SPREAD));
   double row_radius = (double)w->row.radius, row_spacing = 1.05e-3 * row_d;
-  double row_largest = row_radius * (1.0 + 2.5 * num(s, P_ROW_SPREAD));
-  w->row.reach = longest_footprint((1.0 - 0.5 * num(s, P_ROW_JITTER)) / row_density, row_largest);
+  double row_largest = row_radius * (1.0 + 2.5 * number_at(s, P_ROW_SPREAD));
+  w->row.reach =
+      longest_footprint((1.0 - 0.5 * number_at(s, P_ROW_JITTER)) / row_density, row_largest);
   w->vessel_reach = w->has_pores ? w->pores.reach : w->row.reach;
   if (w->rows && w->row.reach < w->vessel_reach) w->vessel_reach = w->row.reach;
   w->row_density = (float)row_density;
   w->row_spacing = (float)row_spacing;
   w->row_start = (float)(0.55e-3 * row_d);
-  w->row_jitter_arc = (float)num(s, P_ROW_JITTER);
-  w->row_jitter_radial = (float)(0.4 * row_radius * num(s, P_ROW_JITTER));
+  w->row_jitter_arc = (float)number_at(s, P_ROW_JITTER);
+  w->row_jitter_radial = (float)(0.4 * row_radius * number_at(s, P_ROW_JITTER));
   w->row_step_arc = w->row_jitter_arc / 4294967296.0f;
   w->row_step_radial = w->row_jitter_radial / 4294967296.0f;
   w->band = (float)(w->rows * row_spacing);
@@ -400,8 +399,8 @@ static void build_vessels(wood_constants *w, const settings *s) {
 /* ---- rays ------------------------------------------------------------- */
 
 static void build_rays(wood_constants *w, const settings *s) {
-  double density = num(s, P_RAY_DENSITY), height = num(s, P_RAY_HEIGHT);
-  double width = 1e-3 * num(s, P_RAY_WIDTH), length = num(s, P_RAY_LENGTH);
+  double density = number_at(s, P_RAY_DENSITY), height = number_at(s, P_RAY_HEIGHT);
+  double width = 1e-3 * number_at(s, P_RAY_WIDTH), length = number_at(s, P_RAY_LENGTH);
   w->has_rays = density > 0.0;
   if (!w->has_rays) return;
   /* a cell holds the tallest, one and a half times the mean, with some to spare;
@@ -409,7 +408,7 @@ static void build_rays(wood_constants *w, const settings *s) {
   double cell = 1.9 * height, arc = 0.75 / (density * cell);
   w->ray_length = (float)length;
   w->inverse_ray_length = (float)(1.0 / length);
-  w->ray_per_radius = (float)(TWO_PI / (arc * 64.0));
+  w->ray_per_radius = (float)(TWO_PI / (arc * WOOD_RAY_SECTORS));
   w->inverse_ray_arc = (float)(1.0 / arc);
   w->inverse_ray_cell = (float)(1.0 / cell);
   w->ray_tall = (float)(0.5 * height / cell);
@@ -435,8 +434,8 @@ static void build_fibres(wood_constants *w, const settings *s) {
   static const double size[WOOD_FIBRE_OCTAVES] = {1.0, 7.0, 60.0};
   static const double weight[WOOD_FIBRE_OCTAVES] = {0.42, 0.33, 0.25};
   for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) {
-    double l = num(s, P_FIBRE_WIDTH) * size[o];
-    w->fibre_scale[o] = (float)(num(s, P_FIBRE_BRIGHTNESS) * weight[o] / 2147483648.0);
+    double l = number_at(s, P_FIBRE_WIDTH) * size[o];
+    w->fibre_scale[o] = (float)(number_at(s, P_FIBRE_BRIGHTNESS) * weight[o] / 2147483648.0);
     w->fibre_frequency[o] = (float)(1.0 / l);
     w->fibre_near[o] = (float)(0.25 * l * l);
     w->fibre_fade[o] = (float)(1.0 / (3.75 * l * l));
@@ -451,45 +450,45 @@ static int32_t build_colour(wood_constants *w, const sozai_host *host, const set
   memcpy(w->ray, colours[P_RAY_COLOUR], sizeof w->ray);
   memcpy(w->sap_early, colours[P_SAP_EARLY], sizeof w->sap_early);
   memcpy(w->sap_late, colours[P_SAP_LATE], sizeof w->sap_late);
-  w->heart_years = (float)num(s, P_HEART_YEARS);
-  w->heart_edge = (float)num(s, P_HEART_EDGE);
-  w->heart_stray = (float)num(s, P_HEART_STRAY);
+  w->heart_years = (float)number_at(s, P_HEART_YEARS);
+  w->heart_edge = (float)number_at(s, P_HEART_EDGE);
+  w->heart_stray = (float)number_at(s, P_HEART_STRAY);
   for (int k = 1; k <= 3; k++) {
     double t = TWO_PI * uniform(w->seed, STREAM_HEART, (uint32_t)k);
-    double a = num(s, P_HEART_STRAY) / (k * (1.0 + 1.0 / 2.0 + 1.0 / 3.0));
+    double a = number_at(s, P_HEART_STRAY) / (k * (1.0 + 1.0 / 2.0 + 1.0 / 3.0));
     w->heart_cos[k - 1] = (float)(a * scalar_cos(t));
     w->heart_sin[k - 1] = (float)(a * scalar_sin(t));
   }
-  w->diffuse = (float)num(s, P_DIFFUSE);
-  w->specular = (float)num(s, P_SPECULAR);
-  w->shininess = (float)num(s, P_SHININESS);
+  w->diffuse = (float)number_at(s, P_DIFFUSE);
+  w->specular = (float)number_at(s, P_SPECULAR);
+  w->shininess = (float)number_at(s, P_SHININESS);
   /* the kernel's own operations, in its own precision */
   w->roughness = __builtin_sqrtf(2.0f / (w->shininess + 2.0f));
   float hue[3];
   int32_t r = colour_hue(host, wood_parameters[P_EARLY_COLOUR], &s->list[P_EARLY_COLOUR], hue);
   if (r) return r;
-  double tint = num(s, P_TINT);
+  double tint = number_at(s, P_TINT);
   for (int c = 0; c < 3; c++) w->tint_colour[c] = (float)(1.0 + tint * ((double)hue[c] - 1.0));
   return SOZAI_OK;
 }
 
 static void build_cone(wood_constants *w, const settings *s) {
-  w->cone = choice(s, P_REFLECTION) == REFLECTION_CONE;
-  w->ior = (float)num(s, P_IOR);
+  w->cone = choice_at(s, P_REFLECTION) == REFLECTION_CONE;
+  w->ior = (float)number_at(s, P_IOR);
   w->inverse_ior = 1.0f / w->ior;
-  w->cone_width = (float)(num(s, P_CONE_WIDTH) * TWO_PI / 360.0);
-  w->coat = (float)num(s, P_COAT);
-  double a = num(s, P_COAT_ROUGHNESS);
+  w->cone_width = (float)(number_at(s, P_CONE_WIDTH) * TWO_PI / 360.0);
+  w->coat = (float)number_at(s, P_COAT);
+  double a = number_at(s, P_COAT_ROUGHNESS);
   w->coat_alpha = (float)(a * a);
   for (int c = 0; c < 3; c++) {
-    double k = num(s, P_FIBRE_REFLECTANCE) * (double)w->tint_colour[c];
+    double k = number_at(s, P_FIBRE_REFLECTANCE) * (double)w->tint_colour[c];
     w->fibre_colour[c] = (float)(k > 0.0 ? k : 0.0);
   }
   if (w->cone) cone_table_build(w);
 }
 
 static uint32_t seed_of(const settings *s) {
-  uint32_t h = hash1((uint32_t)num(s, P_SEED) + 0x51ed270bu);
+  uint32_t h = hash1((uint32_t)number_at(s, P_SEED) + 0x51ed270bu);
   for (const char *t = s->list[P_OBJECT].text; t && *t; t++) {
     h = hash1(h ^ (uint32_t)(unsigned char)*t);
   }

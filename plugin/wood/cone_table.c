@@ -15,8 +15,6 @@
 #define SPOKES 48 /* over half the circle: the other is its mirror image */
 #define MOST 0.85 /* the lobe reflects no more; the rest is room for the table's errors */
 
-static double root(double x) { return x > 0.0 ? __builtin_sqrt(x) : 0.0; }
-
 /* The angle of a sine, by Newton's method. */
 static double angle_of(double sine) {
   if (sine <= -1.0) return -0.5 * PI;
@@ -32,12 +30,13 @@ static double angle_of(double sine) {
 /* Projected solid angle of the directions by the sine of their refracted
  * inclination, for fibres that dive by the angle of that sine. */
 static void sort_directions(double dive, double inverse_ior, double weight[BINS]) {
-  double level = root(1.0 - dive * dive);
+  double level = scalar_root(1.0 - dive * dive);
   for (int b = 0; b < BINS; b++) weight[b] = 0.0;
   for (int j = 0; j < SPOKES; j++) {
     double spoke = scalar_cos(PI * (j + 0.5) / SPOKES);
     for (int i = 0; i < RINGS; i++) {
-      double sine = root((i + 0.5) / RINGS) * inverse_ior, z = root(1.0 - sine * sine);
+      double sine = scalar_root((i + 0.5) / RINGS) * inverse_ior,
+             z = scalar_root(1.0 - sine * sine);
       double x = (sine * spoke * level - z * dive + 1.0) * 0.5 * BINS - 0.5;
       /* shared between the two nearest bins, so that the grid leaves no gaps */
       int b = x < 0.0 ? 0 : x >= BINS - 1 ? BINS - 2 : (int)x;
@@ -55,7 +54,7 @@ typedef struct {
 /* The lobe of white fibres for light at psi, towards each inclination. */
 static void lobe_towards(double width, double sine, double psi, const inclinations *to,
                          double out[BINS]) {
-  double cosine = root(1.0 - sine * sine), height = 1.0 / (width * root(2.0 * PI));
+  double cosine = scalar_root(1.0 - sine * sine), height = 1.0 / (width * scalar_root(2.0 * PI));
   for (int b = 0; b < BINS; b++) {
     double across = (psi + to->psi[b]) / width;
     double half = 0.5 * (1.0 + cosine * to->cosine[b] + sine * to->sine[b]);
@@ -81,7 +80,7 @@ void cone_table_build(wood_constants *w) {
   double weight[WOOD_CONE_DIVE][BINS], lobe[BINS], brightest = 0.0;
   for (int b = 0; b < BINS; b++) {
     to.sine[b] = (b + 0.5) * 2.0 / BINS - 1.0;
-    to.cosine[b] = root(1.0 - to.sine[b] * to.sine[b]);
+    to.cosine[b] = scalar_root(1.0 - to.sine[b] * to.sine[b]);
     to.psi[b] = angle_of(to.sine[b]);
   }
   for (int d = 0; d < WOOD_CONE_DIVE; d++) {

@@ -24,8 +24,6 @@ typedef struct {
   vu own;               /* the seeds' offset */
 } ray_place;
 
-#define RAY_SECTORS 64
-
 /* Share of lo..hi that -w..w covers; hi > lo. */
 INLINE vf ray_overlap(vf lo, vf hi, vf w) {
   vf in = vmin(hi, w) - vmax(lo, splat(0.0f) - w);
@@ -52,7 +50,7 @@ typedef struct {
 INLINE ray_cells ray_cells_at(const wood_constants *w, const ray_place *p) {
   ray_cells q;
   vi sector;
-  vf round = p->turn * splat((float)RAY_SECTORS), x = round - vfloor(round, &sector);
+  vf round = p->turn * splat((float)WOOD_RAY_SECTORS), x = round - vfloor(round, &sector);
   q.seed = wood_seed(w, p->own, SEED_RAYS) + (vu)sector * splatu(HASH_Y);
   vf offset = to_float((vi)(hash_upper(q.seed) >> 8)) * splat(1.0f / 16777216.0f);
   vf shells = p->rho * splat(w->inverse_ray_length) + offset;
@@ -64,7 +62,7 @@ INLINE ray_cells ray_cells_at(const wood_constants *w, const ray_place *p) {
   count = vmax(count, splat(1.0f));
   x = x * count;
   q.x = x - vfloor(x, &q.column);
-  q.arc = vmax(p->rho, splat(0.05f)) * splat(6.2831853f / RAY_SECTORS) / count;
+  q.arc = vmax(p->rho, splat(0.05f)) * splat(6.2831853f / WOOD_RAY_SECTORS) / count;
   /* the sheets are not flat: a cut along one leaves it and meets it again */
   vf lean, sway, stray = noise_value2(&p->out, &p->up, q.seed, &lean, &sway);
   q.stray = stray * splat(w->ray_stray);
@@ -108,8 +106,8 @@ INLINE vf ray_of_cell(const wood_constants *w, const ray_place *p, const ray_cel
   return ray_overlap(a - q->reach, a + q->reach, thick * taper * lens);
 }
 
-/* Cover by rays. A ray keeps clear of its cell's edge, so that
- * most footprints meet no other cell's. share: of the rays that are expected. */
+/* Cover by rays. A ray keeps clear of its cell's edge, so that most footprints
+ * meet no other cell's. share: of the rays that are expected. */
 INLINE vf rays_cover(const wood_constants *w, const ray_place *p, vf *share) {
   ray_cells q = ray_cells_at(w, p);
   vf zero = splat(0.0f), one = splat(1.0f);

@@ -11,7 +11,6 @@
 
 #define STEP 4 /* cells to a vote, and to a cell of the votes' own grid */
 
-static double root(double x) { return x > 0.0 ? __builtin_sqrt(x) : 0.0; }
 static int least(int a, int b) { return a < b ? a : b; }
 static int most(int a, int b) { return a > b ? a : b; }
 
@@ -46,10 +45,10 @@ static int frame(const scan *s, int32_t *out) {
 static double difference(const float *rgb, const double colour[3]) {
   double sum = 0.0;
   for (int c = 0; c < 3; c++) {
-    double d = root((double)rgb[c]) - colour[c];
+    double d = scalar_root((double)rgb[c]) - colour[c];
     sum += d * d;
   }
-  return root(sum);
+  return scalar_root(sum);
 }
 
 /* Marks with `to` what is joined to cell `at` and marked `from`; returns how much. */
@@ -108,7 +107,8 @@ int scan_wood(scan *s) {
   int cells = s->nx * s->nz, n = frame(s, s->stack);
   double colour[3];
   for (int c = 0; c < 3; c++) {
-    for (int k = 0; k < n; k++) s->grey[k] = (float)root((double)s->rgb[3 * s->stack[k] + c]);
+    for (int k = 0; k < n; k++)
+      s->grey[k] = (float)scalar_root((double)s->rgb[3 * s->stack[k] + c]);
     colour[c] = percentile(s->grey, n, 1, 0.5);
   }
   for (int k = 0; k < n; k++) s->grey[k] = (float)difference(s->rgb + 3 * s->stack[k], colour);
@@ -152,7 +152,7 @@ static void make_tensor(scan *s) {
   int nx = s->nx, nz = s->nz, cells = nx * nz;
   for (int k = 0; k < cells; k++) {
     const float *p = s->rgb + 3 * k;
-    s->grey[k] = (float)root((double)(p[0] + p[1] + p[2]));
+    s->grey[k] = (float)scalar_root((double)(p[0] + p[1] + p[2]));
   }
   float *xx = s->tensor, *xz = xx + cells, *zz = xz + cells;
   for (int j = 0; j < nz; j++) {
@@ -188,15 +188,15 @@ static int stripe_at(const scan *s, int i, int j, stripe *out) {
   int cells = s->nx * s->nz, k = j * s->nx + i;
   double xx = (double)s->tensor[k], xz = (double)s->tensor[cells + k];
   double zz = (double)s->tensor[2 * cells + k];
-  double half = 0.5 * (xx - zz), gap = root(half * half + xz * xz), sum = xx + zz;
+  double half = 0.5 * (xx - zz), gap = scalar_root(half * half + xz * xz), sum = xx + zz;
   if (!(sum > 1e-7) || !(gap > 0.15 * sum)) return 0;
   /* the eigenvector of the larger eigenvalue, in the form that does not cancel */
   double a = half > 0.0 ? half + gap : xz, b = half > 0.0 ? xz : gap - half;
-  double l = root(a * a + b * b);
+  double l = scalar_root(a * a + b * b);
   if (!(l > 0.0)) return 0;
   double coherence = 2.0 * gap / sum;
   *out = (stripe){i + 0.5, j + 0.5, a / l, b / l,
-                  coherence * coherence * coherence * coherence * root(root(sum))};
+                  coherence * coherence * coherence * coherence * scalar_root(scalar_root(sum))};
   return 1;
 }
 
@@ -281,7 +281,7 @@ static int refine(const scan *s, int margin, double angle, int harmonics, double
     for (int i = STEP / 2; i < s->nx; i += STEP) {
       stripe q;
       if (!deep_inside(s, i, j, margin) || !stripe_at(s, i, j, &q)) continue;
-      double dx = q.x - p[0], dz = q.z - p[1], r = root(dx * dx + dz * dz);
+      double dx = q.x - p[0], dz = q.z - p[1], r = scalar_root(dx * dx + dz * dz);
       if (r < 3.0) continue;
       double c = dx / r, d = dz / r, side = q.nx * c + q.nz * d < 0.0 ? -1.0 : 1.0;
       double nx = side * q.nx, nz = side * q.nz;

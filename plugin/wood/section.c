@@ -16,9 +16,6 @@
 #define MARGIN 0.985 /* of the rim: what is nearer to it is mixed with the background */
 #define PROBES 4096
 
-static double num(const settings *s, int p) { return s->list[p].number[0]; }
-static int choice(const settings *s, int p) { return (int)s->list[p].number[0]; }
-
 /* A picture's grid, and all the room that reading it takes. */
 typedef struct {
   scan scan;
@@ -196,15 +193,15 @@ static int32_t set_fibres(wood_constants *w, const scan *g, const sozai_images_1
 static int32_t place(wood_constants *w, sheet *h, const sozai_host *host, const settings *s,
                      double cell) {
   scan *g = &h->scan;
-  double pith[2] = {num(s, P_SECTION_PITH_S) * g->nx, num(s, P_SECTION_PITH_T) * g->nz};
-  int disc = scan_wood(g), found = choice(s, P_SECTION_PITH) == PITH_FOUND;
+  double pith[2] = {number_at(s, P_SECTION_PITH_S) * g->nx, number_at(s, P_SECTION_PITH_T) * g->nz};
+  int disc = scan_wood(g), found = choice_at(s, P_SECTION_PITH) == PITH_FOUND;
   if (found && !scan_pith(g, disc, pith)) {
     return fail(SOZAI_ERROR_FILE,
                 "section: no pith can be found in the picture, whose stripes are too few; say "
                 "where it is with section_pith = given, section_pith_s and section_pith_t");
   }
   float rim[WOOD_RIM];
-  int how = choice(s, P_SECTION_RIM);
+  int how = choice_at(s, P_SECTION_RIM);
   const char *from = "none";
   double circle = largest_circle(g, pith);
   if (how == RIM_FOUND && disc && scan_rim(g, pith, WOOD_RIM, rim)) {
@@ -216,7 +213,7 @@ static int32_t place(wood_constants *w, sheet *h, const sozai_host *host, const 
     round_rim(rim, circle * cell * MARGIN);
   } else if (how == RIM_GIVEN) {
     from = "given";
-    round_rim(rim, num(s, P_SECTION_RADIUS));
+    round_rim(rim, number_at(s, P_SECTION_RADIUS));
   } else {
     how = RIM_NONE;
   }
@@ -238,11 +235,11 @@ int32_t section_build(wood_constants *w, const sozai_host *host, const settings 
   uint32_t width = 0, height = 0;
   int32_t r = images->resolution(images->self, picture, &width, &height);
   if (r || !width || !height) return fail(SOZAI_ERROR_FILE, "section: the picture has no size");
-  double mm = num(s, P_SECTION_WIDTH), pixel = mm / width;
+  double mm = number_at(s, P_SECTION_WIDTH), pixel = mm / width;
   w->picture_per_mm[0] = (float)(1.0 / mm);
   w->picture_per_mm[1] = (float)(1.0 / (pixel * height));
-  w->picture_detail = (float)num(s, P_SECTION_DETAIL);
-  w->picture_detail_size = (float)num(s, P_SECTION_DETAIL_SIZE);
+  w->picture_detail = (float)number_at(s, P_SECTION_DETAIL);
+  w->picture_detail_size = (float)number_at(s, P_SECTION_DETAIL_SIZE);
   sheet h;
   r = sheet_open(&h, host, width, height);
   if (r) return r;

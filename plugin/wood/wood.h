@@ -25,6 +25,7 @@
 #define WOOD_HARMONICS 3    /* of the section's outline */
 #define WOOD_RADII 16       /* steps of the table of vessel radii */
 #define WOOD_FIBRE_OCTAVES 3
+#define WOOD_RAY_SECTORS 64   /* round the pith, each with shells of rays of its own */
 #define WOOD_CONE_PSI 65      /* steps of the sine of inclination, -1 to 1 */
 #define WOOD_CONE_DIVE 17     /* steps of the sine of the dive angle, 0 to 1 */
 #define WOOD_CONE_LEAST 0.05f /* of cos^2(psi_d / 2): where cones close, the lobe stays finite */

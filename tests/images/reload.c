@@ -7,6 +7,7 @@
 #include "output.h"
 #include "plain.h"
 #include "temp.h"
+#include "../resident.h"
 
 #include <pthread.h>
 #include <semaphore.h>
@@ -53,23 +54,14 @@ static void once(void) {
   sem_destroy(&h.done);
 }
 
-static long resident_kb(void) {
-  long pages = 0;
-  FILE *file = fopen("/proc/self/statm", "r");
-  assert_non_null(file);
-  assert_int_equal(fscanf(file, "%*d %ld", &pages), 1);
-  fclose(file);
-  return pages * 4;
-}
-
 static void rounds(void **state) {
   (void)state;
   int count = getenv("SOZAI_RELOADS") ? atoi(getenv("SOZAI_RELOADS")) : 200;
   for (int i = 0; i < 20; i++) once();
-  long before = resident_kb();
+  long before = resident_kib();
   unsigned files = open_files();
   for (int i = 0; i < count; i++) once();
-  long grown = resident_kb() - before;
+  long grown = resident_kib() - before;
   print_message("%d rounds: %ld KiB more, %.2f a round\n", count, grown, (double)grown / count);
   assert_int_equal(open_files(), files);
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)

@@ -11,30 +11,12 @@
 #ifndef SOZAI_WOOD_SPECIES_ENTRY_H
 #define SOZAI_WOOD_SPECIES_ENTRY_H
 
-#include "../../../api/sozai.h"
+#include "../../core/preset.h"
 #include "list.h"
 
 #define DECLARE(key) extern const sozai_preset species_##key;
 SPECIES_ALL(DECLARE)
 #undef DECLARE
-
-#define COUNT(a) (sizeof(a) / sizeof((a)[0]))
-#define NUMBER(name, x)                                                                            \
-  {                                                                                                \
-    .id = name, .kind = SOZAI_KIND_FLOAT, .number = { x }                                          \
-  }
-#define WHOLE(name, x)                                                                             \
-  {                                                                                                \
-    .id = name, .kind = SOZAI_KIND_INT, .number = { x }                                            \
-  }
-#define CHOICE(name, c)                                                                            \
-  { .id = name, .kind = SOZAI_KIND_CHOICE, .text = c }
-/* sRGB as 8-bit numbers */
-#define SRGB(name, r, g, b)                                                                        \
-  {                                                                                                \
-    .id = name, .kind = SOZAI_KIND_COLOUR, .number = {(r) / 255.0, (g) / 255.0, (b) / 255.0},      \
-    .text = "sRGB"                                                                                 \
-  }
 
 #define RINGS(width, variation, waviness)                                                          \
   NUMBER("ring_width", width), NUMBER("ring_variation", variation), NUMBER("undulation", waviness)

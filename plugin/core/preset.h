@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * The words that every catalogue's entries are written in: one value each.
+ */
+#ifndef SOZAI_CORE_PRESET_H
+#define SOZAI_CORE_PRESET_H
+
+#include "../../api/sozai.h"
+
+#define COUNT(a) (sizeof(a) / sizeof((a)[0]))
+#define NUMBER(name, x)                                                                            \
+  {                                                                                                \
+    .id = name, .kind = SOZAI_KIND_FLOAT, .number = { x }                                          \
+  }
+#define WHOLE(name, x)                                                                             \
+  {                                                                                                \
+    .id = name, .kind = SOZAI_KIND_INT, .number = { x }                                            \
+  }
+#define CHOICE(name, c)                                                                            \
+  { .id = name, .kind = SOZAI_KIND_CHOICE, .text = c }
+/* sRGB as 8-bit numbers */
+#define SRGB(name, r, g, b)                                                                        \
+  {                                                                                                \
+    .id = name, .kind = SOZAI_KIND_COLOUR, .number = {(r) / 255.0, (g) / 255.0, (b) / 255.0},      \
+    .text = "sRGB"                                                                                 \
+  }
+
+#endif
