@@ -130,6 +130,8 @@ typedef struct {
   vf exponent, strength, incident, tilted, power; /* figure */
   vf light[3];                                    /* log space */
   ray_place rays;
+  ray_cells ray_at;
+  ray_body ray_in;
   wood_board board; /* where there are boards */
 } block;
 
@@ -424,8 +426,17 @@ INLINE void stage_ray_place(const wood_constants *w, int boards, block *k) {
   k->rays = ray_place_of(w, own_of(boards, k), k->stem.rho, k->c, k->sn, k->p[1], &k->f, k->extent);
 }
 
+INLINE void stage_ray_cells(const wood_constants *w, block *k) {
+  k->ray_at = ray_cells_at(w, &k->rays);
+}
+
+INLINE void stage_ray_body(const wood_constants *w, block *k) {
+  k->ray_in = ray_body_of(w, &k->rays, &k->ray_at, splati(0));
+}
+
 INLINE void stage_rays(const wood_constants *w, const wood_io *io, block *k) {
-  vf share, found = rays_cover(w, &k->rays, &share);
+  vf share, nearest = ray_body_cover(w, &k->rays, &k->ray_at, &k->ray_in);
+  vf found = rays_cover(w, &k->rays, &k->ray_at, nearest, &share);
   k->ray = rays_faded(w, &k->rays, found, share);
   store_lanes(io, WOOD_RAY, k, k->ray);
 }
@@ -623,6 +634,8 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
     EACH(stage_cover(w, io, &blocks[k]));
     if (w->has_rays) {
       EACH(stage_ray_place(w, boards, &blocks[k]));
+      EACH(stage_ray_cells(w, &blocks[k]));
+      EACH(stage_ray_body(w, &blocks[k]));
       EACH(stage_rays(w, io, &blocks[k]));
     }
   }
