@@ -8,30 +8,36 @@
 
 #define LAID(id, label, species, mm, a, b, c)                                                      \
   {                                                                                                \
-    .name = "layout-" id, .title = label, .preset = species, .on_layouts = true,                   \
+    .name = "layout-" id, .title = label, .preset = species, .sheet = "layouts",                   \
     .params = {"layout=" id, a, b, c}, .shape = "plane", .camera = "front", .size = mm,            \
     .width = 400, .height = 400                                                                    \
   }
+
+const shot_sheet gallery_sheets[GALLERY_SHEETS] = {
+    {"gallery", 15}, /* five species, three cuts of each */
+    {"stones", 5},
+    {"layouts", 6},
+};
 
 const shot gallery_shots[] = {
     {.name = "flat",
      .title = "flat-sawn, 120 mm across",
      .each_preset = true,
-     .on_sheet = true,
+     .sheet = "gallery",
      .params = {"cut=flat"},
      .size = "120x90",
      TILE},
     {.name = "quarter",
      .title = "quarter-sawn, 120 mm across",
      .each_preset = true,
-     .on_sheet = true,
+     .sheet = "gallery",
      .params = {"cut=quarter"},
      .size = "120x90",
      TILE},
     {.name = "end",
      .title = "end grain, 32 mm across",
      .each_preset = true,
-     .on_sheet = true,
+     .sheet = "gallery",
      .params = {"cut=end"},
      .size = "32x24",
      TILE},
@@ -147,7 +153,7 @@ const shot gallery_shots[] = {
      .title = "300 mm across",
      .material = "stone",
      .each_preset = true,
-     .on_stones = true,
+     .sheet = "stones",
      .size = "300x225",
      .shape = "plane",
      .camera = "front",
