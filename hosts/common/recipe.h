@@ -6,6 +6,7 @@
 
 #include <stddef.h>
 #include "failure.h"
+#include "recipe_image.h"
 #include "sozai.h"
 
 typedef struct recipe_param {
@@ -27,12 +28,6 @@ typedef struct recipe_surface {
   char *mesh;     /* path */
 } recipe_surface;
 
-/* The picture a .sozai file is when read as one. */
-typedef struct recipe_image {
-  double resolution[2]; /* pixels; 0: not said */
-  double size[2];       /* mm; 0: not said */
-} recipe_image;
-
 typedef struct recipe {
   char *file; /* the file's path, or NULL */
   char *material;
@@ -44,7 +39,8 @@ typedef struct recipe {
 } recipe;
 
 /* name: a material's id, or the path of a .sozai file, which may go on in
- * "?parameter=value&..." ("res" stands for the image's resolution). */
+ * "?key=value&...": the image's keys ("res" stands for its resolution), "preset",
+ * and parameters. */
 bool recipe_open(recipe *r, const char *name, failure *why);
 void recipe_free(recipe *r);
 
