@@ -190,6 +190,11 @@ static bool settle_paths(recipe *r, const sozai_texture_info *info, failure *why
   return true;
 }
 
+bool recipe_settle(recipe *r, const sozai_textures_1 *textures, failure *why) {
+  const sozai_texture_info *info = recipe_info(r, textures, why);
+  return info && settle_paths(r, info, why);
+}
+
 /* What the user can mend by asking for something else. */
 static int exit_code_of(int32_t result) {
   switch (result) {
@@ -234,8 +239,7 @@ static bool explain(const recipe *r, const sozai_textures_1 *textures, const soz
 bool recipe_create(recipe *r, const sozai_textures_1 *textures, const sozai_host *host,
                    sozai_texture **out, failure *why) {
   *out = NULL;
-  const sozai_texture_info *info = recipe_info(r, textures, why);
-  if (!info || !settle_paths(r, info, why)) return false;
+  if (!recipe_settle(r, textures, why)) return false;
   sozai_value *values = calloc(r->param_count + 1, sizeof *values);
   if (!values) return out_of_memory(why);
   for (size_t i = 0; i < r->param_count; i++) values[i] = value_of(&r->params[i]);

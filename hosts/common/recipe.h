@@ -26,6 +26,7 @@ typedef struct recipe_surface {
   int shape;      /* RECIPE_* */
   double size[3]; /* mm: width, height and thickness; 0: not said */
   char *mesh;     /* path */
+  double scale;   /* mm per unit of the mesh's file; 0: not said */
 } recipe_surface;
 
 typedef struct recipe {
@@ -53,6 +54,9 @@ bool recipe_set_preset(recipe *r, const char *preset, failure *why);
 /* The kind of texture it names. */
 const sozai_texture_info *recipe_info(const recipe *r, const sozai_textures_1 *textures,
                                       failure *why);
+/* Relative paths among the file's parameters start from its folder: make them
+ * whole. recipe_create does this first. */
+bool recipe_settle(recipe *r, const sozai_textures_1 *textures, failure *why);
 /* Make the texture. A refused value of the file's is reported with its line. */
 bool recipe_create(recipe *r, const sozai_textures_1 *textures, const sozai_host *host,
                    sozai_texture **out, failure *why);

@@ -17,6 +17,7 @@
  *     shape: board            # plane, board or mesh
  *     size: [120, 240, 20]    # mm: width, height, thickness
  *     mesh: chair.obj         # for shape: mesh, beside this file
+ *     scale: 10               # mm per unit of that file
  *   image:                    # the picture that an OpenImageIO reader makes of it
  *     resolution: [4096, 4096] # or one number, the longer side; three: a volume
  *     size: [1000, 1000]      # mm; three: a volume
@@ -276,9 +277,16 @@ static bool read_mesh(reader *in) {
   return name ? true : fail(in->why, EXIT_FAILURE, "out of memory");
 }
 
+static bool read_scale(reader *in) {
+  return read_numbers(in, &in->out->surface.scale, 1, 1e-6, 1e6, "scale (mm per unit)") > 0;
+}
+
 static bool read_surface(reader *in) {
-  static const key keys[] = {
-      {"shape", read_shape}, {"size", read_surface_size}, {"mesh", read_mesh}, {NULL, NULL}};
+  static const key keys[] = {{"shape", read_shape},
+                             {"size", read_surface_size},
+                             {"mesh", read_mesh},
+                             {"scale", read_scale},
+                             {NULL, NULL}};
   int line = line_of(in);
   if (!read_mapping(in, keys, "surface")) return false;
   const recipe_surface *s = &in->out->surface;
