@@ -84,17 +84,17 @@ static void decode(char *text) {
 
 static bool apply_override(recipe *r, char *pair, failure *why) {
   decode(pair);
-  if (strncmp(pair, "res=", 4) == 0) {
-    double *size = r->image.resolution;
-    size_t count = numbers_read(pair + 4, 'x', size, 2);
-    if (count == 1) size[1] = size[0];
-    if (count > 0 && size[0] >= 1 && size[0] <= 65536 && size[1] >= 1 && size[1] <= 65536)
-      return true;
-    return fail(why, EXIT_BAD_INPUT, "'%s' is not res=N or res=WxH from 1 to 65536", pair);
+  size_t length = strcspn(pair, "=");
+  if (pair[length] && length > 0) {
+    pair[length] = '\0';
+    int key = recipe_image_key(strcmp(pair, "res") == 0 ? "resolution" : pair);
+    pair[length] = '=';
+    if (key >= 0)
+      return recipe_image_set(&r->image, key, pair + length + 1, why) ||
+             fail(why, why->exit_code, "%s?%.60s: %s", r->file, pair, why->text);
   }
   if (strncmp(pair, "preset=", 7) == 0) return recipe_set_preset(r, pair + 7, why);
   if (!recipe_set_pair(r, pair, why)) return false;
-  size_t length = strcspn(pair, "=");
   for (size_t i = 0; i < r->param_count; i++)
     if (strlen(r->params[i].id) == length && strncmp(r->params[i].id, pair, length) == 0)
       r->params[i].beside = true;
@@ -140,6 +140,7 @@ void recipe_free(recipe *r) {
   free(r->material);
   free(r->preset);
   free(r->surface.mesh);
+  recipe_image_free(&r->image);
   memset(r, 0, sizeof *r);
 }
 
@@ -189,6 +190,11 @@ static bool settle_paths(recipe *r, const sozai_texture_info *info, failure *why
   return true;
 }
 
+bool recipe_settle(recipe *r, const sozai_textures_1 *textures, failure *why) {
+  const sozai_texture_info *info = recipe_info(r, textures, why);
+  return info && settle_paths(r, info, why);
+}
+
 /* What the user can mend by asking for something else. */
 static int exit_code_of(int32_t result) {
   switch (result) {
@@ -233,8 +239,7 @@ static bool explain(const recipe *r, const sozai_textures_1 *textures, const soz
 bool recipe_create(recipe *r, const sozai_textures_1 *textures, const sozai_host *host,
                    sozai_texture **out, failure *why) {
   *out = NULL;
-  const sozai_texture_info *info = recipe_info(r, textures, why);
-  if (!info || !settle_paths(r, info, why)) return false;
+  if (!recipe_settle(r, textures, why)) return false;
   sozai_value *values = calloc(r->param_count + 1, sizeof *values);
   if (!values) return out_of_memory(why);
   for (size_t i = 0; i < r->param_count; i++) values[i] = value_of(&r->params[i]);

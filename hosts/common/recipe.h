@@ -6,6 +6,7 @@
 
 #include <stddef.h>
 #include "failure.h"
+#include "recipe_image.h"
 #include "sozai.h"
 
 typedef struct recipe_param {
@@ -25,13 +26,8 @@ typedef struct recipe_surface {
   int shape;      /* RECIPE_* */
   double size[3]; /* mm: width, height and thickness; 0: not said */
   char *mesh;     /* path */
+  double scale;   /* mm per unit of the mesh's file; 0: not said */
 } recipe_surface;
-
-/* The picture a .sozai file is when read as one. */
-typedef struct recipe_image {
-  double resolution[2]; /* pixels; 0: not said */
-  double size[2];       /* mm; 0: not said */
-} recipe_image;
 
 typedef struct recipe {
   char *file; /* the file's path, or NULL */
@@ -44,7 +40,8 @@ typedef struct recipe {
 } recipe;
 
 /* name: a material's id, or the path of a .sozai file, which may go on in
- * "?parameter=value&..." ("res" stands for the image's resolution). */
+ * "?key=value&...": the image's keys ("res" stands for its resolution), "preset",
+ * and parameters. */
 bool recipe_open(recipe *r, const char *name, failure *why);
 void recipe_free(recipe *r);
 
@@ -57,6 +54,9 @@ bool recipe_set_preset(recipe *r, const char *preset, failure *why);
 /* The kind of texture it names. */
 const sozai_texture_info *recipe_info(const recipe *r, const sozai_textures_1 *textures,
                                       failure *why);
+/* Relative paths among the file's parameters start from its folder: make them
+ * whole. recipe_create does this first. */
+bool recipe_settle(recipe *r, const sozai_textures_1 *textures, failure *why);
 /* Make the texture. A refused value of the file's is reported with its line. */
 bool recipe_create(recipe *r, const sozai_textures_1 *textures, const sozai_host *host,
                    sozai_texture **out, failure *why);

@@ -17,9 +17,15 @@
  *     shape: board            # plane, board or mesh
  *     size: [120, 240, 20]    # mm: width, height, thickness
  *     mesh: chair.obj         # for shape: mesh, beside this file
- *   image:
- *     resolution: [4096, 4096]
- *     size: [1000, 1000]      # mm
+ *     scale: 10               # mm per unit of that file
+ *   image:                    # the picture that an OpenImageIO reader makes of it
+ *     resolution: [4096, 4096] # or one number, the longer side; three: a volume
+ *     size: [1000, 1000]      # mm; three: a volume
+ *     format: half            # auto, half or float
+ *     wrap: clamp             # black, clamp, periodic (seamless), mirror
+ *     outputs: [albedo, normal] # which channels, the first as plain R G B
+ *     normals: tangent        # object, or tangent: encoded as normal maps are
+ *     udim: 1002              # which tile of a mesh's
  *
  * Read event by event, since each event knows its line and nothing is kept
  * that was not asked for. */
@@ -271,9 +277,16 @@ static bool read_mesh(reader *in) {
   return name ? true : fail(in->why, EXIT_FAILURE, "out of memory");
 }
 
+static bool read_scale(reader *in) {
+  return read_numbers(in, &in->out->surface.scale, 1, 1e-6, 1e6, "scale (mm per unit)") > 0;
+}
+
 static bool read_surface(reader *in) {
-  static const key keys[] = {
-      {"shape", read_shape}, {"size", read_surface_size}, {"mesh", read_mesh}, {NULL, NULL}};
+  static const key keys[] = {{"shape", read_shape},
+                             {"size", read_surface_size},
+                             {"mesh", read_mesh},
+                             {"scale", read_scale},
+                             {NULL, NULL}};
   int line = line_of(in);
   if (!read_mapping(in, keys, "surface")) return false;
   const recipe_surface *s = &in->out->surface;
@@ -284,27 +297,44 @@ static bool read_surface(reader *in) {
 
 /* ---- image ------------------------------------------------------------ */
 
-static bool read_pair(reader *in, double *pair, double low, double high, const char *what) {
-  size_t count = read_numbers(in, pair, 2, low, high, what);
-  if (count == 1) pair[1] = pair[0];
-  return count > 0;
-}
-
-static bool read_resolution(reader *in) {
-  double *pair = in->out->image.resolution;
-  if (!read_pair(in, pair, 1, 65536, "resolution")) return false;
-  if (pair[0] == (double)(int)pair[0] && pair[1] == (double)(int)pair[1]) return true;
-  return refuse(in, "resolution must be whole numbers");
-}
-
-static bool read_image_size(reader *in) {
-  return read_pair(in, in->out->image.size, 1e-3, 1e6, "size (mm)");
+/* One value, or a list of them with commas between. */
+static bool read_values(reader *in, char *text, size_t size) {
+  bool list = in->event.type == YAML_SEQUENCE_START_EVENT;
+  size_t used = 0;
+  text[0] = '\0';
+  if (list && !next(in)) return false;
+  do {
+    if (list && in->event.type == YAML_SEQUENCE_END_EVENT) break;
+    const char *item = scalar(in, "a value of image");
+    if (!item) return false;
+    int more = snprintf(text + used, size - used, "%s%s", used ? "," : "", item);
+    if (more < 0 || (size_t)more >= size - used) return refuse(in, "a value of image is too long");
+    used += (size_t)more;
+    if (list && !next(in)) return false;
+  } while (list);
+  return true;
 }
 
 static bool read_image(reader *in) {
-  static const key keys[] = {
-      {"resolution", read_resolution}, {"size", read_image_size}, {NULL, NULL}};
-  return read_mapping(in, keys, "image");
+  if (in->event.type != YAML_MAPPING_START_EVENT)
+    return refuse(in, "image must be a mapping of keys to values");
+  uint32_t seen = 0;
+  for (;;) {
+    if (!next(in)) return false;
+    if (in->event.type == YAML_MAPPING_END_EVENT) return true;
+    const char *name = scalar(in, "a key");
+    if (!name) return false;
+    int key = recipe_image_key(name);
+    if (key < 0)
+      return refuse(in, "unknown key '%.80s' in image; there is %s", name, recipe_image_keys);
+    if (seen & 1u << key) return refuse(in, "'%s' stands twice", name);
+    seen |= 1u << key;
+    char text[512];
+    failure problem;
+    if (!next(in) || !read_values(in, text, sizeof text)) return false;
+    if (!recipe_image_set(&in->out->image, key, text, &problem))
+      return refuse(in, "%s", problem.text);
+  }
 }
 
 /* ---- the file --------------------------------------------------------- */
