@@ -12,7 +12,6 @@ extern "C" {
 #endif
 
 #define OUTPUT_MOST_COMPONENTS 3
-#define OUTPUT_MOST_INDEX 64 /* components past it are not offered */
 
 typedef struct output {
   const char *id;                        /* the channel's */
