@@ -79,7 +79,8 @@ static bool take_asked(output *out, uint32_t *count, const recipe *r,
     if (!c) return refuse(r, at, length, "unknown output", info, solid, why);
     if (!usable(c, solid))
       return refuse(r, at, length,
-                    c->needs & LIGHTING ? "a picture has no light for" : "a volume has no normal for",
+                    c->needs & LIGHTING ? "a picture has no light for"
+                                        : "a volume has no normal for",
                     info, solid, why);
     for (uint32_t k = 0; k < *count; k++)
       if (out[k].id == c->id) return refuse(r, at, length, "asked for twice:", info, solid, why);

@@ -152,7 +152,8 @@ bool picture_read(const picture *p, uint32_t output, uint32_t level, const pictu
     j.tiles[c] = (length + p->about.tile[c] - 1) / p->about.tile[c];
     tiles *= j.tiles[c];
   }
-  if (tiles > UINT32_MAX) return fail(why, EXIT_FAILURE, "%s: too many texels at once", p->recipe.file);
+  if (tiles > UINT32_MAX)
+    return fail(why, EXIT_FAILURE, "%s: too many texels at once", p->recipe.file);
   atomic_init(&j.failed, false);
   if (tiles < TILES_FOR_THREADS) threads = 1;
   parallel_for(threads ? threads : 1, (uint32_t)tiles, read_tile, &j);

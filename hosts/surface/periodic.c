@@ -74,8 +74,7 @@ bool periodic_weights(const periodic *p, double x, double y, double footprint,
   double s = from[0] / p->size[0], t = from[1] / p->size[1];
   double f[2] = {0, 0};
   for (uint32_t k = 0; k < 2; k++)
-    if (from[k] < p->margin)
-      f[k] = across(p, from[k], ragged(p, s, t, 0x51u + 16 * k), footprint);
+    if (from[k] < p->margin) f[k] = across(p, from[k], ragged(p, s, t, 0x51u + 16 * k), footprint);
   for (int k = 0; k < PERIODIC_COPIES; k++)
     share[k] = (float)((k & 1 ? f[0] : 1 - f[0]) * (k & 2 ? f[1] : 1 - f[1]));
   return share[0] < 1;

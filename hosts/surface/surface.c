@@ -91,8 +91,7 @@ static bool check(const surface *s, const recipe *r, failure *why) {
     return refuse(r, why, "image: normals: tangent is not for a volume, which has none");
   if (kind == SURFACE_VOLUME && r->surface.shape == RECIPE_MESH)
     return refuse(r, why, "image: three numbers make a volume, which a mesh is not");
-  if (kind != SURFACE_MESH && i->udim)
-    return refuse(r, why, "image: udim is for a mesh alone");
+  if (kind != SURFACE_MESH && i->udim) return refuse(r, why, "image: udim is for a mesh alone");
   if (i->wrap != RECIPE_WRAP_PERIODIC) return true;
   if (kind != SURFACE_PLANE || r->surface.shape == RECIPE_BOARD)
     return refuse(r, why, "image: wrap: periodic is for a plane alone");
