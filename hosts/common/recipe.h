@@ -11,9 +11,9 @@
 
 typedef struct recipe_param {
   char *id;
-  char *text;  /* the plugin reads it as the parameter's kind */
-  char *file;  /* which file says it, whose folder relative paths start from; or NULL */
-  int line;    /* in that file; 0: not from a file's text */
+  char *text;   /* the plugin reads it as the parameter's kind */
+  char *file;   /* which file says it, whose folder relative paths start from; or NULL */
+  int line;     /* in that file; 0: not from a file's text */
   bool settled; /* text is a path that no longer starts from that folder */
 } recipe_param;
 

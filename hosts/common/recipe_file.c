@@ -55,7 +55,7 @@ typedef struct reader {
   bool has_event;
   recipe *out;
   failure *why;
-  bool started; /* a key has been read */
+  bool started;     /* a key has been read */
   char *picture[4]; /* of the image being read: file, space, wrap, channel */
 } reader;
 
@@ -216,11 +216,13 @@ static bool join_picture(reader *in, char *text, size_t size) {
 static bool read_param(reader *in, const char *id, int line) {
   if (in->event.type == YAML_MAPPING_START_EVENT) {
     char text[8192] = "";
-    return join_picture(in, text, sizeof text) && recipe_set_from(in->out, id, text, in->path, line, in->why);
+    return join_picture(in, text, sizeof text) &&
+           recipe_set_from(in->out, id, text, in->path, line, in->why);
   }
   if (in->event.type == YAML_SEQUENCE_START_EVENT) {
     char text[256] = "";
-    return join_list(in, text, sizeof text) && recipe_set_from(in->out, id, text, in->path, line, in->why);
+    return join_list(in, text, sizeof text) &&
+           recipe_set_from(in->out, id, text, in->path, line, in->why);
   }
   const char *text = scalar(in, "a parameter");
   return text && recipe_set_from(in->out, id, text, in->path, line, in->why);
@@ -372,9 +374,12 @@ static bool read_include(reader *in) {
 }
 
 static bool read_document(reader *in) {
-  static const key keys[] = {{"material", read_material}, {"preset", read_preset},
-                             {"params", read_params},     {"surface", read_surface},
-                             {"image", read_image},       {"include", read_include},
+  static const key keys[] = {{"material", read_material},
+                             {"preset", read_preset},
+                             {"params", read_params},
+                             {"surface", read_surface},
+                             {"image", read_image},
+                             {"include", read_include},
                              {NULL, NULL}};
   if (!next(in) || !next(in)) return false; /* the stream's start and the document's */
   if (in->event.type == YAML_STREAM_END_EVENT) return refuse(in, "an empty file");
