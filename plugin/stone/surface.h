@@ -21,15 +21,16 @@ typedef struct {
   vf polish;         /* how worn, 0..1 */
   vf grime;          /* light left by dirt */
   vf sand;           /* light and dark of the joint's filling */
-  vf moss, tuft;     /* share, light and dark */
+  vf moss, tuft, dry; /* share; light and dark; lush, 0, to dry, 1 */
   vf film, water;    /* of water: as a film, standing */
   vf occlusion;
 } surface;
 
 INLINE surface surface_none(void) {
   vf zero = splat(0.0f), one = splat(1.0f);
-  surface q = {field_of(zero), zero, splat(0.5f), zero, zero, zero, zero, one,
-               one,            zero, zero,        zero, zero, one};
+  surface q = {.height = field_of(zero), .lost = zero, .low = splat(0.5f), .steep = zero};
+  q.edge = q.in_joint = q.polish = q.sand = q.moss = q.tuft = q.dry = q.film = q.water = zero;
+  q.grime = q.occlusion = one;
   return q;
 }
 
@@ -52,7 +53,7 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
   const stone_paving *v = &w->paving;
   const stone_weather *air = &w->weather;
   vf zero = splat(0.0f), one = splat(1.0f);
-  field near = field_of(zero), height = relief;
+  field near = field_of(zero), edge = near, height = relief;
   out->in_joint = zero;
   if (air->wet > 0.0f) relief = field_scale(relief, splat(1.0f - 0.5f * air->wet));
   height = relief;
@@ -65,7 +66,7 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
       out->lost = out->lost * k.v * k.v;
       out->polish = top.v * splat(air->wear);
     }
-    field profile = laid_profile(v, q, &lost);
+    field profile = edge = laid_profile(v, q, &lost);
     field lie = laid_lie(v, q);
     height = field_add(relief, lie);
     if (v->half > 0.0f) {
@@ -112,7 +113,7 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
     out->grime = one - splat(air->grime) * clamp01(dirt);
   }
   if (air->moss > 0.0f) {
-    field moss = weather_moss(w, p, near, s, &out->tuft);
+    field moss = weather_moss(w, p, near, s, &out->tuft, &out->dry);
     if (paved) {
       moss.v = mix(splat(air->moss_mean), moss.v, q->near);
       for (int k = 0; k < 3; k++) moss.g[k] = moss.g[k] * q->near;
@@ -122,6 +123,8 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
     field tuft = weather_noise(p, 0.9f, air->seed + 3u, 0.5f, s, &unused);
     tuft.v = tuft.v + splat(0.75f);
     height = field_add(height, field_scale(field_mul(moss, tuft), splat(air->moss_height)));
+    /* it fills the joint */
+    height = field_add(height, field_scale(field_mul(moss, edge), splat(-0.65f)));
     out->lost = out->lost * (one - moss.v) + splat(0.08f) * moss.v;
   }
   out->film = splat(air->wet);

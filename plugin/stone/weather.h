@@ -24,17 +24,21 @@ INLINE field weather_noise(const vf p[3], float frequency, uint32_t seed, float 
   return field_scale(n, keep * splat(weight));
 }
 
-/* Share of moss. `near`: 1 in the joint, 0 at moss_spread from it. */
-INLINE field weather_moss(const stone_constants *w, const vf p[3], field near, vf e, vf *tuft) {
+/* Share of moss. `near`: 1 in the joint, 0 at moss_spread from it. *tuft: its
+ * light and dark; *hue: from lush, 0, to dry, 1. */
+INLINE field weather_moss(const stone_constants *w, const vf p[3], field near, vf e, vf *tuft,
+                           vf *hue) {
   const stone_weather *v = &w->weather;
   vf lost = splat(0.0f);
   float size = v->moss_spread > 8.0f ? v->moss_spread : 8.0f;
-  field n = weather_noise(p, 0.07f / size, v->seed, 1.5f, e, &lost);
-  n = field_add(n, weather_noise(p, 0.6f / size, v->seed + 1u, 0.9f, e, &lost));
+  field n = weather_noise(p, 0.06f / size, v->seed, 1.9f, e, &lost);
+  n = field_add(n, weather_noise(p, 0.45f / size, v->seed + 1u, 1.25f, e, &lost));
   n = field_add(n, weather_noise(p, 0.33f, v->seed + 2u, 0.55f, e, &lost));
   vf unused = splat(0.0f);
   field fine = weather_noise(p, 0.9f, v->seed + 3u, 1.0f, e, &unused);
   *tuft = fine.v;
+  vf patch = weather_noise(p, 0.021f, v->seed + 4u, 1.2f, e, &unused).v;
+  *hue = clamp01(splat(0.35f) + patch + splat(0.5f) * fine.v);
   n = field_add(n, field_scale(fine, splat(0.2f)));
   /* where it begins: deep and wide joints shelter it */
   const stone_paving *l = &w->paving;
