@@ -149,6 +149,7 @@ const shot gallery_shots[] = {
     LAID("arcs", "Segmental arcs of end-grain setts", "mizunara", "1600x1600", "cut=end", NULL,
          NULL),
     LAID("circles", "Rings of end-grain setts", "mizunara", "1600x1600", "cut=end", NULL, NULL),
+    LAID("fan", "European fans of end-grain setts", "mizunara", "1800x1800", "cut=end", NULL, NULL),
     {.name = "stone",
      .title = "300 mm across",
      .material = "stone",
