@@ -297,7 +297,8 @@ static int32_t build_figure(wood_constants *w, const settings *s) {
                 "eye_density: %.9g/cm2 leaves no room for eyes of %.9g mm; 0 to %.9g", density,
                 diameter, crowd);
   }
-  double depth = number_at(s, P_EYE_DEPTH), deepest = number_at(s, P_EYE_LENGTH) / (17.5 * diameter);
+  double depth = number_at(s, P_EYE_DEPTH),
+         deepest = number_at(s, P_EYE_LENGTH) / (17.5 * diameter);
   if (density > 0.0 && depth > deepest * 1.0000001) {
     return fail(SOZAI_ERROR_RANGE,
                 "eye_depth: %.9g of eyes of %.9g mm over an eye_length of %.9g mm: rings would "
@@ -311,8 +312,8 @@ static int32_t build_figure(wood_constants *w, const settings *s) {
   w->eye_length = (float)number_at(s, P_EYE_LENGTH);
   w->inverse_eye_length = (float)(1.0 / number_at(s, P_EYE_LENGTH));
   if (!w->has_eyes) return SOZAI_OK;
-  /* in each of two layers a share of the cells have one, and a radius meets three quarters of those, less
-   * what has only begun or all but ended */
+  /* in each of two layers a share of the cells have one, and a radius meets three quarters of
+   * those, less what has only begun or all but ended */
   double cell = 10.0 * __builtin_sqrt(0.8 * 0.7 / (0.5 * density));
   w->eye_cell = (float)cell;
   w->inverse_eye_cell = (float)(1.0 / cell);

@@ -131,8 +131,8 @@ INLINE void figure_eyes(const wood_constants *w, vu own, int layer, vf y, vf foo
   vf in = clamp01((within - starts) * splat(10.0f)), out = clamp01((ends - within) * splat(10.0f));
   vf ein = in * in * (splat(3.0f) - in - in), eout = out * out * (splat(3.0f) - out - out);
   vf age = ein * eout;
-  vf age_r = splat(60.0f * w->inverse_eye_length) *
-             (in * (one - in) * eout - out * (one - out) * ein);
+  vf age_r =
+      splat(60.0f * w->inverse_eye_length) * (in * (one - in) * eout - out * (one - out) * ein);
   vf depth = splat(w->eye_depth) * radius;
   if (filter_touches(footprint, 2.0f * w->eye_radius)) {
     depth = depth * filter_keep(footprint, 2.0f * w->eye_radius);

@@ -96,7 +96,8 @@ typedef struct {
   float curl_stray_frequency, curl_stray_frequency_axis;   /* 1/mm */
   float quilt_height, quilt_slope;                         /* mm over the noise; rms slope */
   float quilt_frequency, quilt_frequency_axis, quilt_size; /* 1/mm; mm */
-  float eye_radius, eye_depth, eye_dark; /* mm; of the radius; share of latewood in its middle, over the depth */
+  float eye_radius, eye_depth,
+      eye_dark; /* mm; of the radius; share of latewood in its middle, over the depth */
   float eye_cell, inverse_eye_cell, eye_length, inverse_eye_length; /* mm, 1/mm */
 
   /* rings */

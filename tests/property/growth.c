@@ -70,9 +70,10 @@ static void a_walk_stays_on_its_fibre(void **state) {
     }
     points_free(&p);
     textures->destroy(t);
-    CHECK(worst < 1e-3 && dives > 0.1,
-          "%s\n  1 m on %d fibres, along the radius by up to %.2f: reference drifts %.2g mm (1e-3)\n",
-          figures[f] + sizeof WIDE - 1, WALKERS, dives, worst);
+    CHECK(
+        worst < 1e-3 && dives > 0.1,
+        "%s\n  1 m on %d fibres, along the radius by up to %.2f: reference drifts %.2g mm (1e-3)\n",
+        figures[f] + sizeof WIDE - 1, WALKERS, dives, worst);
   }
 }
 
@@ -126,8 +127,8 @@ static void rings_never_cross(void **state) {
       "curl_slope=1; curl_length=40; curl_irregularity=1",
       "quilt_slope=0.234; quilt_height=10; quilt_width=20; undulation=0.4; undulation_size=10",
       "quilt_slope=0.117; quilt_height=30; quilt_width=30; undulation=0.9; undulation_size=10",
-      "eye_density=0.13; eye_diameter=9; eye_depth=0.19; eye_length=30"
-      ,"eye_density=0.9; eye_diameter=3.5; eye_depth=1; eye_length=62",
+      "eye_density=0.13; eye_diameter=9; eye_depth=0.19; eye_length=30",
+      "eye_density=0.9; eye_diameter=3.5; eye_depth=1; eye_length=62",
   };
   for (unsigned f = 0; f < sizeof steepest / sizeof *steepest; f++) {
     sozai_texture *t = wood_make(NULL, steepest[f]);
@@ -200,9 +201,7 @@ static void slopes_are_those_asked_for(void **state) {
 /* Eyes on an unrolled tangential face, by what they do to the year. */
 static void eyes_are_as_many_as_asked_for(void **state) {
   (void)state;
-  static const struct {
-    double density, diameter;
-  } cases[] = {{0.3, 3}, {0.8, 3.5}, {1.5, 1.8}};
+  static const struct { double density, diameter; } cases[] = {{0.3, 3}, {0.8, 3.5}, {1.5, 1.8}};
   static const double radii[] = {90, 131, 170};
   for (int k = 0; k < 3; k++) {
     char text[512];
@@ -236,7 +235,7 @@ static void eyes_are_as_many_as_asked_for(void **state) {
       /* as many as there are deepest places: two that touch are two */
       for (int at = nx; at < nx * (ny - 1); at++) {
         int left = at % nx ? at - 1 : at + nx - 1, right = (at + 1) % nx ? at + 1 : at + 1 - nx;
-        const int beside[8] = {left,       right,     at - nx,    at + nx,
+        const int beside[8] = {left,      right,     at - nx,    at + nx,
                                left - nx, left + nx, right - nx, right + nx};
         int deepest = in[at];
         for (int k = 0; k < 8; k++)

@@ -12,12 +12,8 @@
       RAYS(2.2, 0.6, 70.0, 28.0), SRGB("ray_colour", 219, 187, 148)
 
 static const sozai_value values_curly_maple[] = {
-    RINGS(2.2, 0.22, 0.7),
-    LATEWOOD(0.06, 0.7),
-    WAVY(0.19, 9.0, 0.6),
-    CURL(0.13, 9.0, 0.6),
-    NUMBER("slope_noise", 0.03),
-    NUMBER("slope_noise_length", 45.0),
+    RINGS(2.2, 0.22, 0.7), LATEWOOD(0.06, 0.7),         WAVY(0.19, 9.0, 0.6),
+    CURL(0.13, 9.0, 0.6),  NUMBER("slope_noise", 0.03), NUMBER("slope_noise_length", 45.0),
     MAPLE_TISSUE,
 };
 SPECIES(curly_maple, "Curly maple, tiger stripe (Acer saccharum)",
@@ -37,12 +33,9 @@ SPECIES(quilted_maple, "Quilted maple (Acer macrophyllum)",
         PANSHIN "; " BEALS);
 
 static const sozai_value values_birdseye_maple[] = {
-    RINGS(1.9, 0.22, 0.7),
-    LATEWOOD(0.06, 0.7),
-    NUMBER("slope_noise", 0.03),
-    NUMBER("slope_noise_length", 45.0),
-    EYES(1.0, 3.8, 0.5, 70.0),
-    MAPLE_TISSUE,
+    RINGS(1.9, 0.22, 0.7),       LATEWOOD(0.06, 0.7),
+    NUMBER("slope_noise", 0.03), NUMBER("slope_noise_length", 45.0),
+    EYES(1.0, 3.8, 0.5, 70.0),   MAPLE_TISSUE,
 };
 SPECIES(birdseye_maple, "Bird's-eye maple (Acer saccharum var. saccharum)",
         "Dimples in the growth rings that go on for decades: little eyes on flat-sawn faces.",
