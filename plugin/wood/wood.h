@@ -43,7 +43,10 @@ enum {
   SEED_RAYS,
   SEED_FIBRE,
   SEED_BOARDS = SEED_FIBRE + WOOD_FIBRE_OCTAVES,
-  WOOD_SEEDS
+  SEED_CURL,
+  SEED_QUILT,
+  SEED_EYES,
+  WOOD_SEEDS = SEED_EYES + 2
 };
 
 /* A layer of vessels of normally distributed radius. inverse_square[i] is
@@ -85,6 +88,17 @@ typedef struct {
   float undulation_frequency_section[2], undulation_frequency_axis[2]; /* 1/mm */
   float undulation_size[2];                                            /* mm */
   float undulation_core; /* 1/mm: within its inverse of the pith the undulation dies out */
+
+  /* figure of the growth front */
+  int32_t has_curl, has_quilt, has_eyes;
+  float curl_height, curl_slope, curl_frequency;           /* mm; greatest slope; 1/mm */
+  float curl_stray;                                        /* turns */
+  float curl_stray_frequency, curl_stray_frequency_axis;   /* 1/mm */
+  float quilt_height, quilt_slope;                         /* mm over the noise; rms slope */
+  float quilt_frequency, quilt_frequency_axis, quilt_size; /* 1/mm; mm */
+  float eye_radius, eye_depth,
+      eye_dark; /* mm; of the radius; share of latewood in its middle, over the depth */
+  float eye_cell, inverse_eye_cell, eye_length, inverse_eye_length; /* mm, 1/mm */
 
   /* rings */
   float ring_period, inverse_ring_period; /* mm: the table's whole radius */
