@@ -503,8 +503,8 @@ static void meshes_of_no_use_are_refused(void **state) {
   refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt -1 -1\nvt -1 -2\nvt -2 -2\nf 1/1 2/2 3/3\n", "under.obj",
           (const char *const[]){"under.obj", "outside every UDIM tile", NULL});
   refused("", "empty.obj", (const char *const[]){"empty.obj", NULL});
-  refused("ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\n", "huge.ply",
-          (const char *const[]){"huge.ply", NULL});
+  refused("ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nend_header\n0",
+          "huge.ply", (const char *const[]){"huge.ply", "4000000000", NULL});
   refused("{\"asset\":{\"version\":\"2.0\"},\"meshes\":[{", "cut.gltf",
           (const char *const[]){"cut.gltf", NULL});
   refused("Kaydara FBX Binary  ", "cut.fbx", (const char *const[]){"cut.fbx", NULL});
