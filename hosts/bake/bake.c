@@ -7,7 +7,7 @@
 #include <sys/stat.h>
 #include "cancel.h"
 #include "describe_job.h"
-#include "evaluate.h"
+#include "units.h"
 #include "merge.h"
 #include "names.h"
 #include "pieces.h"
