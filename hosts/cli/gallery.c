@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * Renders the pictures of gallery_table.c, an index.html that shows them, and
- * gallery.png, stones.png and layouts.png, which show some of them small on one sheet each. A
- * picture whose parameters the plugin does not know is left out with a line that says so. */
+ * gallery.png, stones.png, layouts.png and finishes.png, which show some of them small on one sheet
+ * each. A picture whose parameters the plugin does not know is left out with a line that says so.
+ */
 #include "commands.h"
 
 #include <errno.h>
@@ -22,13 +23,14 @@
 #define SHEET_COLUMNS 15 /* five species, three cuts of each */
 #define LAYOUT_COLUMNS 6
 #define STONE_COLUMNS 5
+#define FINISH_COLUMNS 4 /* two species, near and far */
 
 typedef struct gallery {
   session session;
   const char *folder;
   uint32_t spp;
   FILE *index;
-  sheet sheet, stones, layouts;
+  sheet sheet, stones, layouts, finishes;
   uint32_t made, left_out;
 } gallery;
 
@@ -100,6 +102,7 @@ static bool keep_picture(gallery *g, const shot *s, const film *f, const char *n
   if (s->on_sheet && !sheet_add(&g->sheet, f, why)) return false;
   if (s->on_stones && !sheet_add(&g->stones, f, why)) return false;
   if (s->on_layouts && !sheet_add(&g->layouts, f, why)) return false;
+  if (s->on_finishes && !sheet_add(&g->finishes, f, why)) return false;
   write_caption(g, s, file, title, preset);
   g->made++;
   return true;
@@ -177,7 +180,10 @@ static bool make_pictures(gallery *g, failure *why) {
   }
   return make_sheet(g, &g->sheet, SHEET_COLUMNS, "gallery.png", why) &&
          (g->stones.count == 0 || make_sheet(g, &g->stones, STONE_COLUMNS, "stones.png", why)) &&
-         (g->layouts.count == 0 || make_sheet(g, &g->layouts, LAYOUT_COLUMNS, "layouts.png", why));
+         (g->layouts.count == 0 ||
+          make_sheet(g, &g->layouts, LAYOUT_COLUMNS, "layouts.png", why)) &&
+         (g->finishes.count == 0 ||
+          make_sheet(g, &g->finishes, FINISH_COLUMNS, "finishes.png", why));
 }
 
 static bool make_index(gallery *g, failure *why) {
@@ -214,6 +220,7 @@ static bool make_gallery(const session_options *shared, const char *folder, uint
   sheet_free(&g.sheet);
   sheet_free(&g.stones);
   sheet_free(&g.layouts);
+  sheet_free(&g.finishes);
   session_close(&g.session);
   if (!ok) return false;
   printf("%s/index.html: %u pictures", folder, g.made);

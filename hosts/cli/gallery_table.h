@@ -17,6 +17,7 @@ typedef struct shot {
   bool on_sheet;                   /* among the small pictures of gallery.png */
   bool on_stones;                  /* or of stones.png */
   bool on_layouts;                 /* or of layouts.png */
+  bool on_finishes;                /* or of finishes.png */
   const char *params[SHOT_PARAMS]; /* name=value, the last ones NULL */
   /* As options of `sozai render` are written; NULL: their defaults. */
   const char *shape, *size, *camera, *light;

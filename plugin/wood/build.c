@@ -13,6 +13,7 @@
 #include "cone_table.h"
 #include "parameters.h"
 #include "section.h"
+#include "surface/build.h"
 
 #define TWO_PI 6.28318530717958647692
 
@@ -481,7 +482,7 @@ static void build_cone(wood_constants *w, const settings *s) {
   double a = number_at(s, P_COAT_ROUGHNESS);
   w->coat_alpha = (float)(a * a);
   for (int c = 0; c < 3; c++) {
-    double k = number_at(s, P_FIBRE_REFLECTANCE) * (double)w->tint_colour[c];
+    double k = number_at(s, P_FIBRE_REFLECTANCE) * surface_fibres(s) * (double)w->tint_colour[c];
     w->fibre_colour[c] = (float)(k > 0.0 ? k : 0.0);
   }
   if (w->cone) cone_table_build(w);
@@ -510,6 +511,8 @@ int32_t wood_build(wood_constants *w, const sozai_host *host, const settings *s,
   build_fibres(w, s);
   r = build_colour(w, host, s, colours);
   if (r) return r;
+  surface_build(w, s);
+  surface_build_colour(w, s, colours);
   build_cone(w, s);
   r = wood_build_boards(w, s, colours);
   if (r) return r;

@@ -19,6 +19,7 @@
 
 #include "../../api/sozai_colour.h"
 #include "../layout/layout.h"
+#include "surface/surface.h"
 
 #define WOOD_RINGS 256      /* rings before the table repeats */
 #define WOOD_BINS_MAX 16384 /* bins of the look-up from rho to ring */
@@ -43,6 +44,10 @@ enum {
   SEED_RAYS,
   SEED_FIBRE,
   SEED_BOARDS = SEED_FIBRE + WOOD_FIBRE_OCTAVES,
+  SEED_MARKS,
+  SEED_WEAR,
+  SEED_CHECKS = SEED_WEAR + SURFACE_OCTAVES,
+  SEED_CRACKS,
   WOOD_SEEDS
 };
 
@@ -179,6 +184,7 @@ typedef struct {
   float cone_scale[WOOD_CONE_DIVE];                 /* of the lobe */
 
   wood_boards boards;
+  wood_surface surface;
 
   uint32_t seed;
   uint32_t seeds[WOOD_SEEDS]; /* one for each noise */
