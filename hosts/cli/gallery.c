@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * Renders the pictures of gallery_table.c, an index.html that shows them, and
- * gallery.png, stones.png, layouts.png and finishes.png, which show some of them small on one sheet
- * each. A picture whose parameters the plugin does not know is left out with a line that says so.
- */
+ * sheets which show some of them small, with their names. A picture whose
+ * parameters the plugin does not know is left out with a line that says so. */
 #include "commands.h"
 
 #include <errno.h>
@@ -20,17 +19,13 @@
 #include "sheet.h"
 
 #define PATH_SIZE 4096
-#define SHEET_COLUMNS 15 /* five species, three cuts of each */
-#define LAYOUT_COLUMNS 6
-#define STONE_COLUMNS 5
-#define FINISH_COLUMNS 4 /* two species, near and far */
 
 typedef struct gallery {
   session session;
   const char *folder;
   uint32_t spp;
   FILE *index;
-  sheet sheet, stones, layouts, finishes;
+  sheet sheets[GALLERY_SHEETS];
   uint32_t made, left_out;
 } gallery;
 
@@ -63,12 +58,20 @@ static bool make_recipe(recipe *r, const shot *s, const char *preset, failure *w
   return ok;
 }
 
+/* A face seen straight on has no edges and no shadows, and its material is
+ * filtered: a few samples of each pixel do. */
+static uint32_t samples(const gallery *g, const shot *s) {
+  bool flat =
+      s->shape && strcmp(s->shape, "plane") == 0 && s->camera && strcmp(s->camera, "front") == 0;
+  return flat ? (g->spp + 3) / 4 : g->spp;
+}
+
 static bool render_texture(gallery *g, const shot *s, const sozai_texture *texture, film *f,
                            failure *why) {
   render_job job;
   render_job_init(&job, g->session.plugin.textures, texture);
   job.threads = g->session.host.threads;
-  job.spp = g->spp;
+  job.spp = samples(g, s);
   job.width = s->width;
   job.height = s->height;
   if (s->sky > 0) job.sky = s->sky;
@@ -91,7 +94,7 @@ static void write_caption(const gallery *g, const shot *s, const char *file, con
   if (s->light) fprintf(g->index, " --light=%s", s->light);
   if (s->sky > 0) fprintf(g->index, " --sky %g", s->sky);
   fprintf(g->index, " --res %ux%u --spp %u</code></figcaption></figure>\n", s->width, s->height,
-          g->spp);
+          samples(g, s));
 }
 
 static bool keep_picture(gallery *g, const shot *s, const film *f, const char *name,
@@ -99,10 +102,9 @@ static bool keep_picture(gallery *g, const shot *s, const film *f, const char *n
   char file[256];
   snprintf(file, sizeof file, "%s.png", name);
   if (!write_film(g, f, file, why)) return false;
-  if (s->on_sheet && !sheet_add(&g->sheet, f, why)) return false;
-  if (s->on_stones && !sheet_add(&g->stones, f, why)) return false;
-  if (s->on_layouts && !sheet_add(&g->layouts, f, why)) return false;
-  if (s->on_finishes && !sheet_add(&g->finishes, f, why)) return false;
+  for (int i = 0; s->sheet && i < GALLERY_SHEETS; i++)
+    if (strcmp(s->sheet, gallery_sheets[i].id) == 0 && !sheet_add(&g->sheets[i], f, title, why))
+      return false;
   write_caption(g, s, file, title, preset);
   g->made++;
   return true;
@@ -157,13 +159,18 @@ static bool make_folder(const char *folder, failure *why) {
               strerror(error));
 }
 
-static bool make_sheet(const gallery *g, const sheet *s, uint32_t columns, const char *name,
-                       failure *why) {
-  film f;
-  if (!sheet_finish(s, columns, &f, why)) return false;
-  bool ok = write_film(g, &f, name, why);
-  film_free(&f);
-  return ok;
+static bool make_sheets(const gallery *g, failure *why) {
+  for (int i = 0; i < GALLERY_SHEETS; i++) {
+    char name[64];
+    film f;
+    if (g->sheets[i].count == 0) continue;
+    snprintf(name, sizeof name, "%s.png", gallery_sheets[i].id);
+    if (!sheet_finish(&g->sheets[i], gallery_sheets[i].columns, &f, why)) return false;
+    bool ok = write_film(g, &f, name, why);
+    film_free(&f);
+    if (!ok) return false;
+  }
+  return true;
 }
 
 static bool make_pictures(gallery *g, failure *why) {
@@ -178,12 +185,7 @@ static bool make_pictures(gallery *g, failure *why) {
       return false;
     s += each ? each : 1;
   }
-  return make_sheet(g, &g->sheet, SHEET_COLUMNS, "gallery.png", why) &&
-         (g->stones.count == 0 || make_sheet(g, &g->stones, STONE_COLUMNS, "stones.png", why)) &&
-         (g->layouts.count == 0 ||
-          make_sheet(g, &g->layouts, LAYOUT_COLUMNS, "layouts.png", why)) &&
-         (g->finishes.count == 0 ||
-          make_sheet(g, &g->finishes, FINISH_COLUMNS, "finishes.png", why));
+  return make_sheets(g, why);
 }
 
 static bool make_index(gallery *g, failure *why) {
@@ -217,10 +219,7 @@ static bool make_gallery(const session_options *shared, const char *folder, uint
   if (!folder) return fail(why, EXIT_BAD_INPUT, "gallery: no output is given: -o DIR");
   if (!session_open(&g.session, shared, why)) return false;
   bool ok = make_folder(folder, why) && make_index(&g, why);
-  sheet_free(&g.sheet);
-  sheet_free(&g.stones);
-  sheet_free(&g.layouts);
-  sheet_free(&g.finishes);
+  for (int i = 0; i < GALLERY_SHEETS; i++) sheet_free(&g.sheets[i]);
   session_close(&g.session);
   if (!ok) return false;
   printf("%s/index.html: %u pictures", folder, g.made);

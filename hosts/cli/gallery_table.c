@@ -8,7 +8,7 @@
 
 #define LAID(id, label, species, mm, a, b, c)                                                      \
   {                                                                                                \
-    .name = "layout-" id, .title = label, .preset = species, .on_layouts = true,                   \
+    .name = "layout-" id, .title = label, .preset = species, .sheet = "layouts",                   \
     .params = {"layout=" id, a, b, c}, .shape = "plane", .camera = "front", .size = mm,            \
     .width = 400, .height = 400                                                                    \
   }
@@ -16,7 +16,7 @@
 /* A surface under raking light, of two species, near and far. */
 #define WORKED_(id, label, species, where, mm, cut_, a, b)                                         \
   {                                                                                                \
-    .name = id "-" species "-" where, .title = label, .preset = species, .on_finishes = true,      \
+    .name = id "-" species "-" where, .title = label, .preset = species, .sheet = "finishes",      \
     .params = {cut_, "cut_distance=70", "reflection=fibre_cone", a, b}, .shape = "plane",          \
     .camera = "front", .size = mm, .light = "35,22", .sky = 0.7, .width = 640, .height = 440       \
   }
@@ -26,25 +26,32 @@
       WORKED_(id, "Sugi, " label, "sugi", "near", "48x33", "cut=rift", a, b),                      \
       WORKED_(id, "Sugi, " label, "sugi", "far", "320x220", "cut=flat", a, b)
 
+const shot_sheet gallery_sheets[GALLERY_SHEETS] = {
+    {"gallery", 15}, /* five species, three cuts of each */
+    {"stones", 5},
+    {"layouts", 6},
+    {"finishes", 4}, /* two species, near and far */
+};
+
 const shot gallery_shots[] = {
     {.name = "flat",
      .title = "flat-sawn, 120 mm across",
      .each_preset = true,
-     .on_sheet = true,
+     .sheet = "gallery",
      .params = {"cut=flat"},
      .size = "120x90",
      TILE},
     {.name = "quarter",
      .title = "quarter-sawn, 120 mm across",
      .each_preset = true,
-     .on_sheet = true,
+     .sheet = "gallery",
      .params = {"cut=quarter"},
      .size = "120x90",
      TILE},
     {.name = "end",
      .title = "end grain, 32 mm across",
      .each_preset = true,
-     .on_sheet = true,
+     .sheet = "gallery",
      .params = {"cut=end"},
      .size = "32x24",
      TILE},
@@ -156,6 +163,7 @@ const shot gallery_shots[] = {
     LAID("arcs", "Segmental arcs of end-grain setts", "mizunara", "1600x1600", "cut=end", NULL,
          NULL),
     LAID("circles", "Rings of end-grain setts", "mizunara", "1600x1600", "cut=end", NULL, NULL),
+    LAID("fan", "European fans of end-grain setts", "mizunara", "1800x1800", "cut=end", NULL, NULL),
     /* every surface and finish */
     WORKED("smooth", "smooth", "surface=smooth", NULL),
     WORKED("band_sawn", "band-sawn", "surface=band_sawn", NULL),
@@ -172,7 +180,7 @@ const shot gallery_shots[] = {
      .title = "300 mm across",
      .material = "stone",
      .each_preset = true,
-     .on_stones = true,
+     .sheet = "stones",
      .size = "300x225",
      .shape = "plane",
      .camera = "front",

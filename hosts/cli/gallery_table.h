@@ -14,10 +14,7 @@ typedef struct shot {
   const char *material;            /* NULL: wood */
   const char *preset;              /* NULL: the parameters' defaults */
   bool each_preset;                /* once for every preset there is; these come first */
-  bool on_sheet;                   /* among the small pictures of gallery.png */
-  bool on_stones;                  /* or of stones.png */
-  bool on_layouts;                 /* or of layouts.png */
-  bool on_finishes;                /* or of finishes.png */
+  const char *sheet;               /* id of the sheet that shows it small, or NULL */
   const char *params[SHOT_PARAMS]; /* name=value, the last ones NULL */
   /* As options of `sozai render` are written; NULL: their defaults. */
   const char *shape, *size, *camera, *light;
@@ -25,6 +22,14 @@ typedef struct shot {
   uint32_t width, height;
 } shot;
 
+/* Small pictures of one size with their names, on one sheet. */
+typedef struct shot_sheet {
+  const char *id; /* and of the file, without its ending */
+  uint32_t columns;
+} shot_sheet;
+
+#define GALLERY_SHEETS 4
+extern const shot_sheet gallery_sheets[GALLERY_SHEETS];
 extern const shot gallery_shots[];
 extern const uint32_t gallery_shot_count;
 

@@ -3,13 +3,18 @@
 // library; nothing gets past this file.
 #include "image.h"
 
+#include <OpenImageIO/imagebuf.h>
+#include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 
 #include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <memory>
+#include <string>
 #include <vector>
+
+#include <unistd.h>
 
 namespace {
 
@@ -141,6 +146,50 @@ bool image_read(image *picture, const char *path, failure *why) {
 bool image_probe(const char *path, uint32_t *width, uint32_t *height, uint32_t *channels,
                  bool *integers, failure *why) {
   return guarded(why, [&] { return probe(path, width, height, channels, integers, why); });
+}
+
+namespace {
+
+// OpenImageIO looks for fonts of other names than Debian's.
+const char *font() {
+  static const char *const paths[] = {
+      "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
+      "/usr/share/fonts/dejavu/DejaVuSans.ttf",
+      "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
+      "/usr/share/fonts/TTF/DejaVuSans.ttf",
+      "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf",
+      "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf"};
+  for (const char *path : paths)
+    if (access(path, R_OK) == 0) return path;
+  return nullptr;
+}
+
+} // namespace
+
+bool image_has_text() {
+  bool has = false;
+  failure unused;
+  guarded(&unused, [&] {
+    has = font() && OIIO::ImageBufAlgo::text_size("x", 16, font()).defined();
+    return true;
+  });
+  return has;
+}
+
+void image_text(float *rgb, uint32_t width, uint32_t height, uint32_t x, uint32_t y, uint32_t end,
+                uint32_t size, const char *text) {
+  failure unused;
+  guarded(&unused, [&] {
+    if (!font()) return false;
+    OIIO::ImageBuf picture(OIIO::ImageSpec(int(width), int(height), 3, OIIO::TypeDesc::FLOAT), rgb);
+    std::string shown = text;
+    while (!shown.empty() &&
+           int(x) + OIIO::ImageBufAlgo::text_size(shown, int(size), font()).width() > int(end))
+      do shown.pop_back();
+      while (!shown.empty() && (shown.back() & 0xC0) == 0x80); // the whole of an UTF-8 letter
+    const float dark[3] = {0.05f, 0.05f, 0.05f};
+    return OIIO::ImageBufAlgo::render_text(picture, int(x), int(y), shown, int(size), font(), dark);
+  });
 }
 
 void image_free(image *picture) {

@@ -28,11 +28,22 @@ void mesh_free(mesh *m) {
   free(m->points);
   free(m->normals);
   free(m->indices);
+  free(m->uvs);
   memset(m, 0, sizeof *m);
 }
 
 /* Points of a part in files are finite more often than not. */
 static float finite_or_zero(float x) { return isfinite(x) ? x : 0; }
+
+/* The first set of UVs: what other programs show. */
+static void append_uvs(const mesh *m, const struct aiMesh *part) {
+  float *uv = m->uvs + 2 * (size_t)m->point_count;
+  const struct aiVector3D *from = part->mTextureCoords[0];
+  for (uint32_t i = 0; i < part->mNumVertices; i++) {
+    uv[2 * (size_t)i] = from ? from[i].x : NAN;
+    uv[2 * (size_t)i + 1] = from ? from[i].y : NAN;
+  }
+}
 
 static void append(mesh *m, const struct aiMesh *part, float scale) {
   uint32_t base = m->point_count;
@@ -47,6 +58,7 @@ static void append(mesh *m, const struct aiMesh *part, float scale) {
     n[1] = finite_or_zero(part->mNormals[i].y);
     n[2] = finite_or_zero(part->mNormals[i].z);
   }
+  if (m->uvs) append_uvs(m, part);
   m->point_count += part->mNumVertices;
   for (uint32_t f = 0; f < part->mNumFaces; f++) {
     const struct aiFace *face = &part->mFaces[f];
@@ -59,14 +71,21 @@ static void append(mesh *m, const struct aiMesh *part, float scale) {
 static bool convert(mesh *m, const struct aiScene *scene, const char *path, float scale,
                     failure *why) {
   uint64_t points = 0, triangles = 0;
+  bool unwrapped = false;
   for (uint32_t i = 0; i < scene->mNumMeshes; i++) {
     points += scene->mMeshes[i]->mNumVertices;
     triangles += scene->mMeshes[i]->mNumFaces;
+    unwrapped = unwrapped || scene->mMeshes[i]->mTextureCoords[0];
   }
   if (points > UINT32_MAX / 4 || triangles > UINT32_MAX / 4)
     return fail(why, EXIT_BAD_INPUT, "%s: too large: %llu triangles", path,
                 (unsigned long long)triangles);
   if (!mesh_allocate(m, (uint32_t)points, (uint32_t)triangles, why)) return false;
+  if (unwrapped && !(m->uvs = malloc(2 * sizeof *m->uvs * ((size_t)points + 1)))) {
+    mesh_free(m);
+    return fail(why, EXIT_FAILURE, "out of memory for the UVs of %llu points",
+                (unsigned long long)points);
+  }
   m->point_count = m->triangle_count = 0; /* append counts what it uses */
   for (uint32_t i = 0; i < scene->mNumMeshes; i++) append(m, scene->mMeshes[i], scale);
   if (m->triangle_count > 0) return true;

@@ -11,9 +11,11 @@ typedef struct mesh {
   float *points;     /* x y z each */
   float *normals;    /* x y z each, unit, one to a point */
   uint32_t *indices; /* three to a triangle, counter-clockwise seen from outside */
+  float *uvs;        /* u v each, v upwards, one to a point; NaN in a part of a file that has
+                        none; as the file has them otherwise. NULL: there are none at all */
 } mesh;
 
-/* Room for so many; the counts are set. */
+/* Room for so many; the counts are set. No UVs. */
 bool mesh_allocate(mesh *m, uint32_t points, uint32_t triangles, failure *why);
 void mesh_free(mesh *m);
 

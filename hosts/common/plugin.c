@@ -64,12 +64,31 @@ static bool find(char *found, size_t size, failure *why) {
               known ? folder : "", known ? folder : "", SOZAI_LIBDIR, SOZAI_FULL_LIBDIR);
 }
 
-bool plugin_open(plugin *p, failure *why) {
+/* Beside a library, or in a folder sozai there, else in the configured libdir. */
+static bool find_beside(char *found, size_t size, const char *library, failure *why) {
+  const char *slash = strrchr(library, '/');
+  int folder = slash ? (int)(slash + 1 - library) : 0;
+  static const char *const names[] = {"sozai.so", "sozai/sozai.so"};
+  for (size_t place = 0; place < 2; place++)
+    for (size_t name = 0; name < 2; name++) {
+      int length = place == 0 ? snprintf(found, size, "%.*s%s", folder, library, names[name])
+                              : snprintf(found, size, "%s/%s", SOZAI_FULL_LIBDIR, names[name]);
+      if (length > 0 && (size_t)length < size && access(found, R_OK) == 0) return true;
+    }
+  return fail(why, EXIT_FAILURE,
+              "sozai.so not found beside %s or in %s; set SOZAI_PLUGIN to its path", library,
+              SOZAI_FULL_LIBDIR);
+}
+
+/* library: what the plugin lies beside; NULL: this program. */
+static bool open_found(plugin *p, const char *library, failure *why) {
   memset(p, 0, sizeof *p);
   char found[2 * PATH_MAX];
   const char *path = getenv("SOZAI_PLUGIN");
   if (!path || !*path) {
-    if (!find(found, sizeof found, why)) return false;
+    if (!(library ? find_beside(found, sizeof found, library, why)
+                  : find(found, sizeof found, why)))
+      return false;
     path = found;
   }
   /* Absolute: dlopen would look a bare name up in the system's folders, and the
@@ -88,6 +107,12 @@ bool plugin_open(plugin *p, failure *why) {
     return false;
   }
   return true;
+}
+
+bool plugin_open(plugin *p, failure *why) { return open_found(p, NULL, why); }
+
+bool plugin_open_beside(plugin *p, const char *library, failure *why) {
+  return open_found(p, library, why);
 }
 
 void plugin_close(plugin *p) {

@@ -16,6 +16,9 @@ typedef struct plugin {
 /* Load $SOZAI_PLUGIN if that is set, else the sozai.so that belongs to this
  * program: see plugin.c for the places. */
 bool plugin_open(plugin *p, failure *why);
+/* The same for a library that other programs load: $SOZAI_PLUGIN, else the
+ * sozai.so beside that library's file, else the configured place. */
+bool plugin_open_beside(plugin *p, const char *library, failure *why);
 void plugin_close(plugin *p);
 
 /* Load a library, read the version of the entry struct it exports under

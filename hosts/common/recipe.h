@@ -6,13 +6,15 @@
 
 #include <stddef.h>
 #include "failure.h"
+#include "recipe_image.h"
 #include "sozai.h"
 
 typedef struct recipe_param {
   char *id;
-  char *text;  /* the plugin reads it as the parameter's kind */
-  int line;    /* in the file; 0: not from a file */
-  bool beside; /* relative paths start from the file's folder */
+  char *text;   /* the plugin reads it as the parameter's kind */
+  char *file;   /* which file says it, whose folder relative paths start from; or NULL */
+  int line;     /* in that file; 0: not from a file's text */
+  bool settled; /* text is a path that no longer starts from that folder */
 } recipe_param;
 
 #define RECIPE_NO_SHAPE 0
@@ -25,13 +27,8 @@ typedef struct recipe_surface {
   int shape;      /* RECIPE_* */
   double size[3]; /* mm: width, height and thickness; 0: not said */
   char *mesh;     /* path */
+  double scale;   /* mm per unit of the mesh's file; 0: not said */
 } recipe_surface;
-
-/* The picture a .sozai file is when read as one. */
-typedef struct recipe_image {
-  double resolution[2]; /* pixels; 0: not said */
-  double size[2];       /* mm; 0: not said */
-} recipe_image;
 
 typedef struct recipe {
   char *file; /* the file's path, or NULL */
@@ -44,11 +41,12 @@ typedef struct recipe {
 } recipe;
 
 /* name: a material's id, or the path of a .sozai file, which may go on in
- * "?parameter=value&..." ("res" stands for the image's resolution). */
+ * "?key=value&...": the image's keys ("res" stands for its resolution), "preset",
+ * and parameters. */
 bool recipe_open(recipe *r, const char *name, failure *why);
 void recipe_free(recipe *r);
 
-/* A later value for the same parameter replaces the earlier. */
+/* A later value for the same parameter replaces the earlier. line is kept. */
 bool recipe_set(recipe *r, const char *id, const char *text, int line, failure *why);
 /* "name=value", as in -p. */
 bool recipe_set_pair(recipe *r, const char *pair, failure *why);
@@ -57,11 +55,16 @@ bool recipe_set_preset(recipe *r, const char *preset, failure *why);
 /* The kind of texture it names. */
 const sozai_texture_info *recipe_info(const recipe *r, const sozai_textures_1 *textures,
                                       failure *why);
+/* Relative paths among the file's parameters start from its folder: make them
+ * whole. recipe_create does this first. */
+bool recipe_settle(recipe *r, const sozai_textures_1 *textures, failure *why);
 /* Make the texture. A refused value of the file's is reported with its line. */
 bool recipe_create(recipe *r, const sozai_textures_1 *textures, const sozai_host *host,
                    sozai_texture **out, failure *why);
 
-/* Used by recipe_open: fill r from a .sozai file. */
+/* Used by recipe_open: a value that a file says, and fill r from a .sozai file. */
+bool recipe_set_from(recipe *r, const char *id, const char *text, const char *file, int line,
+                     failure *why);
 bool recipe_read_file(recipe *r, const char *path, failure *why);
 
 #endif

@@ -33,11 +33,19 @@ static void run_tile(void *context, uint32_t index) {
   if (!w->context.job->quiet) progress_show((float)done / (float)w->tiles, "rendering");
 }
 
-static int32_t find_colour(const sozai_texture_info *info, const char *id) {
+static int32_t find(const sozai_texture_info *info, const char *id, uint32_t components) {
   for (uint32_t i = 0; i < info->channel_count; i++)
-    if (strcmp(info->channels[i]->id, id) == 0 && info->channels[i]->components == 3)
+    if (strcmp(info->channels[i]->id, id) == 0 && info->channels[i]->components == components)
       return (int32_t)info->channels[i]->first;
   return -1;
+}
+
+static void find_sky(tile_context *c) {
+  c->occlusion = find(c->info, "occlusion", 1);
+  c->normal = find(c->info, "normal", 3);
+  c->roughness = find(c->info, "roughness", 1);
+  c->specular = find(c->info, "specular", 1);
+  if (c->normal < 0 || c->roughness < 0 || c->specular < 0) c->occlusion = -1;
 }
 
 static bool run_tiles(const render_job *job, const scene *s, const sozai_texture_info *info,
@@ -52,10 +60,11 @@ static bool run_tiles(const render_job *job, const scene *s, const sozai_texture
                         .camera = &cam,
                         .studio = &light,
                         .film = out,
-                        .albedo = find_colour(info, "albedo"),
-                        .radiance = find_colour(info, "radiance")},
+                        .albedo = find(info, "albedo", 3),
+                        .radiance = find(info, "radiance", 3)},
             .tiles = tile_count(out),
             .lock = PTHREAD_MUTEX_INITIALIZER};
+  find_sky(&w.context);
   parallel_for(job->threads, w.tiles, run_tile, &w);
   progress_clear();
   if (atomic_load(&w.failed)) *why = w.why;

@@ -57,6 +57,11 @@ static vec sky_towards(const studio *st, vec direction) {
   return vec_scale(st->sky, vec_mix(sky_horizon, sky_zenith, height));
 }
 
+vec studio_mirrored(const studio *st, const scene *s, vec direction) {
+  if (s->has_floor && vec_dot(direction, st->up) < 0) return vec_scale(FAR_FLOOR, st->lit_floor);
+  return sky_towards(st, direction);
+}
+
 vec studio_fill(const studio *st, const scene *s, const hit *h, uint32_t pixel, uint32_t sample) {
   vec sum = {0, 0, 0}, a, b;
   vec_frame(h->normal, &a, &b);

@@ -30,6 +30,8 @@ float studio_key(const studio *st, const scene *s, const hit *h, uint32_t pixel,
 /* Mean radiance from everywhere but the key light, over the cosine about the
  * normal: what a white matt surface shows. One sample of it. */
 vec studio_fill(const studio *st, const scene *s, const hit *h, uint32_t pixel, uint32_t sample);
+/* What a mirror shows in a direction: the sky, or the floor below it. */
+vec studio_mirrored(const studio *st, const scene *s, vec direction);
 /* What the camera sees of the floor, and where there is neither floor nor shape. */
 vec studio_floor(const studio *st, const scene *s, const hit *h, uint32_t pixel, uint32_t sample);
 vec studio_backdrop(const studio *st, const scene *s, vec direction);

@@ -41,6 +41,10 @@ static uint32_t wanted_components(const tile_context *c, bool *wanted) {
     if (c->albedo >= 0) wanted[(uint32_t)c->albedo + k] = true;
     if (c->radiance >= 0) wanted[(uint32_t)c->radiance + k] = true;
   }
+  if (c->occlusion >= 0) {
+    wanted[c->occlusion] = wanted[c->roughness] = wanted[c->specular] = true;
+    for (int32_t k = 0; k < 3; k++) wanted[c->normal + k] = true;
+  }
   for (uint32_t i = 0; i < c->film->components; i++)
     wanted[c->film->channel_of[i]->first + c->film->component_of[i]] = true;
   for (uint32_t i = 0; i < c->info->component_count; i++) count += wanted[i];
@@ -148,6 +152,24 @@ static vec output(const tile *t, int32_t first, uint32_t at) {
   return (vec){out[0][at], out[1][at], out[2][at]};
 }
 
+/* What the surface shows of the sky: below it what of the sky reaches the place,
+ * and above it the sky mirrored, by Schlick's Fresnel term as rough as it is. */
+static vec sky_light(const tile *t, uint32_t at, vec albedo) {
+  const tile_context *c = t->c;
+  vec below = vec_mul(albedo, t->fill[at]);
+  if (c->occlusion < 0) return below;
+  float occlusion = t->out[c->occlusion][at], alpha = t->out[c->roughness][at];
+  float f0 = t->out[c->specular][at];
+  vec n = output(t, c->normal, at);
+  vec view = {t->input[12][at], t->input[13][at], t->input[14][at]};
+  float cosine = fminf(fmaxf(vec_dot(n, view), 0), 1), away = 1 - cosine;
+  float edge = fmaxf(1 - alpha, f0), a2 = away * away;
+  float f = f0 + (edge - f0) * a2 * a2 * away;
+  vec mirror = vec_along(vec_scale(2 * vec_dot(n, view), n), -1, view);
+  vec sum = vec_scale(occlusion * (1 - f), below);
+  return vec_along(sum, f * occlusion, studio_mirrored(c->studio, c->scene, mirror));
+}
+
 static void add_up(const tile *t) {
   const tile_context *c = t->c;
   film *f = c->film;
@@ -161,7 +183,7 @@ static void add_up(const tile *t) {
       radiance = vec_scale(slope, vec_mul(albedo, c->studio->light_colour));
     }
     float *beauty = beauty_of(t, t->pixel[at]);
-    add(beauty, vec_add(vec_scale(t->key[at], radiance), vec_mul(albedo, t->fill[at])));
+    add(beauty, vec_add(vec_scale(t->key[at], radiance), sky_light(t, at, albedo)));
     float *layers = f->layers + (size_t)(beauty - f->beauty) / 3 * f->components;
     for (uint32_t i = 0; i < f->components; i++)
       layers[i] += t->out[f->channel_of[i]->first + f->component_of[i]][at];

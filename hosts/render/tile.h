@@ -19,6 +19,8 @@ typedef struct tile_context {
   const studio *studio;
   film *film;
   int32_t albedo, radiance; /* first components; -1: the texture has none */
+  /* likewise, and all four or none: what the sky's light takes beyond albedo */
+  int32_t occlusion, normal, roughness, specular;
 } tile_context;
 
 bool tile_render(const tile_context *c, uint32_t index, failure *why);

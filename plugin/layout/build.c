@@ -189,6 +189,11 @@ static double share_of(const layout *l, double joint) {
     return 1.0 - (1.0 - joint / length) * (1.0 - joint / width);
   case LAYOUT_ASHLAR: /* blocks are broken upright, and parts across, every other time */
     return 1.0 - (1.0 - 1.5 * joint / length) * (1.0 - 1.5 * joint / width);
+  case LAYOUT_FAN: { /* rings and rays, and the border of every fan: straight sides and arcs */
+    double r = (double)l->radius, border = r * (1.5707963 + 2.0 * 0.41421356), tile = r * r;
+    double inside = 1.0 - (1.0 - joint / length) * (1.0 - joint / width);
+    return inside + (1.0 - inside) * joint * (border - 0.5 * 1.5707963 * r) / tile * 0.5;
+  }
   case LAYOUT_CRAZY: /* as of squares of the same number, measured */
     return 1.0 - (1.0 - joint / length) * (1.0 - joint / length);
   default:
@@ -224,7 +229,7 @@ const char *layout_build(layout *l, const layout_choice *given, double *least, d
   l->inverse_width = (float)(1.0 / c.width);
   l->jitter = (float)(0.5 * c.variation);
   l->stagger = (float)c.stagger;
-  l->radius = (float)(7.0 * c.width);
+  l->radius = (float)((c.kind == LAYOUT_FAN ? 10.0 : 7.0) * c.width);
   l->numbers = 1;
   l->quads = 1;
   layout_tile t;
@@ -238,6 +243,10 @@ const char *layout_build(layout *l, const layout_choice *given, double *least, d
       l->numbers = 4;
     }
     if (c.kind == LAYOUT_CRAZY) across = 0.3 * c.length;
+    if (c.kind == LAYOUT_FAN) {
+      across *= 0.6;
+      l->numbers = 1024; /* 16 rings of 64 */
+    }
     if (c.width < across) across = c.width;
     l->narrowest = (float)across;
     l->share = (float)share_of(l, c.joint);

@@ -30,7 +30,8 @@
   X(LAYOUT_ASHLAR, "ashlar", 500, 150, 8, "random ashlar: courses broken into blocks of different sizes") \
   X(LAYOUT_CRAZY, "crazy", 350, 350, 12, "crazy paving: irregular polygons") \
   X(LAYOUT_ARCS, "arcs", 100, 100, 10, "segmental arcs: setts in stacked arcs, in bays of ten widths") \
-  X(LAYOUT_CIRCLES, "circles", 100, 100, 10, "rings of setts about the origin")
+  X(LAYOUT_CIRCLES, "circles", 100, 100, 10, "rings of setts about the origin") \
+  X(LAYOUT_FAN, "fan", 90, 90, 8, "European fan: setts in rings about the tips of fans that overlap as scales do, ten rings to a fan")
 /* clang-format on */
 
 #endif

@@ -28,20 +28,24 @@ INLINE vf cover_integral(vf x, vf w, vf inverse_w, vf g) {
 /* What gathers over the sides of a unit. */
 typedef struct {
   vf nearest, nx, ny; /* distance to the nearest side, and its inward normal */
+  vf second, mx, my;  /* to the next nearest: for rounded corners */
   vf open;            /* share of the footprint that is no joint */
   vf own;             /* share of it within the unit's own sides */
 } cover;
 
 INLINE cover cover_begin(void) {
   cover c;
-  c.nearest = splat(1e9f);
-  c.nx = c.ny = splat(0.0f);
+  c.nearest = c.second = splat(1e9f);
+  c.nx = c.ny = c.mx = c.my = splat(0.0f);
   c.open = c.own = splat(1.0f);
   return c;
 }
 
 INLINE void cover_side(cover *c, vf d, vf nx, vf ny) {
-  vm nearer = lt(d, c->nearest);
+  vm nearer = lt(d, c->nearest), near = lt(d, c->second);
+  c->second = sel(nearer, c->nearest, sel(near, d, c->second));
+  c->mx = sel(nearer, c->nx, sel(near, nx, c->mx));
+  c->my = sel(nearer, c->ny, sel(near, ny, c->my));
   c->nearest = sel(nearer, d, c->nearest);
   c->nx = sel(nearer, nx, c->nx);
   c->ny = sel(nearer, ny, c->ny);

@@ -73,6 +73,13 @@ typedef struct {
   float mean;         /* mm: height of the whole plane on average */
 } layout_profile;
 
+/* How far joints wander, mm, and the inverse of the divisions' spacing;
+ * wander.h evaluates it. */
+typedef struct {
+  float amplitude, frequency;
+  uint32_t seed;
+} layout_wander;
+
 /* A piece of a tile: a convex polygon, anticlockwise, and its frame. */
 typedef struct {
   int32_t sides;

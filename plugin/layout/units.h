@@ -278,11 +278,67 @@ INLINE void unit_of_arcs(const layout *l, vf x, vf y, vf e, layout_unit *p, cove
              cy, zero - cx);
 }
 
+/* Fans that overlap as scales do: each a quarter of a disc about its tip, the
+ * rows half a fan apart, the lower over the upper. */
+INLINE void unit_of_fan(const layout *l, vf x, vf y, vf e, layout_unit *p, cover *c) {
+  vf one = splat(1.0f), zero = splat(0.0f), half = splat(0.5f), width = splat(l->width);
+  const float rho = l->radius, d = 0.70710678f * rho;
+  vf radius = splat(rho), side = splat(d);
+  vi i, j, upper_i, k, m;
+  vf row = vfloor(y * splat(1.0f / d), &j);
+  vf ly = y - row * side;
+  /* the tips of odd rows stand half a fan on: in its own row, and one below */
+  vf own = to_float(j & splati(1)), other = one - own;
+  vf q = x * splat(0.5f / d) - half * own + half, q1 = x * splat(0.5f / d) - half * other + half;
+  vf lx = (q - vfloor(q, &upper_i) - half) * (side + side);
+  vf lx1 = (q1 - vfloor(q1, &i) - half) * (side + side);
+  vf ly1 = ly + side;
+  vm lower = lt(lx1 * lx1 + ly1 * ly1, radius * radius);
+  lx = sel(lower, lx1, lx);
+  ly = sel(lower, ly1, ly);
+  i = seli(lower, i, upper_i);
+  j = seli(lower, j - splati(1), j);
+  vf r = vsqrt(vmax(lx * lx + ly * ly, splat(1e-6f))), inverse = one / r;
+  vf ring = vmin(vfloor(r * splat(l->inverse_width), &k), splat(rho * l->inverse_width - 0.5f));
+  vi unused;
+  ring = vfloor(ring, &unused);
+  k = to_int(ring);
+  vf in = ring * width, low = r - in;
+  vf cx = lx * inverse, cy = ly * inverse;
+  cover_pair(c, sel(eqi(k, splati(0)), splat(1e9f), low), width - low, cx, cy, l->joint, e);
+  /* the fans below, to the left and right, and those beside */
+  for (int s = -1; s <= 1; s += 2) {
+    vf ax = lx - splat((float)s * d), ay = ly + side;
+    vf ra = vsqrt(ax * ax + ay * ay), ia = one / ra;
+    cover_one(c, ra - radius, ax * ia, ay * ia, l->joint, e);
+    cover_one(c, side - splat((float)s) * lx, splat((float)-s), zero, l->joint, e);
+  }
+  /* how far the ring opens to either side, at its middle */
+  vf rm = in + half * width, t = vmin(rm * splat(1.0f / rho), one);
+  vf open = sel(lt(t, splat(0.76536686f)), splat(0.78539816f) + arcsin(half * t),
+                arcsin(splat(0.70710678f) / vmax(t, splat(0.70710678f))));
+  vf count = vfloor((open + open) * rm * splat(l->inverse_length) + half, &unused);
+  count = clamp(count, one, splat(63.0f));
+  vf place = (arctan2(lx, ly) / open + one) * half * count;
+  vf f = clamp(vfloor(place, &m), zero, count - one);
+  m = to_int(f);
+  f = place - f;
+  vf turns = open / (count * splat(0.5f * TWO_PI_));
+  vm first = eqi(m, splati(0)), last = eqi(m + splati(1), to_int(count));
+  vf before = ray_distance(r, vmax(f, zero) * turns),
+     after = ray_distance(r, vmax(one - f, zero) * turns);
+  cover_pair(c, sel(first, splat(1e9f), before), sel(last, splat(1e9f), after), cy, zero - cx,
+             l->joint, e);
+  vf length = (open + open) * rm / count;
+  vi n = k * splati(64) + m;
+  unit_frame(p, layout_id(l, i, j, n), f * length, low, length, width, cy, zero - cx);
+}
+
 /* ---- which ------------------------------------------------------------ */
 
 /* The unit at (x, y) of the plane, mm, under a footprint of side e; below
- * 1e6 mm. */
-INLINE layout_unit layout_at(const layout *l, vf x, vf y, vf e) {
+ * 1e6 mm. What its sides told the cover is in *at. */
+INLINE layout_unit layout_find(const layout *l, vf x, vf y, vf e, cover *at) {
   layout_unit p;
   cover c = cover_begin();
   vf co = splat(l->cosine), si = splat(l->sine);
@@ -298,6 +354,8 @@ INLINE layout_unit layout_at(const layout *l, vf x, vf y, vf e) {
     unit_of_circles(l, u, v, e, &p, &c);
   } else if (l->kind == LAYOUT_ARCS) {
     unit_of_arcs(l, u, v, e, &p, &c);
+  } else if (l->kind == LAYOUT_FAN) {
+    unit_of_fan(l, u, v, e, &p, &c);
   } else {
     unit_of_strip(l, u, v, e, &p, &c);
   }
@@ -309,7 +367,13 @@ INLINE layout_unit layout_at(const layout *l, vf x, vf y, vf e) {
   p.s = pc * si + ps * co;
   p.own = c.own;
   p.joint = cover_joint(l, &c, p.length, p.width, e);
+  *at = c;
   return p;
+}
+
+INLINE layout_unit layout_at(const layout *l, vf x, vf y, vf e) {
+  cover unused;
+  return layout_find(l, x, y, e, &unused);
 }
 
 #endif

@@ -44,6 +44,7 @@ static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped
   c->seed = hash1(seed);
   c->seed_warp = hash1(seed + 0x51ed270bu);
   c->on = 1;
+  c->size = (float)b->size;
   c->shaped = shaped;
   c->fade = 6.0f;
   c->radius = 9.0f;
@@ -206,6 +207,7 @@ static void build_finish(stone_constants *w, const settings *s) {
     w->relief[o] = (float)(scale * height);
     w->relief_frequency[o] = (float)(1.0 / size);
     w->relief_slope2[o] = (float)(slope * slope * (f->pitted && o < 2 ? SLOPE2_PITTED : SLOPE2));
+    w->relief_steep += w->relief_slope2[o];
     w->relief_octaves = o + 1;
   }
   double alpha = f->alpha * number_at(s, P_ROUGHNESS);
@@ -240,7 +242,7 @@ static int32_t build_paper(stone_constants *w, const sozai_host *host, const set
 }
 
 int32_t stone_build(stone_constants *w, const sozai_host *host, const settings *s,
-                    const float (*colours)[3], stone_measure *measure) {
+                    const float (*colours)[3], const stone_kernel *kernel) {
   static const int swap[3] = {0, 1, 2};
   w->seed = seed_of(s);
   w->swap = swap[choice_at(s, P_BED)];
@@ -248,6 +250,8 @@ int32_t stone_build(stone_constants *w, const sozai_host *host, const settings *
   memcpy(w->colour, colours[P_BASE], sizeof w->colour); /* they stand together in both */
   build_bands(w, s);
   build_finish(w, s);
-  build_layers(w, s, measure);
-  return build_paper(w, host, s);
+  build_layers(w, s, kernel->measure);
+  w->hole_depth = (float)(number_at(s, P_HOLE_SIZE) * number_at(s, P_HOLE_DEPTH));
+  int32_t r = stone_build_paving(w, s, colours, kernel->measure_laid);
+  return r ? r : build_paper(w, host, s);
 }

@@ -6,8 +6,12 @@
 #include "stone.h"
 
 /* From settings to what the kernel reads. colours: in the working space.
- * measure: of any kernel, since all measure the same. */
+ * kernel: any, since all measure the same. */
 int32_t stone_build(stone_constants *w, const sozai_host *host, const settings *s,
-                    const float (*colours)[3], stone_measure *measure);
+                    const float (*colours)[3], const stone_kernel *kernel);
+
+/* The paving and the weather, after all else but the paper's. */
+int32_t stone_build_paving(stone_constants *w, const settings *s, const float (*colours)[3],
+                           stone_measure_laid *measure);
 
 #endif

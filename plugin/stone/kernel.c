@@ -7,7 +7,7 @@
 #include "cells.h"
 #include "gloss.h"
 #include "paper.h"
-#include "relief.h"
+#include "surface.h"
 
 #define PASTE_(a, b) a##b
 #define PASTE(a, b) PASTE_(a, b)
@@ -20,10 +20,13 @@ extern const stone_kernel NAMED(stone_kernel_);
 /* A block of LANES points on its way through the stages. */
 typedef struct {
   uint32_t i, n;
-  vf p[3], nrm[3]; /* bed space */
+  vf at[3], face[3]; /* object space: the point and its normal */
+  vf p[3], nrm[3];   /* bed space, likewise */
   vf s;
   vf t1[3], t2[3]; /* the footprint's sides */
   vf albedo[3], speck, hole;
+  laid laid; /* where there is a paving */
+  surface surface;
 } block;
 
 static int wanted(const stone_io *io, int first, int count) {
@@ -58,10 +61,9 @@ INLINE void square_sides(const vf n[3], vf t1[3], vf t2[3]) {
   t2[2] = n[0] * t1[1] - n[1] * t1[0];
 }
 
-INLINE void stage_load(const stone_constants *w, const stone_io *io, block *k) {
+INLINE void stage_load(const stone_constants *w, int paved, const stone_io *io, block *k) {
   for (int c = 0; c < 3; c++) {
-    vf x = finite_coordinate(load_lanes(io->in->point[c], k->i, k->n));
-    k->p[c] = x + splat(w->offset[c]);
+    k->at[c] = finite_coordinate(load_lanes(io->in->point[c], k->i, k->n));
     /* without a normal: a square that leans alike against every axis */
     k->nrm[c] = splat(0.57735027f);
   }
@@ -72,6 +74,18 @@ INLINE void stage_load(const stone_constants *w, const stone_io *io, block *k) {
   if (io->in->normal[0]) {
     for (int c = 0; c < 3; c++) k->nrm[c] = load_lanes(io->in->normal[c], k->i, k->n);
     unit_direction(k->nrm);
+  }
+  for (int c = 0; c < 3; c++) {
+    k->p[c] = k->at[c];
+    k->face[c] = k->nrm[c];
+  }
+  if (paved) {
+    laid_at(w, k->at, k->s, &k->laid);
+    laid_turn(&k->laid, k->p);
+    laid_turn(&k->laid, k->nrm);
+    for (int c = 0; c < 3; c++) k->p[c] = k->p[c] + k->laid.shift[c];
+  } else {
+    for (int c = 0; c < 3; c++) k->p[c] = k->p[c] + splat(w->offset[c]);
   }
   exchange(w, k->p);
   exchange(w, k->nrm);
@@ -158,8 +172,8 @@ INLINE void stage_grain(const stone_constants *w, const stone_io *io, block *k) 
 }
 
 /* An input's direction; with zero_is_normal, `otherwise` where it is none. */
-INLINE void direction_of(const stone_constants *w, const block *k, const float *const from[3],
-                         const vf otherwise[3], int zero_is_normal, vf out[3]) {
+INLINE void direction_of(const block *k, const float *const from[3], const vf otherwise[3],
+                         int zero_is_normal, vf out[3]) {
   for (int c = 0; c < 3; c++) out[c] = otherwise[c];
   if (!from[0]) return;
   vf v[3], size = splat(0.0f);
@@ -169,33 +183,96 @@ INLINE void direction_of(const stone_constants *w, const block *k, const float *
   }
   vm given = and_(gt(size, splat(0.0f)), lt(size, splat(1e38f)));
   unit_direction(v);
-  exchange(w, v);
   for (int c = 0; c < 3; c++) out[c] = zero_is_normal ? sel(given, v[c], otherwise[c]) : v[c];
 }
 
-INLINE void stage_surface(const stone_constants *w, const stone_io *io, block *k, int radiance) {
-  vf slope[3], lost, zero = splat(0.0f);
-  vf height = relief_at(w, k->p, k->s, slope, &lost);
-  put(io, k, STONE_HEIGHT, height);
-  vf along = gloss_dot(slope, k->nrm), n[3], back[3];
-  for (int c = 0; c < 3; c++) n[c] = k->nrm[c] - (slope[c] - along * k->nrm[c]);
+/* Bed space to object space, a direction. */
+INLINE void from_bed(const stone_constants *w, int paved, const block *k, vf v[3]) {
+  exchange(w, v);
+  if (paved) laid_turn_back(&k->laid, v);
+}
+
+INLINE void stage_surface(const stone_constants *w, int paved, const stone_io *io, block *k) {
+  surface *q = &k->surface;
+  *q = surface_none();
+  field relief;
+  vf square;
+  relief.v = relief_at(w, k->p, k->s, relief.g, &q->lost, &square);
+  q->low = surface_below(relief.v * inverse_root(square));
+  q->steep = vsqrt(vmax(splat(w->relief_steep) - q->lost, splat(0.0f)));
+  if (w->layer[LAYER_HOLES].on && w->hole_depth > 0.0f) {
+    relief = field_add(relief, hole_relief(w, k->p, k->t1, k->t2, k->s, k->hole, &q->lost));
+  }
+  from_bed(w, paved, k, relief.g);
+  surface_lay(w, paved, &k->laid, k->at, k->s, relief, q);
+  put(io, k, STONE_HEIGHT, q->height.v);
+  put(io, k, STONE_MOSS, q->moss);
+  put(io, k, STONE_WET, vmax(q->film, q->water));
+  put(io, k, STONE_OCCLUSION, q->occlusion);
+}
+
+/* What lies on the stone, and in its joints, over its colour. */
+INLINE void stage_cover(const stone_constants *w, int paved, block *k) {
+  const surface *q = &k->surface;
+  const stone_weather *air = &w->weather;
+  vf one = splat(1.0f), joint = splat(0.0f);
+  vf sand = one + splat(0.5f) * q->sand;
+  if (paved) joint = k->laid.joint;
+  for (int c = 0; c < 3; c++) {
+    vf a = k->albedo[c];
+    if (paved) a = mix(a * k->laid.tone[c], splat(w->paving.colour[c]) * sand, joint);
+    if (air->on) {
+      a = a * q->grime;
+      /* what is dry is browner, and paler */
+      static const float dry[3] = {1.45f, 1.05f, 0.75f};
+      vf cushion = splat(air->moss_colour[c]) * (splat(0.85f) + splat(1.1f) * q->tuft);
+      cushion = cushion * mix(one, splat(dry[c]), q->dry);
+      a = mix(a, vmax(cushion, splat(0.0f)), q->moss);
+      a = weather_wet_albedo(a, vmax(q->film, q->water));
+    }
+    k->albedo[c] = a;
+  }
+  k->speck = k->speck * (one - joint) * (one - q->moss);
+}
+
+INLINE void stage_light(const stone_constants *w, int paved, const stone_io *io, block *k,
+                        int radiance) {
+  const surface *q = &k->surface;
+  vf n[3], zero = splat(0.0f), one = splat(1.0f);
+  vf along = gloss_dot(q->height.g, k->face);
+  for (int c = 0; c < 3; c++) n[c] = k->face[c] - (q->height.g[c] - along * k->face[c]);
   vf l = inverse_root(vmax(gloss_dot(n, n), splat(1e-12f)));
-  for (int c = 0; c < 3; c++) back[c] = n[c] = n[c] * l;
-  exchange(w, back);
-  for (int c = 0; c < 3; c++) put(io, k, STONE_NORMAL + c, back[c]);
-  vf alpha2 = vmin(splat(w->alpha2) + splat(2.0f) * lost, splat(1.0f));
+  for (int c = 0; c < 3; c++) n[c] = n[c] * l;
+  for (int c = 0; c < 3; c++) put(io, k, STONE_NORMAL + c, n[c]);
+  vf alpha2 = splat(w->alpha2), specular = splat(w->specular) * (one - k->hole);
+  if (paved) {
+    /* worn stone is polished towards an alpha of 0.25; what fills joints is matt */
+    alpha2 = mix(alpha2, vmin(alpha2, splat(0.0625f)), q->polish * splat(0.8f));
+    alpha2 = mix(alpha2, splat(0.9f), k->laid.joint);
+    specular = mix(specular, splat(0.02f), k->laid.joint);
+  }
+  if (w->weather.on) {
+    alpha2 = mix(alpha2, one, q->moss);
+    specular = specular * (one - q->moss);
+    vf gloss = smooth_step(splat(0.3f), one, q->film) * (one - splat(0.8f) * q->moss);
+    gloss = vmax(gloss * splat(0.9f), q->water);
+    alpha2 = mix(alpha2, mix(splat(0.01f), splat(0.0004f), q->water), gloss);
+    specular = mix(specular, splat(0.0204f), gloss); /* water's */
+  }
+  alpha2 = vmin(alpha2 + splat(2.0f) * q->lost, one);
   put(io, k, STONE_ROUGHNESS, vsqrt(alpha2));
-  vf specular = splat(w->specular) * (splat(1.0f) - k->hole);
   put(io, k, STONE_SPECULAR, specular);
   if (!radiance) return;
   vf light[3], view[3], below;
-  direction_of(w, k, io->in->light, k->nrm, 0, light);
-  direction_of(w, k, io->in->view, k->nrm, 1, view);
+  direction_of(k, io->in->light, k->face, 0, light);
+  direction_of(k, io->in->view, k->face, 1, view);
   vf lobe = gloss_lobe(n, light, view, alpha2, specular, &below);
   /* light from behind the sawn face lights no slope of it */
-  vm front = gt(gloss_dot(light, k->nrm), zero);
+  vf up = gloss_dot(light, k->face);
+  vm front = gt(up, zero);
+  vf lit = surface_lit(w, paved, &k->laid, q, k->s, light, up);
   for (int c = 0; c < 3; c++) {
-    vf r = sel(front, below * k->albedo[c] + lobe, zero);
+    vf r = sel(front, (below * k->albedo[c] + lobe) * lit, zero);
     if (io->in->light_colour[c]) {
       vf e = load_lanes(io->in->light_colour[c], k->i, k->n);
       r = r * sel(lt(vabs(e), splat(1e30f)), e, zero);
@@ -204,26 +281,63 @@ INLINE void stage_surface(const stone_constants *w, const stone_io *io, block *k
   }
 }
 
-static void evaluate(const stone_constants *w, const stone_io *io, uint32_t from, uint32_t to) {
-  int radiance = wanted(io, STONE_RADIANCE, 3);
-  int colour = wanted(io, STONE_ALBEDO, 3) || radiance || wanted(io, STONE_SPECULAR, 2);
-  int surface = wanted(io, STONE_NORMAL, 6) || radiance;
+/* The stone's own channels. */
+INLINE void stage_laid(int paved, const stone_io *io, block *k) {
+  vf zero = splat(0.0f);
+  const laid *q = &k->laid;
+  put(io, k, STONE_JOINT, paved ? q->joint : zero);
+  put(io, k, STONE_ID, paved ? layout_number(q->unit.id) : zero);
+  put(io, k, STONE_U, paved ? q->unit.u : zero);
+  put(io, k, STONE_V, paved ? q->unit.v : zero);
+  put(io, k, STONE_EDGE, paved ? q->edge : zero);
+}
+
+INLINE void evaluate_as(int paved, const stone_constants *w, const stone_io *io, uint32_t from,
+                        uint32_t to) {
+  int radiance = wanted(io, STONE_RADIANCE, 3), albedo = wanted(io, STONE_ALBEDO, 3) || radiance;
+  int speck = wanted(io, STONE_SPECK, 1), hollow = w->layer[LAYER_HOLES].on;
+  int normal = wanted(io, STONE_NORMAL, 3) || wanted(io, STONE_ROUGHNESS, 2) || radiance;
+  int covered = paved || w->weather.on;
+  int surface = normal || wanted(io, STONE_HEIGHT, 1) || wanted(io, STONE_MOSS, 3) ||
+                (covered && (albedo || speck));
+  int colour = albedo || speck || (hollow && surface);
   for (uint32_t i = from; i < to; i += LANES) {
     block k = {.i = i, .n = to - i < LANES ? to - i : LANES};
-    stage_load(w, io, &k);
+    stage_load(w, paved, io, &k);
+    stage_laid(paved, io, &k);
     if (colour) {
       if (w->mode == 0)
         stage_fabric(w, &k);
       else
         stage_paper(w, &k);
-      for (int c = 0; c < 3; c++) put(io, &k, STONE_ALBEDO + c, k.albedo[c]);
-      put(io, &k, STONE_SPECK, k.speck);
     } else {
       k.hole = splat(0.0f);
     }
+    if (surface) stage_surface(w, paved, io, &k);
+    if (colour) {
+      if (covered && surface) stage_cover(w, paved, &k);
+      for (int c = 0; c < 3; c++) put(io, &k, STONE_ALBEDO + c, k.albedo[c]);
+      put(io, &k, STONE_SPECK, k.speck);
+    }
     if (wanted(io, STONE_GRAIN, 1)) stage_grain(w, io, &k);
-    if (surface) stage_surface(w, io, &k, radiance);
+    if (normal) stage_light(w, paved, io, &k, radiance);
   }
+}
+
+/* Twice in the code: a block that is one piece pays nothing for paving. */
+static __attribute__((noinline)) void evaluate_piece(const stone_constants *w, const stone_io *io,
+                                                     uint32_t from, uint32_t to) {
+  evaluate_as(0, w, io, from, to);
+}
+static __attribute__((noinline)) void evaluate_paved(const stone_constants *w, const stone_io *io,
+                                                     uint32_t from, uint32_t to) {
+  evaluate_as(1, w, io, from, to);
+}
+static void evaluate(const stone_constants *w, const stone_io *io, uint32_t from, uint32_t to) {
+  if (w->paving.layout.kind != LAYOUT_NONE)
+    evaluate_paved(w, io, from, to);
+  else
+    evaluate_piece(w, io, from, to);
 }
 
 /* Points spread at random through a space that is large to everything. */
@@ -280,4 +394,30 @@ static void measure(const stone_constants *w, uint32_t count, stone_means *out) 
   out->veins /= count;
 }
 
-const stone_kernel NAMED(stone_kernel_) = {STRING(SOZAI_ISA_NAME), LANES, evaluate, measure};
+/* Means over twenty metres of paving, of its edges and moss alone. */
+static void measure_laid(const stone_constants *w, uint32_t count, stone_laid_means *out) {
+  const vf zero = splat(0.0f), p2 = zero;
+  memset(out, 0, sizeof *out);
+  if (w->paving.layout.kind == LAYOUT_NONE) return;
+  for (uint32_t i = 0; i < count; i += LANES) {
+    vf p[3] = {measure_place(i, 0) * splat(40.0f), measure_place(i, 1) * splat(40.0f), p2};
+    laid q;
+    laid_at(w, p, zero, &q);
+    surface f = surface_none();
+    surface_lay(w, 1, &q, p, zero, field_of(zero), &f);
+    vf lost, slope;
+    field profile = laid_profile(&w->paving, &q, &lost);
+    slope = profile.g[0] * profile.g[0] + profile.g[1] * profile.g[1];
+    measure_add(&out->height, profile.v);
+    measure_add(&out->slope2, slope * splat(0.5f));
+    measure_add(&out->occlusion, f.occlusion);
+    measure_add(&out->moss, f.moss);
+  }
+  out->height /= count;
+  out->slope2 /= count;
+  out->occlusion /= count;
+  out->moss /= count;
+}
+
+const stone_kernel NAMED(stone_kernel_) = {STRING(SOZAI_ISA_NAME), LANES, evaluate, measure,
+                                           measure_laid};

@@ -74,7 +74,7 @@ static int32_t build(void *state, const sozai_host *host, const settings *s,
   int32_t r = cpu_choose(&set);
   if (r) return r;
   w->use = kernels[set];
-  return stone_build(&w->constants, host, s, colours, w->use.wide->measure);
+  return stone_build(&w->constants, host, s, colours, w->use.wide);
 }
 
 static void evaluate(const void *state, const sozai_batch *b, float *const *out, uint64_t wanted) {

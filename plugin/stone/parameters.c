@@ -8,6 +8,8 @@
 
 #define COUNT(a) (sizeof(a) / sizeof((a)[0]))
 
+#include "parameters_laid.h"
+
 /* clang-format off */
 static const sozai_parameter seed = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_INT,
@@ -456,7 +458,41 @@ const sozai_parameter *const stone_parameters[STONE_PARAMETERS] = {
    [P_FINISH] = &finish,
    [P_RELIEF] = &relief,
    [P_ROUGHNESS] = &roughness_scale,
-   [P_IOR] = &ior};
+   [P_IOR] = &ior,
+   [P_HOLE_DEPTH] = &laid_hole_depth,
+   [P_LAYOUT] = &laid_layout,
+   [P_LENGTH] = &laid_stone_length,
+   [P_WIDTH] = &laid_stone_width,
+   [P_LENGTH_VARIATION] = &laid_length_variation,
+   [P_STAGGER] = &laid_stagger,
+   [P_CHEVRON_ANGLE] = &laid_chevron_angle,
+   [P_ROTATION] = &laid_layout_rotation,
+   [P_JOINT_WIDTH] = &laid_joint_width,
+   [P_JOINT_DEPTH] = &laid_joint_depth,
+   [P_JOINT_GRAIN] = &laid_joint_grain,
+   [P_JOINT_COLOUR] = &laid_joint_colour,
+   [P_WANDER] = &laid_joint_wander,
+   [P_DIVISIONS] = &laid_joint_divisions,
+   [P_CORNER] = &laid_corner_radius,
+   [P_BEVEL] = &laid_bevel,
+   [P_BEVEL_ANGLE] = &laid_bevel_angle,
+   [P_ROUND] = &laid_edge_round,
+   [P_ROUND_DROP] = &laid_edge_drop,
+   [P_TILT] = &laid_tilt,
+   [P_SETTLE] = &laid_settle,
+   [P_CROWN] = &laid_crown,
+   [P_TONE] = &laid_tone_spread,
+   [P_TINT] = &laid_tint_spread,
+   [P_UNDULATION] = &laid_undulation,
+   [P_UNDULATION_SIZE] = &laid_undulation_size,
+   [P_WEAR] = &laid_wear,
+   [P_GRIME] = &laid_grime,
+   [P_MOSS] = &laid_moss,
+   [P_MOSS_SPREAD] = &laid_moss_spread,
+   [P_MOSS_HEIGHT] = &laid_moss_height,
+   [P_MOSS_COLOUR] = &laid_moss_colour,
+   [P_WET] = &laid_wet,
+   [P_WATER] = &laid_water_level};
 
 static const sozai_channel channel_albedo = {
    .size = sizeof(sozai_channel), .first = STONE_ALBEDO, .components = 3,
@@ -514,7 +550,56 @@ static const sozai_channel channel_grain = {
    .id = "grain", .unit = "", .suffixes = "",
    .doc = "A number between 0 and 1 for the crystal at the point: a mask, not filtered."};
 
+static const sozai_channel channel_joint = {
+   .size = sizeof(sozai_channel), .first = STONE_JOINT, .components = 1,
+   .needs = SOZAI_INPUT_POINT, .uses = SOZAI_INPUT_FOOTPRINT,
+   .id = "joint", .unit = "", .suffixes = "",
+   .doc = "Share of the footprint that is joint; 0 without a layout."};
+
+static const sozai_channel channel_stone_id = {
+   .size = sizeof(sozai_channel), .first = STONE_ID, .components = 1,
+   .needs = SOZAI_INPUT_POINT,
+   .id = "stone_id", .unit = "", .suffixes = "",
+   .doc = "A whole number below 2^24, another for each stone of the layout; 0 without one."};
+
+static const sozai_channel channel_stone_u = {
+   .size = sizeof(sozai_channel), .first = STONE_U, .components = 1,
+   .needs = SOZAI_INPUT_POINT,
+   .id = "stone_u", .unit = "mm", .suffixes = "",
+   .doc = "Place along the stone, from its corner, joint's middle to joint's middle; 0 without a layout."};
+
+static const sozai_channel channel_stone_v = {
+   .size = sizeof(sozai_channel), .first = STONE_V, .components = 1,
+   .needs = SOZAI_INPUT_POINT,
+   .id = "stone_v", .unit = "mm", .suffixes = "",
+   .doc = "Place across the stone, likewise."};
+
+static const sozai_channel channel_edge = {
+   .size = sizeof(sozai_channel), .first = STONE_EDGE, .components = 1,
+   .needs = SOZAI_INPUT_POINT,
+   .id = "edge", .unit = "mm", .suffixes = "",
+   .doc = "Distance to the stone's edge: positive within the stone, negative in the joint; 0 without a layout."};
+
+static const sozai_channel channel_moss = {
+   .size = sizeof(sozai_channel), .first = STONE_MOSS, .components = 1,
+   .needs = SOZAI_INPUT_POINT, .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
+   .id = "moss", .unit = "", .suffixes = "",
+   .doc = "Share of the footprint that moss covers."};
+
+static const sozai_channel channel_wet = {
+   .size = sizeof(sozai_channel), .first = STONE_WET, .components = 1,
+   .needs = SOZAI_INPUT_POINT, .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
+   .id = "wet", .unit = "", .suffixes = "",
+   .doc = "How wet the surface is: 0 dry; 1 under water."};
+
+static const sozai_channel channel_occlusion = {
+   .size = sizeof(sozai_channel), .first = STONE_OCCLUSION, .components = 1,
+   .needs = SOZAI_INPUT_POINT, .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
+   .id = "occlusion", .unit = "", .suffixes = "",
+   .doc = "Of the light of an even sky, what reaches the place past the stones' edges and the relief: 1 all."};
+
 const sozai_channel *const stone_channels[] = {
-   &channel_albedo, &channel_radiance, &channel_normal, &channel_height, &channel_roughness, &channel_specular, &channel_speck, &channel_grain};
+   &channel_albedo, &channel_radiance, &channel_normal, &channel_height, &channel_roughness, &channel_specular, &channel_speck, &channel_grain,
+   &channel_joint, &channel_stone_id, &channel_stone_u, &channel_stone_v, &channel_edge, &channel_moss, &channel_wet, &channel_occlusion};
 /* clang-format on */
 const uint32_t stone_channel_count = COUNT(stone_channels);

@@ -18,6 +18,7 @@
 #include <stdint.h>
 
 #include "../../api/sozai_colour.h"
+#include "../layout/layout.h"
 
 #define STONE_RELIEF 5  /* octaves of a finish's relief */
 #define STONE_CODES 256 /* of the paper's 8-bit RGB */
@@ -52,10 +53,40 @@ typedef struct {
   float variation;             /* of brightness from cell to cell */
   float blur;                  /* mm over size: crystals let light through at their edges */
   float even;                  /* area of the bodies over that of the balls in their place */
+  float size;                  /* mm */
   float fade;                  /* footprint, in cells, from which the mean stands in */
   int32_t on, shaped;          /* shaped: eroded, or cut to a ball */
   uint32_t seed, seed_warp;
 } stone_cells;
+
+/* Paving, and what weather does to it: laid.h and weather.h. Lengths in mm; m is
+ * the distance from the joint's middle. */
+typedef struct {
+  layout layout; /* kind LAYOUT_NONE: the object is one block */
+  layout_wander wander;
+  float corner;                  /* radius */
+  float half;                    /* of the joint */
+  float wall;                    /* how far the joint's side leans into the joint */
+  float depth;                   /* of the joint below the edge's foot */
+  float chamfer, slope;          /* width; tangent of its angle */
+  float round, drop;             /* width and fall of the rounded edge */
+  float tilt, settle, crown;     /* of a stone */
+  float tone, tint;              /* sd, relative */
+  float colour[3];               /* of the joint */
+  float grain_frequency;         /* of what fills the joint, 1/mm */
+  float reach;                   /* how far in from the joint wear fades in */
+  float mean, slope2, occlusion; /* of the whole plane: height, variance of slope, sky */
+} stone_paving;
+
+typedef struct {
+  int32_t on;      /* anything below but what is usual */
+  float wear, grime;
+  float undulation, undulation_frequency;
+  float moss, moss_spread, moss_height, moss_mean;
+  float moss_colour[3];
+  float wet, water; /* water: height, -1000 for none */
+  uint32_t seed;
+} stone_weather;
 
 typedef struct {
   int32_t swap;    /* the axis that changes places with y, or 1 */
@@ -87,7 +118,12 @@ typedef struct {
   int32_t relief_octaves, pitted;
   float alpha2;   /* roughness squared where nothing is lost */
   float specular; /* reflectance at normal incidence */
+  float relief_steep; /* variance of the slope along one axis, of all octaves */
+  float hole_depth; /* mm to a cell */
   uint32_t seed;
+
+  stone_paving paving;
+  stone_weather weather;
 } stone_constants;
 
 typedef struct {
@@ -106,7 +142,15 @@ enum {
   STONE_SPECULAR = 11,
   STONE_SPECK = 12,
   STONE_GRAIN = 13,
-  STONE_COMPONENTS = 14
+  STONE_JOINT = 14,
+  STONE_ID = 15,
+  STONE_U = 16,
+  STONE_V = 17,
+  STONE_EDGE = 18,
+  STONE_MOSS = 19,
+  STONE_WET = 20,
+  STONE_OCCLUSION = 21,
+  STONE_COMPONENTS = 22
 };
 
 typedef void stone_evaluate(const stone_constants *w, const stone_io *io, uint32_t from,
@@ -117,7 +161,13 @@ typedef void stone_evaluate(const stone_constants *w, const stone_io *io, uint32
 typedef struct {
   double fill[STONE_LAYERS], balls[STONE_LAYERS], veins;
 } stone_means;
+
+/* The paving's means, likewise. */
+typedef struct {
+  double height, slope2, occlusion, moss;
+} stone_laid_means;
 typedef void stone_measure(const stone_constants *w, uint32_t count, stone_means *out);
+typedef void stone_measure_laid(const stone_constants *w, uint32_t count, stone_laid_means *out);
 
 /* One compilation of the kernel. */
 typedef struct {
@@ -125,6 +175,7 @@ typedef struct {
   uint32_t lanes;
   stone_evaluate *evaluate;
   stone_measure *measure;
+  stone_measure_laid *measure_laid;
 } stone_kernel;
 
 #endif

@@ -10,6 +10,7 @@
 #include "../core/hash1.h"
 #include "../core/scalar.h"
 #include "../core/status.h"
+#include "age.h"
 #include "cone_table.h"
 #include "parameters.h"
 #include "section.h"
@@ -261,6 +262,66 @@ static void build_grain(wood_constants *w, const settings *s) {
   w->slope_noise_years = 1.0f / 9.0f;
 }
 
+/* ---- figure of the growth front ---------------------------------------- */
+
+static int32_t build_figure(wood_constants *w, const settings *s) {
+  double slope = number_at(s, P_CURL_SLOPE), length = number_at(s, P_CURL_LENGTH);
+  w->has_curl = slope > 0.0;
+  w->curl_slope = (float)slope;
+  w->curl_height = (float)(slope * length / TWO_PI);
+  w->curl_frequency = (float)(1.0 / length);
+  /* strays up to 0.4 of a turn over four waves, so that no slope exceeds 1.27 of
+   * the greatest; from place to place over as much as keeps rings apart */
+  w->curl_stray = (float)(0.8 * number_at(s, P_CURL_IRREGULARITY));
+  w->curl_stray_frequency_axis = (float)(1.0 / (4.0 * length));
+  w->curl_stray_frequency = (float)(1.0 / (4.0 * length));
+
+  double quilt = number_at(s, P_QUILT_SLOPE), height = number_at(s, P_QUILT_HEIGHT);
+  double width = number_at(s, P_QUILT_WIDTH), most = 0.117 * width / height;
+  if (quilt > most * 1.0000001) {
+    return fail(SOZAI_ERROR_RANGE,
+                "quilt_slope: %.9g is above 0.117 of quilt_width (%.9g mm) over quilt_height "
+                "(%.9g mm): rings would cross; 0 to %.9g",
+                quilt, width, height, most);
+  }
+  w->has_quilt = quilt > 0.0;
+  w->quilt_slope = (float)quilt;
+  /* the noise's slope is 0.41, root mean square */
+  w->quilt_height = (float)(quilt * height / 0.41);
+  w->quilt_frequency = (float)(1.0 / width);
+  w->quilt_frequency_axis = (float)(1.0 / height);
+  w->quilt_size = (float)(width < height ? width : height);
+
+  double density = number_at(s, P_EYE_DENSITY), diameter = number_at(s, P_EYE_DIAMETER);
+  double crowd = 32.0 / (diameter * diameter);
+  if (density > crowd * 1.0000001) {
+    return fail(SOZAI_ERROR_RANGE,
+                "eye_density: %.9g/cm2 leaves no room for eyes of %.9g mm; 0 to %.9g", density,
+                diameter, crowd);
+  }
+  double depth = number_at(s, P_EYE_DEPTH),
+         deepest = number_at(s, P_EYE_LENGTH) / (17.5 * diameter);
+  if (density > 0.0 && depth > deepest * 1.0000001) {
+    return fail(SOZAI_ERROR_RANGE,
+                "eye_depth: %.9g of eyes of %.9g mm over an eye_length of %.9g mm: rings would "
+                "cross; 0 to %.9g",
+                depth, diameter, number_at(s, P_EYE_LENGTH), deepest);
+  }
+  w->has_eyes = density > 0.0 && depth > 0.0;
+  w->eye_radius = (float)(0.5 * diameter);
+  w->eye_depth = (float)depth;
+  w->eye_dark = depth > 0.0 ? (float)(0.9 / depth) : 0.0f;
+  w->eye_length = (float)number_at(s, P_EYE_LENGTH);
+  w->inverse_eye_length = (float)(1.0 / number_at(s, P_EYE_LENGTH));
+  if (!w->has_eyes) return SOZAI_OK;
+  /* in each of two layers a share of the cells have one, and a radius meets three quarters of
+   * those, less what has only begun or all but ended */
+  double cell = 10.0 * __builtin_sqrt(0.8 * 0.7 / (0.5 * density));
+  w->eye_cell = (float)cell;
+  w->inverse_eye_cell = (float)(1.0 / cell);
+  return SOZAI_OK;
+}
+
 /* ---- vessels ---------------------------------------------------------- */
 
 /* Radii of a layer and what follows from them. Returns the mean square of
@@ -451,6 +512,12 @@ static int32_t build_colour(wood_constants *w, const sozai_host *host, const set
   memcpy(w->ray, colours[P_RAY_COLOUR], sizeof w->ray);
   memcpy(w->sap_early, colours[P_SAP_EARLY], sizeof w->sap_early);
   memcpy(w->sap_late, colours[P_SAP_LATE], sizeof w->sap_late);
+  memcpy(w->streak, colours[P_STREAK_COLOUR], sizeof w->streak);
+  double streaks = number_at(s, P_STREAK_SHARE);
+  if (streaks > 0.0) {
+    tubes_filling(&w->streaks, 0.5 * number_at(s, P_STREAK_WIDTH), number_at(s, P_STREAK_LENGTH),
+                  0.75, streaks / (double)WOOD_STREAK);
+  }
   w->heart_years = (float)number_at(s, P_HEART_YEARS);
   w->heart_edge = (float)number_at(s, P_HEART_EDGE);
   w->heart_stray = (float)number_at(s, P_HEART_STRAY);
@@ -506,12 +573,15 @@ int32_t wood_build(wood_constants *w, const sozai_host *host, const settings *s,
   if (!r) r = build_rings(w, s);
   if (r) return r;
   build_grain(w, s);
+  r = build_figure(w, s);
+  if (r) return r;
   build_vessels(w, s);
   build_rays(w, s);
   build_fibres(w, s);
   r = build_colour(w, host, s, colours);
   if (r) return r;
   surface_build(w, s);
+  age_build(w, s, colours);
   surface_build_colour(w, s, colours);
   build_cone(w, s);
   r = wood_build_boards(w, s, colours);

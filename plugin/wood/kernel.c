@@ -6,6 +6,7 @@
 #include "boards.h"
 #include "cone.h"
 #include "fibre.h"
+#include "figure.h"
 #include "grain.h"
 #include "heart.h"
 #include "picture.h"
@@ -132,8 +133,11 @@ typedef struct {
   vf late, over_late, cover, ray, albedo[3];
   vf exponent, strength, incident, tilted, power; /* figure */
   vf light[3];                                    /* log space */
+  vf streak;                                      /* share of minerals */
   vf lost;                                        /* variance of the surface's slopes */
   ray_place rays;
+  ray_cells ray_at;
+  ray_body ray_in;
   wood_board board; /* where there are boards */
 } block;
 
@@ -233,7 +237,7 @@ INLINE void stage_load(const wood_constants *w, int boards, const wood_io *io,
 
 INLINE void stage_pith(const wood_constants *w, int boards, block *k) {
   k->stem.pith = pith_at(w, own_of(boards, k), k->p[1]);
-  k->stem.lost = splat(0.0f);
+  k->stem.lost = k->stem.lost_slope = k->stem.eye = splat(0.0f);
   k->undulation = undulation_none();
 }
 
@@ -241,6 +245,10 @@ INLINE void stage_about(block *k) { stem_about(k->p[0], k->p[2], &k->stem); }
 
 INLINE void stage_undulation(const wood_constants *w, int boards, int o, block *k) {
   undulation_add(w, own_of(boards, k), o, k->p[1], k->s, &k->stem, &k->undulation);
+}
+
+INLINE void stage_figure(const wood_constants *w, int boards, block *k) {
+  figure_add(w, own_of(boards, k), k->p[1], k->s, k->extent, &k->stem, &k->undulation);
 }
 
 INLINE void stage_rho(const wood_constants *w, block *k) {
@@ -433,8 +441,17 @@ INLINE void stage_ray_place(const wood_constants *w, int boards, block *k) {
   k->rays = ray_place_of(w, own_of(boards, k), k->stem.rho, k->c, k->sn, k->p[1], &k->f, k->extent);
 }
 
+INLINE void stage_ray_cells(const wood_constants *w, block *k) {
+  k->ray_at = ray_cells_at(w, &k->rays);
+}
+
+INLINE void stage_ray_body(const wood_constants *w, block *k) {
+  k->ray_in = ray_body_of(w, &k->rays, &k->ray_at, splati(0));
+}
+
 INLINE void stage_rays(const wood_constants *w, const wood_io *io, block *k) {
-  vf share, found = rays_cover(w, &k->rays, &share);
+  vf share, nearest = ray_body_cover(w, &k->rays, &k->ray_at, &k->ray_in);
+  vf found = rays_cover(w, &k->rays, &k->ray_at, nearest, &share);
   k->ray = rays_faded(w, &k->rays, found, share);
   store_lanes(io, WOOD_RAY, k, k->ray);
 }
@@ -443,10 +460,21 @@ INLINE void stage_shift(const wood_constants *w, int boards, int o, block *k) {
   k->shift = k->shift + fibre_octave(w, own_of(boards, k), o, k->x, k->z, k->f.aa + k->f.bb);
 }
 
+/* Streaks of minerals along the fibre: a stain, which is no deeper where two
+ * meet. */
+static __attribute__((noinline)) void stage_streaks(const wood_constants *w, int boards, block *k) {
+  vessel_place place = vessel_place_of(boards, k);
+  vf left;
+  trough_sum g =
+      tubes_over(&w->streaks, wood_seed(w, place.own, SEED_STREAKS), &place, k->p[1], &left);
+  k->streak = vmin(splat(WOOD_STREAK) * g.depth, splat(1.0f));
+}
+
 INLINE void stage_colour(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf one = splat(1.0f), zero = splat(0.0f);
   /* earlywood rows stand where there is no latewood; pores everywhere */
-  vf late = k->late * (one - vmin(k->over_late, one));
+  vf season = w->has_eyes ? vmax(k->late, k->stem.eye) : k->late;
+  vf late = season * (one - vmin(k->over_late, one));
   vf early = vmax(one - k->cover - late, zero) * k->shift, dark = late * k->shift;
   vf heart = heart_share(w, k->years, k->c, k->sn, vsqrt(k->f.bb) * k->ring.inverse_width);
   vm pale = lt(heart, one);
@@ -458,6 +486,7 @@ INLINE void stage_colour(const wood_constants *w, int boards, const wood_io *io,
       deep = sel(pale, mix(splat(w->sap_late[c]), deep, heart), deep);
     }
     vf tissue = light * early + deep * dark + splat(w->vessel[c]) * k->cover;
+    if (w->streaks.share > 0.0f) tissue = mix(tissue, splat(w->streak[c]) * k->shift, k->streak);
     if (w->has_rays) tissue = mix(tissue, splat(w->ray[c]) * k->shift, k->ray);
     k->albedo[c] = boards ? board_albedo(w, &k->board, c, tissue) : tissue;
     store_lanes(io, WOOD_ALBEDO + c, k, k->albedo[c]);
@@ -493,10 +522,13 @@ INLINE void stage_lobe(const wood_constants *w, int boards, const wood_io *io, b
   k->exponent = splat(w->shininess);
   k->strength = splat(w->specular);
   if (boards) k->strength = k->strength * (one - k->board.unit.joint);
-  vm widened = gt(k->grain.variance * k->exponent, splat(1e-4f));
+  vf variance = k->grain.variance + k->stem.lost_slope;
+  vm widened = gt(variance * k->exponent, splat(1e-4f));
   if (any(widened)) {
     vf across = k->nrm[2] * k->stem.c - k->nrm[0] * k->stem.s;
-    vf wide = one / (one + k->exponent * (k->grain.variance * across * across));
+    vf out = k->nrm[0] * k->stem.c + k->nrm[2] * k->stem.s;
+    vf lost = k->grain.variance * across * across + k->stem.lost_slope * out * out;
+    vf wide = one / (one + k->exponent * lost);
     wide = sel(widened, wide, one);
     k->exponent = k->exponent * wide;
     k->strength = k->strength * vsqrt(wide);
@@ -559,7 +591,8 @@ INLINE void stage_cone(const wood_constants *w, const wood_io *io, block *k) {
   for (int c = 0; c < 3; c++) {
     store_lanes(io, WOOD_CONE_COLOUR + c, k, splat(w->fibre_colour[c]) * scale);
   }
-  vf width2 = splat(w->cone_width * w->cone_width) + splat(4.0f) * k->grain.variance;
+  vf variance = k->grain.variance + k->stem.lost_slope;
+  vf width2 = splat(w->cone_width * w->cone_width) + splat(4.0f) * variance;
   store_lanes(io, WOOD_CONE_WIDTH, k, vsqrt(width2));
   store_lanes(io, WOOD_COAT, k, splat(w->coat));
 }
@@ -568,7 +601,8 @@ INLINE void stage_cone_radiance(const wood_constants *w, int boards, const wood_
   vf r[3], v[3], coat2 = splat(w->coat_alpha * w->coat_alpha);
   if (w->surface.relief) coat2 = vmin(coat2 + k->lost, splat(1.0f));
   view_of(w, boards, io, k, v);
-  cone_radiance(w, k->light, v, k->nrm, k->fibre, k->sine, k->grain.variance, coat2, k->albedo, r);
+  vf variance = k->grain.variance + k->stem.lost_slope;
+  cone_radiance(w, k->light, v, k->nrm, k->fibre, k->sine, variance, coat2, k->albedo, r);
   if (w->has_rays) {
     /* the cells of a ray lie along the radius */
     vf zero = splat(0.0f), axis[3] = {k->stem.c, zero, k->stem.s}, shine[3];
@@ -616,6 +650,7 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
   EACH(stage_about(&blocks[k]));
   EACH(stage_undulation(w, boards, 0, &blocks[k]));
   EACH(stage_undulation(w, boards, 1, &blocks[k]));
+  if (w->has_curl || w->has_quilt || w->has_eyes) EACH(stage_figure(w, boards, &blocks[k]));
   EACH(stage_rho(w, &blocks[k]));
   EACH(stage_ring(w, io, &blocks[k]));
   if (want->section) {
@@ -643,6 +678,8 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
     EACH(stage_cover(w, io, &blocks[k]));
     if (w->has_rays) {
       EACH(stage_ray_place(w, boards, &blocks[k]));
+      EACH(stage_ray_cells(w, &blocks[k]));
+      EACH(stage_ray_body(w, &blocks[k]));
       EACH(stage_rays(w, io, &blocks[k]));
     }
   }
@@ -656,6 +693,7 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
       EACH(stage_shift(w, boards, 2, &blocks[k]));
     }
     if (want->relief) EACH(stage_relief(w, boards, io, &blocks[k], &reliefs[k]));
+    if (want->colour && w->streaks.share > 0.0f) EACH(stage_streaks(w, boards, &blocks[k]));
     if (want->colour) EACH(stage_colour(w, boards, io, &blocks[k]));
   }
   if (want->relief) EACH(stage_bump(w, boards, io, &blocks[k], &reliefs[k]));
@@ -731,7 +769,7 @@ static void ring_radius(const wood_constants *w, uint32_t count, const float *t,
     stem_pith pith = pith_at(w, splatu(0), height);
     vf r = rho * (splat(1.0f) + outline_at(w, c, s, &unused));
     for (int k = 0; k < 8; k++) {
-      stem_place p = stem_at(w, splatu(0), r * c + pith.x, height, r * s + pith.z, splat(0.0f));
+      stem_place p = stem_with_figure(w, r * c + pith.x, height, r * s + pith.z);
       vf slope = vmax(p.rho_x * p.c + p.rho_z * p.s, splat(0.2f));
       r = vmax(r + (rho - p.rho) / slope, splat(0.0f));
     }

@@ -199,6 +199,69 @@ static const sozai_parameter slope_noise_length = {
    .doc = "Length of that variation along the stem.",
    .hard_min = 5, .hard_max = 2000, .soft_min = 20, .soft_max = 300, .default_number = {70}};
 
+static const sozai_parameter curl_slope = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "curl_slope", .label = "Curl slope", .group = "grain", .unit = "",
+   .doc = "Greatest slope of the fibres in and out, in regular waves that the rings follow: the "
+   "radial half of curly and fiddleback figure, wave_slope being the tangential. 0 for none.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 0.4, .default_number = {0}};
+
+static const sozai_parameter curl_length = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "curl_length", .label = "Curl length", .group = "grain", .unit = "mm",
+   .doc = "Of those waves, along the stem.",
+   .hard_min = 1, .hard_max = 1000, .soft_min = 4, .soft_max = 60, .default_number = {12}};
+
+static const sozai_parameter curl_irregularity = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "curl_irregularity", .label = "Curl irregularity", .group = "grain", .unit = "",
+   .doc = "How far the waves stray from even spacing and from level; 0 is a perfect sine.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.5}};
+
+static const sozai_parameter quilt_slope = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "quilt_slope", .label = "Quilt slope", .group = "grain", .unit = "",
+   .doc = "Slope of the fibres over the pillows of quilted figure, root mean square; at most 0.117 "
+   "times quilt_width over quilt_height. 0 for none.",
+   .hard_min = 0, .hard_max = 0.5, .soft_min = 0, .soft_max = 0.25, .default_number = {0}};
+
+static const sozai_parameter quilt_height = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "quilt_height", .label = "Quilt height", .group = "grain", .unit = "mm",
+   .doc = "Of the pillows, along the stem.",
+   .hard_min = 1, .hard_max = 400, .soft_min = 5, .soft_max = 60, .default_number = {14}};
+
+static const sozai_parameter quilt_width = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "quilt_width", .label = "Quilt width", .group = "grain", .unit = "mm",
+   .doc = "Of the pillows, across the stem.",
+   .hard_min = 1, .hard_max = 400, .soft_min = 5, .soft_max = 80, .default_number = {28}};
+
+static const sozai_parameter eye_density = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "eye_density", .label = "Eye density", .group = "grain", .unit = "1/cm2",
+   .doc = "Bird's eyes to an area of the tangential face; at most 32 over the square of "
+   "eye_diameter in mm. 0 for none.",
+   .hard_min = 0, .hard_max = 30, .soft_min = 0, .soft_max = 2, .default_number = {0}};
+
+static const sozai_parameter eye_diameter = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "eye_diameter", .label = "Eye diameter", .group = "grain", .unit = "mm",
+   .doc = "Of a bird's eye, across the stem, the mean; from 0.6 to 1.4 times as much.",
+   .hard_min = 0.3, .hard_max = 40, .soft_min = 1, .soft_max = 8, .default_number = {3.5}};
+
+static const sozai_parameter eye_depth = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "eye_depth", .label = "Eye depth", .group = "grain", .unit = "",
+   .doc = "Of its dimple in the rings, over its radius; at most eye_length over 17.5 times eye_diameter.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 0.8, .default_number = {0.4}};
+
+static const sozai_parameter eye_length = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "eye_length", .label = "Eye length", .group = "grain", .unit = "mm",
+   .doc = "How far an eye goes on along the radius, at most.",
+   .hard_min = 5, .hard_max = 500, .soft_min = 20, .soft_max = 150, .default_number = {60}};
+
 static const char *const porosity_choices[] = {"none", "diffuse", "semi_ring", "ring"};
 static const char *const porosity_docs[] = {
    "no vessels: a conifer",
@@ -363,6 +426,50 @@ static const sozai_parameter heart_stray = {
    .id = "heartwood_stray", .label = "Heartwood stray", .group = "colour", .unit = "years",
    .doc = "How many rings the boundary departs from following one, at most, round the stem.",
    .hard_min = 0, .hard_max = 50, .soft_min = 0, .soft_max = 10, .default_number = {3}};
+
+static const sozai_parameter streak_share = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "streak_share", .label = "Mineral streaks", .group = "colour", .unit = "",
+   .doc = "Share of the section that streaks of minerals stain; there is room for 0.06.",
+   .hard_min = 0, .hard_max = 0.06, .soft_min = 0, .soft_max = 0.06, .default_number = {0}};
+
+static const sozai_parameter streak_width = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "streak_width", .label = "Streak width", .group = "colour", .unit = "mm",
+   .doc = "Of the widest, across the fibre.",
+   .hard_min = 0.1, .hard_max = 100, .soft_min = 0.5, .soft_max = 10, .default_number = {2.5}};
+
+static const sozai_parameter streak_length = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "streak_length", .label = "Streak length", .group = "colour", .unit = "mm",
+   .doc = "Along the fibre.",
+   .hard_min = 2, .hard_max = 5000, .soft_min = 20, .soft_max = 1000, .default_number = {200}};
+
+static const sozai_parameter streak_colour = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "streak_colour", .label = "Streak colour", .group = "colour", .unit = "",
+   .doc = "Of a mineral streak in its middle.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.52, 0.46, 0.34},
+   .default_text = "sRGB"};
+
+static const sozai_parameter age_years = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "age_years", .label = "Age", .group = "colour", .unit = "years",
+   .doc = "Years of light and air indoors since the face was cut: colours go from those given towards aged_colour.",
+   .hard_min = 0, .hard_max = 1000, .soft_min = 0, .soft_max = 50, .default_number = {0}};
+
+static const sozai_parameter ageing_years = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "ageing_years", .label = "Ageing time", .group = "colour", .unit = "years",
+   .doc = "In which 63 % of the change is done.",
+   .hard_min = 0.05, .hard_max = 200, .soft_min = 0.3, .soft_max = 20, .default_number = {4}};
+
+static const sozai_parameter aged_colour = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "aged_colour", .label = "Aged colour", .group = "colour", .unit = "",
+   .doc = "What earlywood comes to; all other tissue changes with it.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.70, 0.51, 0.30},
+   .default_text = "sRGB"};
 
 static const sozai_parameter section = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_IMAGE,
@@ -762,6 +869,16 @@ const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_INTERLOCKED_LENGTH] = &interlocked_length,
    [P_SLOPE_NOISE] = &slope_noise,
    [P_SLOPE_NOISE_LENGTH] = &slope_noise_length,
+   [P_CURL_SLOPE] = &curl_slope,
+   [P_CURL_LENGTH] = &curl_length,
+   [P_CURL_IRREGULARITY] = &curl_irregularity,
+   [P_QUILT_SLOPE] = &quilt_slope,
+   [P_QUILT_HEIGHT] = &quilt_height,
+   [P_QUILT_WIDTH] = &quilt_width,
+   [P_EYE_DENSITY] = &eye_density,
+   [P_EYE_DIAMETER] = &eye_diameter,
+   [P_EYE_DEPTH] = &eye_depth,
+   [P_EYE_LENGTH] = &eye_length,
    [P_POROSITY] = &porosity,
    [P_PORE_DENSITY] = &pore_density,
    [P_PORE_DIAMETER] = &pore_diameter,
@@ -787,6 +904,13 @@ const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_HEART_YEARS] = &heart_years,
    [P_HEART_EDGE] = &heart_edge,
    [P_HEART_STRAY] = &heart_stray,
+   [P_STREAK_SHARE] = &streak_share,
+   [P_STREAK_WIDTH] = &streak_width,
+   [P_STREAK_LENGTH] = &streak_length,
+   [P_STREAK_COLOUR] = &streak_colour,
+   [P_AGE_YEARS] = &age_years,
+   [P_AGEING_YEARS] = &ageing_years,
+   [P_AGED_COLOUR] = &aged_colour,
    [P_SECTION] = &section,
    [P_SECTION_WIDTH] = &section_width,
    [P_SECTION_PITH] = &section_pith,

@@ -75,9 +75,17 @@ INLINE ray_cells ray_cells_at(const wood_constants *w, const ray_place *p) {
   return q;
 }
 
-/* Cover by the ray of the cell `side` columns on. Past the sector's edge it is one
- * that might be there: only footprints that blur it away look so far. */
-INLINE vf ray_of_cell(const wood_constants *w, const ray_place *p, const ray_cells *q, vi side) {
+/* A ray of its cell: where the point is from its middle, and its size there. */
+typedef struct {
+  vf a, thick;         /* mm along the arc: of the point, and half the thickness */
+  vf at, inverse_tall; /* in half heights: of the point, and of a cell */
+} ray_body;
+
+/* The ray of the cell `side` columns on. Past the sector's edge it is one that
+ * might be there: only footprints that blur it away look so far. */
+INLINE ray_body ray_body_of(const wood_constants *w, const ray_place *p, const ray_cells *q,
+                            vi side) {
+  ray_body r;
   vf one = splat(1.0f), half = splat(0.5f), k16 = splat(1.0f / 65536.0f);
   vi column = q->column + side, iy;
   vu root = hash_mix((vu)column * splatu(HASH_X) + (vu)q->shell * splatu(HASH_Z) + q->seed);
@@ -97,33 +105,44 @@ INLINE vf ray_of_cell(const wood_constants *w, const ray_place *p, const ray_cel
   /* they taper to their ends along the radius */
   vf taper =
       clamp01((q->within - starts) * splat(16.0f)) * clamp01((ends - q->within) * splat(16.0f));
-
-  vf a = (q->x - to_float(side) - place) * q->arc + q->stray;
-  vf inverse = one / tall;
-  vf e = half * p->along * splat(w->inverse_ray_cell) * inverse, at = (y - centre) * inverse;
-  e = vmax(e, splat(1e-3f));
-  vf lens = (ray_lens(at + e) - ray_lens(at - e)) / (e + e);
-  return ray_overlap(a - q->reach, a + q->reach, thick * taper * lens);
+  r.thick = thick * taper;
+  r.a = (q->x - to_float(side) - place) * q->arc + q->stray;
+  r.inverse_tall = one / tall;
+  r.at = (y - centre) * r.inverse_tall;
+  return r;
 }
 
-/* Cover by rays. A ray keeps clear of its cell's edge, so that most footprints
- * meet no other cell's. share: of the rays that are expected. */
-INLINE vf rays_cover(const wood_constants *w, const ray_place *p, vf *share) {
-  ray_cells q = ray_cells_at(w, p);
-  vf zero = splat(0.0f), one = splat(1.0f);
-  vf sum = ray_of_cell(w, p, &q, splati(0));
-  vf reach = q.reach / q.arc;
-  vm before = lt(q.x, splat(0.5f));
+/* How much of the footprint it covers. */
+INLINE vf ray_body_cover(const wood_constants *w, const ray_place *p, const ray_cells *q,
+                         const ray_body *r) {
+  vf e = splat(0.5f) * p->along * splat(w->inverse_ray_cell) * r->inverse_tall;
+  e = vmax(e, splat(1e-3f));
+  vf lens = (ray_lens(r->at + e) - ray_lens(r->at - e)) / (e + e);
+  return ray_overlap(r->a - q->reach, r->a + q->reach, r->thick * lens);
+}
+
+INLINE vf ray_of_cell(const wood_constants *w, const ray_place *p, const ray_cells *q, vi side) {
+  ray_body r = ray_body_of(w, p, q, side);
+  return ray_body_cover(w, p, q, &r);
+}
+
+/* Cover by rays, nearest: by that of the point's own cell. A ray keeps clear of
+ * its cell's edge, so that most footprints meet no other cell's. share: of the
+ * rays that are expected. */
+INLINE vf rays_cover(const wood_constants *w, const ray_place *p, const ray_cells *q, vf nearest,
+                     vf *share) {
+  vf zero = splat(0.0f), one = splat(1.0f), sum = nearest;
+  vm before = lt(q->x, splat(0.5f));
   vi nearer = seli(before, splati(-1), splati(1));
-  vf edge = vmin(q.x, one - q.x), clear = splat(w->ray_clear);
-  vm meets = gt(reach, edge + clear);
-  if (any(meets)) sum = sum + sel(meets, ray_of_cell(w, p, &q, nearer), zero);
-  meets = gt(reach, one - edge + clear);
-  if (any(meets)) sum = sum + sel(meets, ray_of_cell(w, p, &q, splati(0) - nearer), zero);
+  vf edge = vmin(q->x, one - q->x), clear = splat(w->ray_clear);
+  vm meets = gt(q->reach, (edge + clear) * q->arc);
+  if (any(meets)) sum = sum + sel(meets, ray_of_cell(w, p, q, nearer), zero);
+  meets = gt(q->reach, (one - edge + clear) * q->arc);
+  if (any(meets)) sum = sum + sel(meets, ray_of_cell(w, p, q, splati(0) - nearer), zero);
   /* a shell's cells widen outwards, and a radius meets more rays the nearer it
    * is to the shell's middle */
-  vf inside = vmin(vmin(q.within, one - q.within) * splat(4.0f), one);
-  *share = inside * splat(4.0f / 3.0f) / (q.arc * splat(w->inverse_ray_arc));
+  vf inside = vmin(vmin(q->within, one - q->within) * splat(4.0f), one);
+  *share = inside * splat(4.0f / 3.0f) / (q->arc * splat(w->inverse_ray_arc));
   return sum;
 }
 

@@ -63,6 +63,8 @@ typedef struct {
   vf rho_x, rho_z; /* derivatives about the pith at a fixed height */
   vf rho_y;        /* at a fixed place about the pith */
   vf lost;         /* mm^2: variance of rho that the footprint swallowed */
+  vf lost_slope;   /* variance of the fibres' slope along the radius that went likewise */
+  vf eye;          /* 0..1: how far within a bird's eye */
 } stem_place;
 
 /* Growing in steps, so that the kernel can take a few blocks through each: */
@@ -148,17 +150,6 @@ INLINE void stem_rho(const wood_constants *w, vf y, const undulation_sum *u, ste
   p->rho_x = q * p->c + turn * p->s - (envelope * u->nx + steep * p->c);
   p->rho_z = q * p->s - turn * p->c - (envelope * u->nz + steep * p->s);
   p->rho_y = sel(eq(lean, bounded), p->r * splat(w->taper) * widen, splat(0.0f)) - envelope * u->ny;
-}
-
-INLINE stem_place stem_at(const wood_constants *w, vu own, vf x, vf y, vf z, vf footprint) {
-  stem_place p;
-  undulation_sum u = undulation_none();
-  p.pith = pith_at(w, own, y);
-  p.lost = splat(0.0f);
-  stem_about(x, z, &p);
-  for (int o = 0; o < 2; o++) undulation_add(w, own, o, y, footprint, &p, &u);
-  stem_rho(w, y, &u, &p);
-  return p;
 }
 
 #endif

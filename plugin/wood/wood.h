@@ -30,6 +30,7 @@
 #define WOOD_CONE_PSI 65      /* steps of the sine of inclination, -1 to 1 */
 #define WOOD_CONE_DIVE 17     /* steps of the sine of the dive angle, 0 to 1 */
 #define WOOD_CONE_LEAST 0.05f /* of cos^2(psi_d / 2): where cones close, the lobe stays finite */
+#define WOOD_STREAK 0.62f     /* how much of its colour a streak's depth gives */
 #define WOOD_RIM 256          /* directions in which the rim of a picture is known */
 
 /* The seeds of the noises, kept apart. */
@@ -44,10 +45,14 @@ enum {
   SEED_RAYS,
   SEED_FIBRE,
   SEED_BOARDS = SEED_FIBRE + WOOD_FIBRE_OCTAVES,
-  SEED_MARKS,
+  SEED_CURL,
+  SEED_QUILT,
+  SEED_EYES,
+  SEED_MARKS = SEED_EYES + 2,
   SEED_WEAR,
   SEED_CHECKS = SEED_WEAR + SURFACE_OCTAVES,
   SEED_CRACKS,
+  SEED_STREAKS,
   WOOD_SEEDS
 };
 
@@ -90,6 +95,17 @@ typedef struct {
   float undulation_frequency_section[2], undulation_frequency_axis[2]; /* 1/mm */
   float undulation_size[2];                                            /* mm */
   float undulation_core; /* 1/mm: within its inverse of the pith the undulation dies out */
+
+  /* figure of the growth front */
+  int32_t has_curl, has_quilt, has_eyes;
+  float curl_height, curl_slope, curl_frequency;           /* mm; greatest slope; 1/mm */
+  float curl_stray;                                        /* turns */
+  float curl_stray_frequency, curl_stray_frequency_axis;   /* 1/mm */
+  float quilt_height, quilt_slope;                         /* mm over the noise; rms slope */
+  float quilt_frequency, quilt_frequency_axis, quilt_size; /* 1/mm; mm */
+  float eye_radius, eye_depth,
+      eye_dark; /* mm; of the radius; share of latewood in its middle, over the depth */
+  float eye_cell, inverse_eye_cell, eye_length, inverse_eye_length; /* mm, 1/mm */
 
   /* rings */
   float ring_period, inverse_ring_period; /* mm: the table's whole radius */
@@ -155,6 +171,8 @@ typedef struct {
   float early[3], late[3], vessel[3], ray[3];
 
   float sap_early[3], sap_late[3];
+  wood_tubes streaks;            /* of minerals */
+  float streak[3];               /* their colour */
   float heart_years, heart_edge; /* years: where the heartwood ends, and how gradually */
   float heart_stray;             /* years: most that the boundary departs from the ring */
   float heart_cos[3], heart_sin[3];

@@ -87,8 +87,10 @@ static int make_woods(void) {
          .text = i / 4u % 2u ? "fibre_cone" : "kawai"},
         {.id = "surface", .kind = SOZAI_KIND_CHOICE, .text = surfaces[i / 4u % 9u]},
         {.id = "finish", .kind = SOZAI_KIND_CHOICE, .text = finishes[i / 4u % 3u]},
+        {.id = "age_years", .kind = SOZAI_KIND_FLOAT, .number = {i / 4u % 2u * 7.0}},
+        {.id = "streak_share", .kind = SOZAI_KIND_FLOAT, .number = {i / 4u % 4u * 0.01}},
         {.id = "mark_angle", .kind = SOZAI_KIND_FLOAT, .number = {i % 3u * 30.0}}};
-    r = make("wood", i ? info->presets[i - 1]->id : NULL, values, 10);
+    r = make("wood", i ? info->presets[i - 1]->id : NULL, values, 12);
   }
   return r;
 }

@@ -177,7 +177,9 @@ static void the_hosts_own(void **state) {
                                        "sapwood_latewood_colour",
                                        "ray_colour",
                                        "joint_colour",
-                                       "grey_colour"};
+                                       "grey_colour",
+                                       "streak_colour",
+                                       "aged_colour"};
   enum { OTHERS = sizeof others / sizeof *others };
   sozai_value values[PLAIN + OTHERS];
   memcpy(values, plain, sizeof plain);
@@ -189,7 +191,7 @@ static void the_hosts_own(void **state) {
   sozai_texture *t;
   calls = 0;
   assert_int_equal(l.textures->create(&host, "wood", NULL, values, PLAIN + OTHERS, &t), SOZAI_OK);
-  assert_int_equal(calls, 9); /* eight colours, and the hue of one */
+  assert_int_equal(calls, 11); /* ten colours, and the hue of one */
   const float p[3] = {40, 50, 3};
   float rgb[3], *const channels[3] = {&rgb[0], &rgb[1], &rgb[2]};
   sozai_batch b = {.size = sizeof b,
@@ -198,7 +200,7 @@ static void the_hosts_own(void **state) {
                    .out = channels,
                    .out_count = 3};
   assert_int_equal(l.textures->evaluate(t, &b), SOZAI_OK);
-  assert_int_equal(calls, 8); /* none for a point */
+  assert_int_equal(calls, 11); /* none for a point */
   assert_true(fabs((double)rgb[0] - 0.75) < 1e-6 && fabs((double)rgb[2] - 0.5) < 1e-6);
   l.textures->destroy(t);
   float unused[3];

@@ -114,6 +114,7 @@ static const expected layouts[] = {
     {.id = "crazy", .length = 350, .width = 350, .reach = 900},
     {.id = "arcs", .length = 100, .width = 100, .reach = 170, .bent = 1},
     {.id = "circles", .length = 100, .width = 100, .reach = 210, .bent = 1},
+    {.id = "fan", .length = 90, .width = 90, .reach = 230, .bent = 1},
 };
 #define COUNT (sizeof layouts / sizeof *layouts)
 

@@ -30,6 +30,15 @@ SPECIES_ALL(DECLARE)
   CHOICE("grain", "interlocked"), NUMBER("interlocked_slope", slope),                              \
       NUMBER("interlocked_years", years), NUMBER("interlocked_length", length)
 
+#define CURL(slope, length, irregularity)                                                          \
+  NUMBER("curl_slope", slope), NUMBER("curl_length", length),                                      \
+      NUMBER("curl_irregularity", irregularity)
+#define QUILT(slope, height, width)                                                                \
+  NUMBER("quilt_slope", slope), NUMBER("quilt_height", height), NUMBER("quilt_width", width)
+#define EYES(density, diameter, depth, length)                                                     \
+  NUMBER("eye_density", density), NUMBER("eye_diameter", diameter), NUMBER("eye_depth", depth),    \
+      NUMBER("eye_length", length)
+
 #define CONIFER CHOICE("porosity", "none")
 #define DIFFUSE_POROUS(density, diameter, spread)                                                  \
   CHOICE("porosity", "diffuse"), NUMBER("vessel_density", density),                                \
@@ -49,6 +58,14 @@ SPECIES_ALL(DECLARE)
 #define RAYS(density, height, width, length)                                                       \
   NUMBER("ray_density", density), NUMBER("ray_height", height), NUMBER("ray_width", width),        \
       NUMBER("ray_length", length)
+
+/* What the light makes of earlywood's colour, sRGB, and in how many years 63 % of
+ * it: directions after Sandermann and Schlumbom (Holz als Roh- und Werkstoff 20,
+ * 1962), Oltean, Teischinger and Hansmann (the same, 66, 2008), and the USDA
+ * Wood Handbook's notes on colour. */
+#define AGED(r, g, b, years) SRGB("aged_colour", r, g, b), NUMBER("ageing_years", years)
+#define MINERAL_STREAKS(share, width, length)                                                      \
+  NUMBER("streak_share", share), NUMBER("streak_width", width), NUMBER("streak_length", length)
 
 #define SPECIES(key, name, about, literature)                                                      \
   const sozai_preset species_##key = {.size = sizeof(sozai_preset),                                \
@@ -74,6 +91,12 @@ SPECIES_ALL(DECLARE)
   "Richter H. G., Dallwitz M. J., Commercial timbers: descriptions, illustrations, "               \
   "identification, and information retrieval (2000 onwards)"
 #define METCALFE "Metcalfe C. R., Chalk L., Anatomy of the dicotyledons (1950)"
+#define BEALS                                                                                      \
+  "Beals H. O., Davis T. C., Figure in wood: an illustrated review, Alabama Agricultural "         \
+  "Experiment Station bulletin 486 (1977)"
+#define BRAGG                                                                                      \
+  "Bragg D. C., The birdseye figured grain in sugar maple: literature review, nomenclature, and "  \
+  "structural characteristics, Canadian Journal of Forest Research 29 (1999)"
 #define GYMNOSPERMS                                                                                \
   "IAWA Committee, IAWA list of microscopic features for softwood identification, IAWA Journal "   \
   "25 (2004)"

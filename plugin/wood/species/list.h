@@ -106,7 +106,13 @@
   X(redwood) \
   X(southern_pine)
 
-#define SPECIES_ALL(X) SPECIES_JAPAN(X) SPECIES_EUROPE(X) SPECIES_AMERICA(X) SPECIES_TROPICS(X) SPECIES_CONIFERS(X)
+#define SPECIES_FIGURED(X) \
+  X(curly_maple) \
+  X(quilted_maple) \
+  X(birdseye_maple) \
+  X(pommele_sapele)
+
+#define SPECIES_ALL(X) SPECIES_JAPAN(X) SPECIES_EUROPE(X) SPECIES_AMERICA(X) SPECIES_TROPICS(X) SPECIES_CONIFERS(X) SPECIES_FIGURED(X)
 /* clang-format on */
 
 #endif

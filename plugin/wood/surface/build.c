@@ -185,34 +185,13 @@ static void build_vessels(wood_constants *w, const surface_finish *f, const sett
   }
 }
 
-static void build_checks(wood_constants *w, const surface_finish *f, const settings *s) {
-  wood_surface *m = &w->surface;
-  double count = 0.01 * usual(s, P_CHECKS, f->checks);
-  double r = 0.5 * number_at(s, P_CHECK_WIDTH);
+static void build_checks(wood_surface *m, const surface_finish *f, const settings *s) {
+  double count = 0.01 * usual(s, P_CHECKS, f->checks), r = 0.5 * number_at(s, P_CHECK_WIDTH);
   if (count <= 0.0) return;
-  /* a line meets share / cell^2 2 r E[grown] E[t] of them; their means, and
-   * those of the fourth powers, by grown = 0.3 + 0.7 u^2 and t = 4 f (1 - f) */
-  const double met = (0.3 + 0.7 / 3.0) * 2.0 / 3.0;
-  const double grown4 = 0.0081 + 0.0252 + 0.05292 + 0.0588 + 0.02668, t4 = 256.0 / 630.0;
-  double share = 0.5, cell = __builtin_sqrt(share * 2.0 * r * met / count), least = 2.5 * r;
-  if (cell < least) {
-    share *= least * least / (cell * cell);
-    if (share > 1.0) share = 1.0;
-    cell = least;
-  }
-  m->check_cell = (float)cell;
-  m->inverse_check_cell = (float)(1.0 / cell);
-  m->check_share = (float)share;
-  m->check_radius = (float)r;
-  /* as vessels': a blurred trough keeps within half a cell */
-  double clear = 0.5 * cell, e2 = (clear * clear / 1.25 - r * r) * 12.0 * 0.2552;
-  m->check_reach = (float)__builtin_sqrt(e2 > r * r ? e2 : r * r);
-  m->inverse_check_length = (float)(1.0 / number_at(s, P_CHECK_LENGTH));
-  m->check_dark = 0.55f;
-  double density = share / (cell * cell) * grown4 * t4;
-  double depth = f->check_depth > 0.0 ? f->check_depth : 0.5;
-  m->checks = grooves_of(depth, r, 1.0, density);
-  m->checks.mean = (float)(density * PI * r * r); /* over its depth */
+  /* of many sizes, most of them small */
+  tubes_met(&m->checks, r, number_at(s, P_CHECK_LENGTH), 0.3, count);
+  m->check_depth = (float)(f->check_depth > 0.0 ? f->check_depth : 0.5);
+  m->check_dark = 0.5f;
   m->stains = 1;
 }
 
@@ -246,9 +225,9 @@ void surface_build(wood_constants *w, const settings *s) {
   build_marks(m, f, s);
   build_wear(w, f, s);
   build_vessels(w, f, s);
-  build_checks(w, f, s);
+  build_checks(m, f, s);
   if (choice_at(s, P_SURFACE) == SURFACE_CHARRED) build_cracks(w, f, s);
   m->relief = m->marks || m->scratch[0].height > 0.0f || m->erosion > 0.0f ||
               m->fibre[0].height > 0.0f || m->pores.depth > 0.0f || m->rows.depth > 0.0f ||
-              m->checks.depth > 0.0f || m->crack_depth > 0.0f;
+              m->check_depth > 0.0f || m->crack_depth > 0.0f;
 }

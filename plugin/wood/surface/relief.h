@@ -40,12 +40,6 @@ INLINE vf relief_within(const surface_place *p, vf slope2) {
   return splat(0.5f) * slope2 * (p->place.f.aa + p->place.f.bb) * per;
 }
 
-/* How much of a trough's slope is left in a blurred one, squared. */
-INLINE vf relief_left(const disc *d) {
-  vf a = d->height * (d->top + d->top - splat(1.0f)) / d->top * splat(1.0f / 1.6f);
-  return vmin(a * a, splat(1.0f));
-}
-
 INLINE void relief_wear(const wood_constants *w, const surface_place *p, surface_relief *r) {
   const wood_surface *m = &w->surface;
   vf zero = splat(0.0f), one = splat(1.0f), late = zero, slope = zero;
@@ -82,11 +76,11 @@ INLINE void relief_vessels(const wood_constants *w, const surface_place *p, surf
     r->height = r->height - splat(m->pores.mean) * faded;
     if (any(lt(faded, one))) {
       disc d = pores_disc(w, v, v->f.aa, v->f.ab, v->f.bb);
-      groove_sum g = grooves_pores(w, v->own, v->x, v->z, &d);
+      trough_sum g = grooves_pores(w, v->own, v->x, v->z, &d);
       r->height = r->height - k * g.depth;
       relief_add(r, zero - k * g.x, p->along_x);
       relief_add(r, zero - k * g.z, p->along_z);
-      left = relief_left(&d) * (one - faded) * (one - faded);
+      left = trough_left(&d) * (one - faded) * (one - faded);
     }
     r->lost = r->lost + relief_within(p, splat(m->pores.slope2) * (one - left));
   }
@@ -96,10 +90,10 @@ INLINE void relief_vessels(const wood_constants *w, const surface_place *p, surf
     vf twelfth = splat(1.0f / 12.0f);
     matrix2 c = {v->f.aa * twelfth, v->f.ab * twelfth, v->f.bb * twelfth};
     disc d = disc_blurred(splat(w->row.radius * w->row.radius), c);
-    vf left = relief_left(&d) * (one - faded) * (one - faded);
+    vf left = trough_left(&d) * (one - faded) * (one - faded);
     r->height = r->height - splat(m->rows.mean) * faded;
     if (any(and_(lt(faded, one), row.near))) {
-      groove_sum g = grooves_rows(w, &row, v->rho, zero, zero, &d);
+      trough_sum g = grooves_rows(w, &row, v->rho, zero, zero, &d);
       r->height = r->height - k * g.depth;
       relief_add(r, zero - k * g.x, p->arc);
       relief_add(r, zero - k * g.z, p->rho);
@@ -108,43 +102,18 @@ INLINE void relief_vessels(const wood_constants *w, const surface_place *p, surf
   }
 }
 
-/* A footprint longer than a tap answers is cut into up to 8, as vessels' are. */
 INLINE void relief_checks(const wood_constants *w, const surface_place *p, surface_relief *r) {
   const wood_surface *m = &w->surface;
-  if (m->checks.depth <= 0.0f) return;
-  const vessel_place *v = &p->place;
-  vf zero = splat(0.0f), one = splat(1.0f), twelfth = splat(1.0f / 12.0f);
-  vf e2 = v->f.aa + v->f.bb;
-  vm cut = gt(e2, splat(m->check_reach * m->check_reach));
-  footprint_axes l = footprint_split(&v->f);
-  footprint_parts part = footprint_cut(&v->f, &l, cut, m->check_reach);
-  vf faded = sel(part.most, fade_beyond(part.aa + part.bb, m->check_reach), zero);
-  vf k = one - faded, left = zero, depth = splat(m->checks.mean) * faded;
-  if (any(gt(k, zero))) {
-    matrix2 c = to_section(part.aa * twelfth, part.ab * twelfth, part.bb * twelfth, v->c, v->s);
-    disc d = disc_blurred(splat(m->check_radius * m->check_radius), c);
-    vf slope = zero - k * splat(m->checks.depth);
-    for (int i = 0; i < part.taps; i++) {
-      vf at = splat((float)i + 0.5f) * part.along;
-      vm second = gt(at, one);
-      vf a = at - splat(0.5f) - sel(second, one, zero);
-      vf side = sel(lt(part.beside, one), sel(second, splat(0.25f), splat(-0.25f)), zero);
-      vf weight = sel(lt(at * part.beside, one), part.along * part.beside, zero);
-      vf da = sel(cut, l.arc * a + l.rest_arc * side, zero);
-      vf dr = sel(cut, l.rho * a + l.rest_rho * side, zero);
-      groove_sum g = grooves_checks(w, v->own, v->x + (dr * v->c - da * v->s), p->y,
-                                    v->z + (dr * v->s + da * v->c), &d);
-      depth = depth + k * weight * g.depth;
-      relief_add(r, slope * weight * g.x, p->along_x);
-      relief_add(r, slope * weight * g.z, p->along_z);
-      r->slope[1] = r->slope[1] + slope * weight * g.y;
-    }
-    /* the parts' slopes are of either sign */
-    left = relief_left(&d) * k * k * part.along * part.beside;
-  }
-  r->height = r->height - splat(m->checks.depth) * depth;
-  r->lost = r->lost + relief_within(p, splat(m->checks.slope2) * (one - left));
-  r->dark = vmin(r->dark + splat(m->check_dark) * depth, one);
+  if (m->check_depth <= 0.0f) return;
+  vf left, slope = splat(-m->check_depth), one = splat(1.0f);
+  trough_sum g =
+      tubes_over(&m->checks, wood_seed(w, p->place.own, SEED_CHECKS), &p->place, p->y, &left);
+  relief_add(r, slope * g.x, p->along_x);
+  relief_add(r, slope * g.z, p->along_z);
+  r->slope[1] = r->slope[1] + slope * g.y;
+  r->height = r->height + slope * g.depth;
+  r->lost = r->lost + slope * slope * relief_within(p, splat(m->checks.slope2) * (one - left));
+  r->dark = vmin(r->dark + splat(m->check_dark) * g.depth, one);
 }
 
 INLINE void relief_cracks(const wood_constants *w, const surface_place *p, surface_relief *r) {

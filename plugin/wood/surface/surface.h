@@ -15,6 +15,8 @@
 
 #include <stdint.h>
 
+#include "../tube_layer.h"
+
 /* What marks the tool leaves. */
 enum { MARKS_NONE, MARKS_BAND, MARKS_CIRCULAR, MARKS_KNIVES, MARKS_STROKES };
 
@@ -62,12 +64,9 @@ typedef struct {
   surface_grooves pores, rows;
 
   /* checks */
-  float check_cell, inverse_check_cell; /* mm; 1/mm */
-  float check_share;                    /* of cells that have one */
-  float check_radius, check_reach;      /* mm; the longest footprint that one look-up answers */
-  float inverse_check_length;           /* 1/mm */
-  float check_dark;                     /* of the albedo where one is deepest */
-  surface_grooves checks;
+  float check_depth; /* mm; 0: there are none */
+  float check_dark;  /* of the albedo where one is deepest */
+  wood_tubes checks;
 
   /* cracks of charred wood */
   float crack_frequency[2]; /* 1/mm: of the cells, across and along the fibre */

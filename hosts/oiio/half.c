@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "half.h"
+
+#include <string.h>
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+#define LARGEST_BITS 0x477fe000u /* 65504 */
+
+/* Without branches, so that compilers make vectors of it. */
+static uint16_t convert(float number) {
+  uint32_t bits;
+  memcpy(&bits, &number, sizeof bits);
+  uint32_t sign = bits >> 16 & 0x8000u;
+  bits &= 0x7fffffffu;
+  bits = bits > LARGEST_BITS ? LARGEST_BITS : bits;
+  /* Normal: the exponent moves by 112, and half a unit of the last place, less
+   * one where that is even, carries the rest upwards. */
+  uint32_t normal = (bits - 0x38000000u + 0xfffu + (bits >> 13 & 1u)) >> 13;
+  /* Below 2^-14: adding 0.5 lets the processor shift and round. */
+  float small, half = 0.5f;
+  memcpy(&small, &bits, sizeof small);
+  small += half;
+  uint32_t small_bits;
+  memcpy(&small_bits, &small, sizeof small_bits);
+  uint32_t subnormal = small_bits - 0x3f000000u;
+  return (uint16_t)(sign | (bits < 0x38800000u ? subnormal : normal));
+}
+
+#if defined(__x86_64__)
+__attribute__((target("avx,f16c"))) static size_t convert_eights(uint16_t *to, const float *from,
+                                                                 size_t count) {
+  const __m256 most = _mm256_set1_ps(65504.0f), least = _mm256_set1_ps(-65504.0f);
+  size_t i = 0;
+  for (; i + 8 <= count; i += 8) {
+    __m256 v = _mm256_max_ps(_mm256_min_ps(_mm256_loadu_ps(from + i), most), least);
+    __m128i h = _mm256_cvtps_ph(v, _MM_FROUND_TO_NEAREST_INT);
+    memcpy(to + i, &h, sizeof h);
+  }
+  return i;
+}
+#endif
+
+void half_from_float(uint16_t *to, const float *from, size_t count) {
+  size_t i = 0;
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx") && __builtin_cpu_supports("f16c"))
+    i = convert_eights(to, from, count);
+#endif
+  for (; i < count; i++) to[i] = convert(from[i]);
+}

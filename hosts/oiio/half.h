@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#ifndef SOZAI_OIIO_HALF_H
+#define SOZAI_OIIO_HALF_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* To the nearest half, ties to even; what is past the largest becomes the
+ * largest, so that finite numbers stay finite. */
+void half_from_float(uint16_t *to, const float *from, size_t count);
+
+#endif

@@ -1,0 +1,195 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "surface.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "atlas.h"
+
+#define USUAL_SIZE 1000.0  /* mm */
+#define USUAL_PIXELS 4096u /* the longer side */
+
+struct surface {
+  surface_shape shape;
+  double height; /* z of a plane, mm */
+  atlas *atlas;  /* of a mesh, else NULL */
+};
+
+/* ---- opening ---------------------------------------------------------- */
+
+/* What stands before a complaint: the file's name. */
+static bool refuse(const recipe *r, failure *why, const char *text) {
+  return fail(why, EXIT_BAD_INPUT, "%s%s%s", r->file ? r->file : "", r->file ? ": " : "", text);
+}
+
+static bool set_size(surface *s, const recipe *r, failure *why) {
+  const recipe_surface *asked = &r->surface;
+  const double *image = r->image.size;
+  double *size = s->shape.size;
+  bool board = asked->shape == RECIPE_BOARD;
+  bool volume = s->shape.kind == SURFACE_VOLUME;
+  for (int c = 0; c < 3; c++) {
+    double usual = asked->shape != RECIPE_NO_SHAPE && asked->size[c] > 0 ? asked->size[c]
+                   : c == 1 && asked->size[0] > 0                        ? asked->size[0]
+                   : c == 2 && !volume                                   ? 0
+                                                                         : USUAL_SIZE;
+    if (c == 2 && volume && asked->size[2] <= 0) usual = fmin(size[0], size[1]);
+    size[c] = image[c] > 0 ? image[c] : usual;
+    if (board && asked->size[c] > 0 && size[c] > asked->size[c])
+      return refuse(r, why, "image: size is larger than the board's");
+  }
+  if (!volume) {
+    s->height = board ? 0.5 * asked->size[2] : 0;
+    size[2] = 0;
+  }
+  return true;
+}
+
+static uint32_t in_proportion(double pixels, double side, double of) {
+  double n = floor(pixels * side / of + 0.5);
+  return n < 1 ? 1 : n > RECIPE_MOST_PIXELS ? RECIPE_MOST_PIXELS : (uint32_t)n;
+}
+
+/* Texels are square where only one number is said. */
+static void set_pixels(surface *s, const recipe *r) {
+  const double *asked = r->image.resolution, *size = s->shape.size;
+  uint32_t *pixels = s->shape.pixels;
+  bool flat = s->shape.kind != SURFACE_VOLUME;
+  if (asked[1] > 0)
+    for (int c = 0; c < 3; c++) pixels[c] = asked[c] > 0 ? (uint32_t)asked[c] : 1;
+  else {
+    double longer = asked[0] > 0 ? asked[0] : USUAL_PIXELS;
+    double side = fmax(fmax(size[0], size[1]), size[2]);
+    for (int c = 0; c < 3; c++)
+      pixels[c] = side > 0 ? in_proportion(longer, size[c], side) : (uint32_t)longer;
+  }
+  if (flat) pixels[2] = 1;
+}
+
+static bool open_mesh(surface *s, const recipe *r, failure *why) {
+  if (r->image.size[0] > 0)
+    return refuse(r, why, "image: size is not for a mesh, whose UVs say what is shown");
+  if (!atlas_open(&s->atlas, r->surface.mesh, r->surface.scale > 0 ? r->surface.scale : 1, why)) {
+    char text[sizeof why->text];
+    memcpy(text, why->text, sizeof text);
+    return fail(why, why->exit_code, "%s: %s", r->file ? r->file : "mesh", text);
+  }
+  s->shape.udim = r->image.udim ? r->image.udim : atlas_udim(s->atlas, 0);
+  for (uint32_t k = 0; k < atlas_udim_count(s->atlas); k++)
+    if (atlas_udim(s->atlas, k) == s->shape.udim) return true;
+  return fail(why, EXIT_BAD_INPUT,
+              "%s: image: udim %d is not among the mesh's tiles; the first is %d",
+              r->file ? r->file : "mesh", s->shape.udim, atlas_udim(s->atlas, 0));
+}
+
+static bool check(const surface *s, const recipe *r, failure *why) {
+  const recipe_image *i = &r->image;
+  int kind = s->shape.kind;
+  if (kind == SURFACE_MESH && i->normals == RECIPE_NORMALS_TANGENT)
+    return refuse(r, why, "image: normals: tangent is not for a mesh; there is object");
+  if (kind == SURFACE_VOLUME && i->normals == RECIPE_NORMALS_TANGENT)
+    return refuse(r, why, "image: normals: tangent is not for a volume, which has none");
+  if (kind == SURFACE_VOLUME && r->surface.shape == RECIPE_MESH)
+    return refuse(r, why, "image: three numbers make a volume, which a mesh is not");
+  if (kind != SURFACE_MESH && i->udim) return refuse(r, why, "image: udim is for a mesh alone");
+  if (i->wrap != RECIPE_WRAP_PERIODIC) return true;
+  if (kind != SURFACE_PLANE || r->surface.shape == RECIPE_BOARD)
+    return refuse(r, why, "image: wrap: periodic is for a plane alone");
+  if (!periodic_fits(r->material))
+    return fail(why, EXIT_BAD_INPUT,
+                "%s: image: wrap: periodic is not for %s, of which no piece fits itself; there is "
+                "black, clamp, mirror",
+                r->file ? r->file : "image", r->material);
+  return true;
+}
+
+static uint32_t count_levels(const surface_shape *shape) {
+  if (shape->kind == SURFACE_VOLUME) return 1;
+  uint32_t side = shape->pixels[0] > shape->pixels[1] ? shape->pixels[0] : shape->pixels[1];
+  uint32_t levels = 1;
+  while (side >> levels) levels++;
+  return levels;
+}
+
+bool surface_open(surface **out, const recipe *r, failure *why) {
+  *out = NULL;
+  surface *s = calloc(1, sizeof *s);
+  if (!s) return fail(why, EXIT_FAILURE, "out of memory");
+  bool volume = r->image.resolution[2] > 0 || r->image.size[2] > 0;
+  s->shape.kind = volume                            ? SURFACE_VOLUME
+                  : r->surface.shape == RECIPE_MESH ? SURFACE_MESH
+                                                    : SURFACE_PLANE;
+  bool ok = check(s, r, why) &&
+            (s->shape.kind == SURFACE_MESH ? open_mesh(s, r, why) : set_size(s, r, why));
+  if (!ok) {
+    surface_close(s);
+    return false;
+  }
+  set_pixels(s, r);
+  s->shape.seamless = r->image.wrap == RECIPE_WRAP_PERIODIC;
+  if (s->shape.seamless) s->shape.repeat = periodic_make(s->shape.size);
+  s->shape.levels = count_levels(&s->shape);
+  *out = s;
+  return true;
+}
+
+void surface_close(surface *s) {
+  if (!s) return;
+  atlas_close(s->atlas);
+  free(s);
+}
+
+/* ---- reading ---------------------------------------------------------- */
+
+const surface_shape *surface_shape_of(const surface *s) { return &s->shape; }
+const atlas *surface_atlas(const surface *s) { return s->atlas; }
+
+void surface_level(const surface *s, uint32_t level, uint32_t pixels[3]) {
+  for (int c = 0; c < 3; c++) {
+    pixels[c] = level < 32 ? s->shape.pixels[c] >> level : 0;
+    if (pixels[c] == 0) pixels[c] = 1;
+  }
+}
+
+static void fill(float *to, size_t count, float value) {
+  if (!to) return;
+  for (size_t i = 0; i < count; i++) to[i] = value;
+}
+
+/* The middle of texel i of n over size mm about the origin. */
+static float middle(uint32_t i, uint32_t n, double size) {
+  return (float)((((double)i + 0.5) / n - 0.5) * size);
+}
+
+static void grid_texels(const surface *s, const uint32_t pixels[3], uint32_t x, uint32_t y,
+                        uint32_t z, uint32_t w, uint32_t h, const surface_room *out) {
+  const double *size = s->shape.size;
+  bool volume = s->shape.kind == SURFACE_VOLUME;
+  size_t count = (size_t)w * h;
+  float *px = out->point[0], *py = out->point[1];
+  for (uint32_t i = 0; px && i < w; i++) px[i] = middle(x + i, pixels[0], size[0]);
+  for (uint32_t j = 0; j < h; j++) {
+    float up = middle(y + j, pixels[1], size[1]);
+    if (px && j > 0) memcpy(px + (size_t)j * w, px, w * sizeof *px);
+    fill(py ? py + (size_t)j * w : NULL, w, volume ? up : -up);
+  }
+  fill(out->point[2], count, volume ? middle(z, pixels[2], size[2]) : (float)s->height);
+  for (int c = 0; c < 3 && !volume; c++) fill(out->normal[c], count, c == 2 ? 1.0f : 0.0f);
+  double wide = size[0] / pixels[0], high = size[1] / pixels[1];
+  double footprint = volume ? cbrt(wide * high * size[2] / pixels[2]) : sqrt(wide * high);
+  fill(out->footprint, count, (float)footprint);
+  if (out->covered) memset(out->covered, 1, count);
+}
+
+bool surface_texels(const surface *s, uint32_t level, uint32_t x, uint32_t y, uint32_t z,
+                    uint32_t w, uint32_t h, const surface_room *out) {
+  uint32_t pixels[3];
+  surface_level(s, level, pixels);
+  if (level >= s->shape.levels || x > pixels[0] || w > pixels[0] - x || y > pixels[1] ||
+      h > pixels[1] - y || z >= pixels[2])
+    return false;
+  if (s->shape.kind == SURFACE_MESH)
+    return atlas_texels(s->atlas, s->shape.udim, pixels[0], pixels[1], x, y, w, h, out);
+  grid_texels(s, pixels, x, y, z, w, h, out);
+  return true;
+}

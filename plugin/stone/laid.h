@@ -1,0 +1,245 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * A stone of a paving: which one is here, where in the quarry's block it was
+ * cut, and the outline of its edge as height.
+ *
+ * The edge is a profile of the distance m from the joint's middle: the joint's
+ * floor, its wall, the stone's chamfer and rounding, the face. It is the same
+ * beyond the middle, so that under a footprint it is a difference of two values
+ * of its integral.
+ */
+#ifndef SOZAI_STONE_LAID_H
+#define SOZAI_STONE_LAID_H
+
+#include "../layout/units.h"
+#include "../layout/wander.h"
+#include "field.h"
+#include "stone.h"
+
+#define LAID_LEAST 0.05f /* mm: a point's own blur across an edge */
+
+typedef struct {
+  layout_unit unit;
+  vu own;        /* hash */
+  vf row[2][2];  /* of the bent plane along x and y: wander.h */
+  field m;       /* mm from the joint's middle */
+  vf edge;       /* mm from the stone's edge, inside positive */
+  vf joint;      /* share of the footprint */
+  vf near, e;    /* 1 where the footprint is below a stone's size; its side */
+  vf c, s;       /* how the block is turned */
+  vf shift[3];   /* mm, and moved */
+  vf tone[3];    /* factors of the albedo */
+} laid;
+
+INLINE vf laid_random(vu *h) {
+  *h = hash_mix(*h + splatu(HASH_X));
+  return layout_random(*h);
+}
+/* Nearly normal, sd 1. */
+INLINE vf laid_normal(vu *h) {
+  vf sum = laid_random(h) + laid_random(h) + laid_random(h);
+  return sum + sum - splat(3.0f);
+}
+
+/* A slope in the bent plane to one in space. */
+INLINE void laid_slope(const laid *q, vf x, vf y, vf out[3]) {
+  out[0] = x * q->row[0][0] + y * q->row[1][0];
+  out[1] = x * q->row[0][1] + y * q->row[1][1];
+  out[2] = splat(0.0f);
+}
+
+/* Round the corner that the nearest two sides make: the distance to a circle
+ * within both. */
+INLINE void laid_corner(const stone_paving *v, const cover *c, vf *edge, vf *nx, vf *ny) {
+  vf one = splat(1.0f), zero = splat(0.0f), r = splat(v->corner), half = splat(v->half);
+  vf a = r - (c->nearest - half), b = r - (c->second - half);
+  vf cosine = c->nx * c->mx + c->ny * c->my;
+  vf k = one / vmax(one - cosine * cosine, splat(0.05f));
+  vf alpha = (a - cosine * b) * k, beta = (b - cosine * a) * k;
+  vm there = and_(and_(gt(alpha, zero), gt(beta, zero)), and_(gt(b, zero), lt(vabs(cosine), splat(0.97f))));
+  if (!any(there)) return;
+  vf x = alpha * c->nx + beta * c->mx, y = alpha * c->ny + beta * c->my;
+  vf square = vmax(x * x + y * y, splat(1e-12f)), inverse = inverse_root(square);
+  *edge = sel(there, r - square * inverse, *edge);
+  *nx = sel(there, x * inverse, *nx);
+  *ny = sel(there, y * inverse, *ny);
+}
+
+/* p: object space. */
+INLINE void laid_at(const stone_constants *w, const vf p[3], vf s, laid *q) {
+  const stone_paving *v = &w->paving;
+  const layout *l = &v->layout;
+  vf one = splat(1.0f), zero = splat(0.0f), at[2] = {p[0], p[1]};
+  q->row[0][0] = q->row[1][1] = one;
+  q->row[0][1] = q->row[1][0] = zero;
+  if (v->wander.amplitude > 0.0f) layout_wander_at(&v->wander, p[0], p[1], at, q->row);
+  cover c;
+  q->unit = layout_find(l, at[0], at[1], s, &c);
+  layout_unit *u = &q->unit;
+  q->e = vmax(s, splat(LAID_LEAST));
+  vf edge = u->edge, nx = c.nx, ny = c.ny;
+  q->joint = u->joint;
+  if (v->corner > 0.0f) {
+    laid_corner(v, &c, &edge, &nx, &ny);
+    vf e = vmax(s, splat(COVER_LEAST)), stone = cover_share(edge, e, zero, splat(1e9f));
+    vf size = vmin(u->length, u->width);
+    vf far = smooth_step(splat(0.5f) * size, size, e);
+    q->joint = vmax(q->joint, (one - far) * (one - stone));
+  }
+  q->edge = edge;
+  q->m.v = vmax(edge + splat(v->half), zero);
+  vf co = splat(l->cosine), si = splat(l->sine);
+  laid_slope(q, nx * co - ny * si, nx * si + ny * co, q->m.g);
+  vf size = vmin(u->length, u->width);
+  q->near = one - smooth_step(splat(0.7f) * size, splat(1.6f) * size, q->e);
+
+  vu h = hash_mix(u->id + splatu(w->seed ^ 0x68bc21ebu));
+  q->own = h;
+  /* where rings bend the frame, any direction that does not */
+  vf turn = laid_random(&h);
+  vi quarter = to_int(turn * splat(4.0f));
+  vf c0 = u->c, s0 = u->s;
+  if (l->kind == LAYOUT_ARCS || l->kind == LAYOUT_CIRCLES || l->kind == LAYOUT_FAN) {
+    sine_cosine_turns(laid_random(&h), &s0, &c0);
+  }
+  vm odd = eqi(quarter & splati(1), splati(1)), back = eqi(quarter & splati(2), splati(2));
+  vf c1 = sel(odd, zero - s0, c0), s1 = sel(odd, c0, s0);
+  q->c = sel(back, zero - c1, c1);
+  q->s = sel(back, zero - s1, s1);
+  for (int k = 0; k < 3; k++) {
+    q->shift[k] = laid_random(&h) * splat(8192.0f) - splat(4096.0f) + splat(w->offset[k]);
+  }
+  for (int k = 0; k < 3; k++) q->tone[k] = one;
+  if (v->tone > 0.0f || v->tint > 0.0f) {
+    /* the shade counts as much as the footprint lies on the stone */
+    vf shade = vmax(one + laid_normal(&h) * splat(v->tone) * u->own, splat(0.2f));
+    vf warm = clamp(laid_normal(&h) * splat(v->tint) * u->own, splat(-0.4f), splat(0.4f));
+    q->tone[0] = shade * (one + warm);
+    q->tone[1] = shade;
+    q->tone[2] = shade * (one - warm);
+  }
+}
+
+/* Object space to the stone's block, and its transpose. */
+INLINE void laid_turn(const laid *q, vf v[3]) {
+  vf x = v[0] * q->c + v[1] * q->s;
+  v[1] = v[1] * q->c - v[0] * q->s;
+  v[0] = x;
+}
+INLINE void laid_turn_back(const laid *q, vf v[3]) {
+  vf x = v[0] * q->c - v[1] * q->s;
+  v[1] = v[0] * q->s + v[1] * q->c;
+  v[0] = x;
+}
+
+/* ---- what depends on the distance from the joint's middle -------------- */
+
+/* 1 up to a, 0 from a + w on; and its integral from 0. m >= 0. */
+INLINE vf fall_at(vf m, float a, float w) {
+  vf t = clamp01((m - splat(a)) * splat(1.0f / w));
+  return splat(1.0f) - t * t * (splat(3.0f) - t - t);
+}
+INLINE vf fall_integral(vf m, float a, float w) {
+  vf x = clamp(m - splat(a), splat(0.0f), splat(w)), t = x * splat(1.0f / w);
+  return vmin(m, splat(a)) + x - splat(w) * t * t * t * (splat(1.0f) - splat(0.5f) * t);
+}
+
+INLINE vf profile_at(const stone_paving *v, vf m) {
+  vf one = splat(1.0f), h = splat(0.0f);
+  vf in = m - splat(v->half);
+  if (v->depth > 0.0f) h = h - splat(v->depth) * fall_at(m, v->half - v->wall, v->wall);
+  if (v->chamfer > 0.0f) {
+    h = h - splat(v->slope) * (splat(v->chamfer) - clamp(in, splat(0.0f), splat(v->chamfer)));
+  }
+  if (v->round > 0.0f) {
+    vf t = one - clamp01(in * splat(1.0f / v->round));
+    h = h - splat(v->drop) * t * t;
+  }
+  return h;
+}
+
+/* Integrals from 0 of the height, and of the square of its slope. */
+INLINE vf profile_integral(const stone_paving *v, vf m) {
+  vf one = splat(1.0f), sum = splat(0.0f), zero = sum, half = splat(v->half);
+  vf in = m - half, joint = vmin(m, half);
+  if (v->depth > 0.0f) sum = sum - splat(v->depth) * fall_integral(m, v->half - v->wall, v->wall);
+  if (v->chamfer > 0.0f) {
+    vf x = clamp(in, zero, splat(v->chamfer));
+    sum = sum - splat(v->slope) * (splat(v->chamfer) * (joint + x) - splat(0.5f) * x * x);
+  }
+  if (v->round > 0.0f) {
+    vf t = one - clamp01(in * splat(1.0f / v->round));
+    sum = sum - splat(v->drop) * (joint + splat(v->round / 3.0f) * (one - t * t * t));
+  }
+  return sum;
+}
+INLINE vf profile_square(const stone_paving *v, vf m) {
+  vf one = splat(1.0f), sum = splat(0.0f), zero = sum, in = m - splat(v->half);
+  if (v->depth > 0.0f) {
+    vf t = clamp01((m - splat(v->half - v->wall)) * splat(1.0f / v->wall));
+    sum = sum + splat(36.0f * v->depth * v->depth / v->wall) *
+                    (t * t * t * (splat(1.0f / 3.0f) + t * (splat(-0.5f) + splat(0.2f) * t)));
+  }
+  if (v->chamfer > 0.0f) {
+    sum = sum + splat(v->slope * v->slope) * clamp(in, zero, splat(v->chamfer));
+  }
+  if (v->round > 0.0f) {
+    vf t = one - clamp01(in * splat(1.0f / v->round));
+    sum = sum + splat(4.0f / 3.0f * v->drop * v->drop / v->round) * (one - t * t * t);
+  }
+  return sum;
+}
+
+/* Even continued below 0, its integral is odd. */
+INLINE vf odd_of(vf x, vf integral) { return sel(lt(x, splat(0.0f)), splat(0.0f) - integral, integral); }
+
+/* The mean over the footprint of 1 up to a and 0 from a + w on. */
+INLINE field laid_fall(const laid *q, float a, float w) {
+  vf half = splat(0.5f) * q->e, low = q->m.v - half, high = q->m.v + half;
+  vf l = vabs(low), inverse = splat(1.0f) / q->e;
+  vf value = (fall_integral(high, a, w) - odd_of(low, fall_integral(l, a, w))) * inverse;
+  return field_through(q->m, value, (fall_at(high, a, w) - fall_at(l, a, w)) * inverse);
+}
+
+/* The edge's outline under the footprint; *lost: variance of slope along one
+ * axis that the footprint averages out. */
+INLINE field laid_profile(const stone_paving *v, const laid *q, vf *lost) {
+  vf half = splat(0.5f) * q->e, low = q->m.v - half, high = q->m.v + half;
+  vf l = vabs(low), inverse = splat(1.0f) / q->e, one = splat(1.0f);
+  vf value = (profile_integral(v, high) - odd_of(low, profile_integral(v, l))) * inverse;
+  vf slope = (profile_at(v, high) - profile_at(v, l)) * inverse;
+  vf square = (profile_square(v, high) - odd_of(low, profile_square(v, l))) * inverse;
+  vf far = one - q->near;
+  vf stretch = q->m.g[0] * q->m.g[0] + q->m.g[1] * q->m.g[1];
+  vf spread = splat(0.5f) * stretch * vmax(square - slope * slope, splat(0.0f));
+  *lost = mix(spread, splat(v->slope2), far);
+  return field_through(q->m, mix(value, splat(v->mean), far), slope * q->near);
+}
+
+/* ---- how the stone lies ------------------------------------------------ */
+
+INLINE field laid_lie(const stone_paving *v, const laid *q) {
+  vf zero = splat(0.0f), one = splat(1.0f);
+  field f = field_of(zero);
+  if (v->tilt == 0.0f && v->settle == 0.0f && v->crown == 0.0f) return f;
+  vu h = hash_mix(q->own ^ splatu(0x2c1b3c6du));
+  const layout_unit *u = &q->unit;
+  vf iu = splat(2.0f) / u->length, iv = splat(2.0f) / u->width;
+  vf a = clamp(u->u * iu - one, splat(-1.0f), one), b = clamp(u->v * iv - one, splat(-1.0f), one);
+  vf ta = splat(0.7f * v->tilt) * (laid_random(&h) * splat(2.0f) - one);
+  vf tb = splat(0.7f * v->tilt) * (laid_random(&h) * splat(2.0f) - one);
+  vf r = laid_random(&h), sunk = splat(v->settle) * r * r;
+  vf da = ta, db = tb, value = ta * a + tb * b - sunk;
+  if (v->crown != 0.0f) {
+    vf k = splat(v->crown), ca = one - a * a, cb = one - b * b;
+    value = value + k * ca * cb;
+    da = da - splat(2.0f) * k * a * cb;
+    db = db - splat(2.0f) * k * b * ca;
+  }
+  vf du = da * iu * q->near, dv = db * iv * q->near;
+  f.v = mix(splat(-0.333f * v->settle + 0.444f * v->crown), value, q->near);
+  laid_slope(q, du * u->c - dv * u->s, du * u->s + dv * u->c, f.g);
+  return f;
+}
+
+#endif

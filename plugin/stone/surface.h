@@ -1,0 +1,188 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * The surface as it lies: the finish's relief and the holes, the stones' edges
+ * and how they lie, what grows and stands on them; as height with its slope, and
+ * as shares of the footprint for the colours.
+ */
+#ifndef SOZAI_STONE_SURFACE_H
+#define SOZAI_STONE_SURFACE_H
+
+#include "holes.h"
+#include "laid.h"
+#include "relief.h"
+#include "weather.h"
+
+typedef struct {
+  field height;      /* mm over the face, object space */
+  vf lost;           /* variance of slope along one axis that the footprint averages out */
+  vf low, steep;     /* where in the relief's range the place lies, 0..1; its sd of slope */
+  vf edge;           /* mm, of the stones' edges alone */
+  vf in_joint;       /* 1 in the joint, 0 on the stone: of the point, not the footprint */
+  vf polish;         /* how worn, 0..1 */
+  vf grime;          /* light left by dirt */
+  vf sand;           /* light and dark of the joint's filling */
+  vf moss, tuft, dry; /* share; light and dark; lush, 0, to dry, 1 */
+  vf film, water;    /* of water: as a film, standing */
+  vf occlusion;
+} surface;
+
+INLINE surface surface_none(void) {
+  vf zero = splat(0.0f), one = splat(1.0f);
+  surface q = {.height = field_of(zero), .lost = zero, .low = splat(0.5f), .steep = zero};
+  q.edge = q.in_joint = q.polish = q.sand = q.moss = q.tuft = q.dry = q.film = q.water = zero;
+  q.grime = q.occlusion = one;
+  return q;
+}
+
+/* How much of the sky's light a place h below two walls sees, by their distances. */
+INLINE vf surface_slot(vf h, vf d0, vf d1) {
+  vf h2 = h * h + splat(1e-6f);
+  vf a = d0 * inverse_root(d0 * d0 + h2), b = d1 * inverse_root(d1 * d1 + h2);
+  return splat(0.5f) * (a + b);
+}
+
+/* 1 / (1 + exp(-1.702 x)): a normal distribution's share below x, to 0.01. */
+INLINE vf surface_below(vf x) {
+  return splat(1.0f) / (splat(1.0f) + exp2_(clamp(splat(-2.4555f) * x, splat(-40.0f), splat(40.0f))));
+}
+
+/* p: object space; bed: that in the block's bed space. relief: the finish's, in
+ * object space. */
+INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, const vf p[3], vf s,
+                        field relief, surface *out) {
+  const stone_paving *v = &w->paving;
+  const stone_weather *air = &w->weather;
+  vf zero = splat(0.0f), one = splat(1.0f);
+  field near = field_of(zero), edge = near, height = relief;
+  out->in_joint = zero;
+  if (air->wet > 0.0f) relief = field_scale(relief, splat(1.0f - 0.5f * air->wet));
+  height = relief;
+  if (paved) {
+    vf lost, sand_lost = zero;
+    field top = field_rest(laid_fall(q, v->half, v->reach));
+    if (air->wear > 0.0f) {
+      field k = field_rest(field_scale(top, splat(0.75f * air->wear)));
+      relief = field_mul(relief, k);
+      out->lost = out->lost * k.v * k.v;
+      out->polish = top.v * splat(air->wear);
+    }
+    field profile = edge = laid_profile(v, q, &lost);
+    field lie = laid_lie(v, q);
+    height = field_add(relief, lie);
+    if (v->half > 0.0f) {
+      field joint = laid_fall(q, v->half - v->wall, v->wall);
+      joint.v = mix(q->joint, joint.v, q->near);
+      for (int k = 0; k < 3; k++) joint.g[k] = joint.g[k] * q->near;
+      float grain = 1.0f / v->grain_frequency;
+      field sand = weather_noise(p, v->grain_frequency, w->seed + 77u, 1.0f, s, &sand_lost);
+      out->sand = sand.v;
+      out->in_joint = joint.v;
+      height = field_mul(height, field_rest(joint));
+      height = field_add(height, field_mul(field_scale(sand, splat(0.3f * grain)), joint));
+    }
+    out->edge = profile.v;
+    height = field_add(height, profile);
+    out->lost = out->lost * (one - out->in_joint) + lost;
+    vf far = one - q->near;
+    float steep = v->tilt / v->layout.width;
+    out->lost = out->lost + splat(steep * steep * 0.65f) * far;
+    /* the sky that the joint's walls leave */
+    vf depth = vmax(zero - profile.v, zero), reach = splat(v->half + 0.3f * v->round);
+    vf slot = surface_slot(depth, q->m.v + reach, vmax(reach - q->m.v, zero) + depth * splat(0.2f));
+    slot = sel(gt(q->m.v, reach), splat(0.5f) + splat(0.5f) * slot, slot);
+    out->occlusion = mix(splat(v->occlusion), slot, q->near);
+    near = laid_fall(q, v->half, air->moss_spread);
+  }
+  if (air->undulation > 0.0f) {
+    vf unused = zero;
+    height = field_add(height, weather_noise(p, air->undulation_frequency, air->seed + 9u,
+                                             2.0f * air->undulation, s, &unused));
+  }
+  /* the relief's own hollows */
+  vf hollow = clamp01(splat(1.3f) * out->steep) * (one - out->low);
+  out->occlusion = out->occlusion * (one - splat(0.6f) * hollow);
+  if (!air->on) {
+    out->height = height;
+    return;
+  }
+  if (air->grime > 0.0f) {
+    vf unused = zero;
+    field cloud = weather_noise(p, 0.011f, air->seed + 5u, 1.6f, s, &unused);
+    field spot = weather_noise(p, 0.06f, air->seed + 6u, 0.9f, s, &unused);
+    vf dirt = splat(0.35f) + splat(0.55f) * near.v + splat(0.5f) * (cloud.v + spot.v);
+    out->grime = one - splat(air->grime) * clamp01(dirt);
+  }
+  if (air->moss > 0.0f) {
+    field moss = weather_moss(w, p, near, s, &out->tuft, &out->dry);
+    if (paved) {
+      moss.v = mix(splat(air->moss_mean), moss.v, q->near);
+      for (int k = 0; k < 3; k++) moss.g[k] = moss.g[k] * q->near;
+    }
+    out->moss = moss.v;
+    vf unused = zero;
+    field tuft = weather_noise(p, 0.9f, air->seed + 3u, 0.5f, s, &unused);
+    tuft.v = tuft.v + splat(0.75f);
+    height = field_add(height, field_scale(field_mul(moss, tuft), splat(air->moss_height)));
+    /* it fills the joint */
+    height = field_add(height, field_scale(field_mul(moss, edge), splat(-0.65f)));
+    out->lost = out->lost * (one - moss.v) + splat(0.08f) * moss.v;
+  }
+  out->film = splat(air->wet);
+  if (air->water > -999.0f) {
+    /* standing water is level; at its border it bends within `soft` */
+    vf soft = splat(0.15f) + splat(0.03f) * s, x = height.v - splat(air->water);
+    if (paved) {
+      vf spread = splat(v->settle * 0.3f + v->tilt * 0.4f + 0.5f * v->depth);
+      soft = soft + spread * (one - q->near);
+    }
+    vf land = clamp01((x + soft) * (splat(0.5f) / soft));
+    vf above = sel(lt(x, soft), soft * land * land, x);
+    height = field_through(height, splat(air->water) + above, land);
+    out->water = one - land;
+    out->lost = out->lost * land;
+    /* stone draws it up a little */
+    vf drawn = clamp01(one - x * splat(1.0f / 3.0f)) * splat(0.8f);
+    out->film = vmax(out->film, drawn);
+  }
+  out->height = height;
+}
+
+/* ---- light ------------------------------------------------------------- */
+
+/* Smith's Lambda for slopes of sd `steep` under a light whose elevation has the
+ * tangent t: Walter et al. 2007's fit. */
+INLINE vf surface_lambda(vf steep, vf t) {
+  vf a = t / vmax(steep * splat(1.41421356f), splat(1e-4f)), one = splat(1.0f);
+  vf low = vmax(a, splat(1e-3f));
+  vf l = (one - low * (splat(1.259f) - splat(0.396f) * low)) /
+         (low * (splat(3.535f) + splat(2.181f) * low));
+  return sel(lt(a, splat(1.6f)), vmax(l, splat(0.0f)), splat(0.0f));
+}
+
+/* Share of the light that reaches the place: past the relief about it, by where
+ * in the relief's range it lies (Smith, IEEE Trans. Antennas Propag. 15, 1967:
+ * an expectation, not a trace), and past the stones' edges. light: object space;
+ * up: its cosine to the face given. */
+INLINE vf surface_lit(const stone_constants *w, int paved, const laid *q, const surface *f, vf s,
+                      const vf light[3], vf up) {
+  vf zero = splat(0.0f), one = splat(1.0f);
+  vf c = clamp(up, splat(1e-3f), one), t = c * inverse_root(vmax(one - c * c, splat(1e-6f)));
+  vf lambda = surface_lambda(f->steep, t);
+  vf lit = exp2_(lambda * log2_(clamp(f->low, splat(1e-6f), one)));
+  lit = lit / (one + surface_lambda(vsqrt(f->lost), t));
+  if (!paved) return lit;
+  const stone_paving *v = &w->paving;
+  vf square = q->m.g[0] * q->m.g[0] + q->m.g[1] * q->m.g[1];
+  vf across = (light[0] * q->m.g[0] + light[1] * q->m.g[1]) * inverse_root(vmax(square, splat(1e-6f)));
+  vf shoulder = splat(v->half + 0.35f * v->round + 0.5f * v->chamfer);
+  vf crest = splat(-0.42f * v->drop - 0.5f * v->slope * v->chamfer);
+  vf way = sel(lt(across, zero), shoulder + q->m.v, shoulder - q->m.v);
+  vf rise = c / vmax(vabs(across), splat(1e-3f));
+  vf over = f->edge + way * rise - crest;
+  vf soft = splat(0.1f) + splat(0.01f) * vabs(way) + splat(0.6f) * s * (rise + splat(0.3f));
+  vf past = clamp01(splat(0.5f) + over / soft);
+  past = sel(gt(way, zero), past, one);
+  return lit * mix(one, past, q->near);
+}
+
+#endif

@@ -1,0 +1,178 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Figure of the growth front: displacements of the rings that fibres follow in
+ * and out, so that they dive where the surface runs flat. They are added to the
+ * undulation, and like it are zero at y = 0, smooth, with exact derivatives.
+ *
+ *   curl   regular waves along the stem: u = a sin 2 pi psi, psi = y / lambda +
+ *          a stray that differs from place to place
+ *   quilt  pillows with creases between them: u = a (sqrt(n^2 + e^2) - e), n a
+ *          gradient noise; the creases are where it changes sign
+ *   eyes   dimples that go on through the years: towards the pith by
+ *          h ((1 - q)^3 + (1 - 4 q)^3) / 2, where these are positive, q the square
+ *          of the distance from a radial line, over R^2, in an oblique ellipse.
+ *          They stand in cells of (theta, y) within shells of r, as rays do.
+ */
+#ifndef SOZAI_WOOD_FIGURE_H
+#define SOZAI_WOOD_FIGURE_H
+
+#include "stem.h"
+
+/* extent: mm, of the footprint along y. */
+INLINE void figure_curl(const wood_constants *w, vu own, vf y, vf extent, stem_place *p,
+                        undulation_sum *u) {
+  vf f = splat(w->curl_stray_frequency), fy = splat(w->curl_stray_frequency_axis);
+  noise_stem ay = noise_split_axial(y * fy, HASH_Y);
+  noise_axis ax = noise_split_cubic(p->x * f, HASH_X), az = noise_split_cubic(p->z * f, HASH_Z);
+  vf gx, gy, gz, sine, cosine, one = splat(1.0f);
+  vf n = noise_axial3(&ax, &ay, &az, wood_seed(w, own, SEED_CURL), &gx, &gy, &gz);
+  vf stray = splat(w->curl_stray);
+  sine_cosine_turns(y * splat(w->curl_frequency) + stray * n, &sine, &cosine);
+  vf keep = filter_wave(extent, w->curl_frequency), gone = one - keep * keep;
+  vf a = splat(w->curl_height) * keep, slope = a * cosine * splat(6.2831853f);
+  u->n = u->n + a * sine;
+  u->nx = u->nx + slope * stray * f * gx;
+  u->ny = u->ny + slope * (splat(w->curl_frequency) + stray * fy * gy);
+  u->nz = u->nz + slope * stray * f * gz;
+  p->lost = p->lost + splat(0.5f * w->curl_height * w->curl_height) * gone;
+  p->lost_slope = p->lost_slope + splat(0.5f * w->curl_slope * w->curl_slope) * gone;
+}
+
+/* Of gradient noise n, measured: variance of sqrt(n^2 + e^2), and of its slope. */
+#define QUILT_CREASE 0.06f
+#define QUILT_VARIANCE 0.0106f
+#define QUILT_SLOPE_VARIANCE 0.17f
+
+INLINE void figure_quilt(const wood_constants *w, vu own, vf y, vf footprint, stem_place *p,
+                         undulation_sum *u) {
+  vf one = splat(1.0f), zero = splat(0.0f);
+  vf f = splat(w->quilt_frequency), fy = splat(w->quilt_frequency_axis);
+  vf keep = one;
+  if (filter_touches(footprint, w->quilt_size)) {
+    keep = filter_keep(footprint, w->quilt_size);
+    vf gone = one - keep * keep;
+    float a2 = w->quilt_height * w->quilt_height;
+    p->lost = p->lost + splat(QUILT_VARIANCE * a2) * gone;
+    p->lost_slope = p->lost_slope + splat(w->quilt_slope * w->quilt_slope) * gone;
+    if (!any(gt(keep, zero))) return;
+  }
+  /* turned by atan(3/4), so that the lattice does not line up with the cuts */
+  vf x = splat(0.8f) * p->x - splat(0.6f) * p->z, z = splat(0.6f) * p->x + splat(0.8f) * p->z;
+  vf g[3], n = noise_gradient3(x * f, y * fy, z * f, wood_seed(w, own, SEED_QUILT), g);
+  vf inverse = inverse_root(n * n + splat(QUILT_CREASE * QUILT_CREASE));
+  vf pillow = (n * n + splat(QUILT_CREASE * QUILT_CREASE)) * inverse - splat(QUILT_CREASE);
+  vf steep = n * inverse;
+  /* dies out at y = 0 */
+  vf t = vmin(vabs(y) * fy, one), ease = t * t * (splat(3.0f) - t - t);
+  vf rise = splat(6.0f) * t * (one - t) * fy * sel(lt(y, zero), splat(-1.0f), one);
+  vf a = splat(w->quilt_height) * keep, k = a * ease * steep;
+  vf gx = k * f * g[0], gz = k * f * g[2];
+  u->n = u->n + a * ease * pillow;
+  u->nx = u->nx + (splat(0.8f) * gx + splat(0.6f) * gz);
+  u->ny = u->ny + (k * fy * g[1] + a * rise * pillow);
+  u->nz = u->nz + (splat(0.8f) * gz - splat(0.6f) * gx);
+}
+
+#define EYE_SECTORS 16
+#define EYE_SHARE 0.8f /* of the cells that have one */
+#define EYE_LONG 1.25f /* along the stem, to a width of 1 */
+
+/* One of two layers, each with half of them: together they line up less. */
+INLINE void figure_eyes(const wood_constants *w, vu own, int layer, vf y, vf footprint,
+                        stem_place *p, undulation_sum *u) {
+  vf one = splat(1.0f), zero = splat(0.0f), k16 = splat(1.0f / 65536.0f);
+  vf turn = arctan2(p->s, p->c) * splat(0.15915494f);
+  vi unused, sector, shell, column, row;
+  turn = turn + splat(1.41f * (float)layer);
+  turn = turn - vfloor(turn, &unused);
+  vf round = turn * splat((float)EYE_SECTORS), x = round - vfloor(round, &sector);
+  vu seed = wood_seed(w, own, SEED_EYES + (uint32_t)layer) + (vu)sector * splatu(HASH_Y);
+  /* each sector's shells begin at radii of their own */
+  vf offset = to_float((vi)(hash_upper(seed) >> 8)) * splat(1.0f / 16777216.0f);
+  vf shells = p->r * splat(w->inverse_eye_length) + offset, low = vfloor(shells, &shell);
+  vf within = shells - low, inside = vmax(low - offset, zero) * splat(w->eye_length);
+  vf sector_arc = splat(6.2831853f / EYE_SECTORS);
+  vf middle = (low + splat(0.5f) - offset) * splat(w->eye_length);
+  vf count =
+      vmax(vfloor(middle * sector_arc * splat(w->inverse_eye_cell) + splat(0.5f), &unused), one);
+  x = x * count;
+  vf from_left = x - vfloor(x, &column), angle = sector_arc / count;
+
+  vu root = hash_mix((vu)column * splatu(HASH_X) + (vu)shell * splatu(HASH_Z) + seed);
+  vf shift = to_float((vi)(root >> 16)) * k16;
+  vf rows = y * splat(w->inverse_eye_cell) + shift, bottom = vfloor(rows, &row);
+  vu h = hash_mix((vu)row * splatu(HASH_Y) + root), g = hash_mix(h + splatu(HASH_Z));
+  vf radius = splat(w->eye_radius) *
+              (splat(0.6f) + splat(0.8f / 1023.0f) * to_float((vi)(g & splatu(1023u))));
+  radius = vmin(radius, splat(0.42f) * angle * inside);
+  vf r2 = vmax(radius * radius, splat(1e-6f));
+
+  /* its middle keeps clear of the cell's edges, where the cell is narrowest; a
+   * leaning one is a little wider */
+  vf edge = splat(1.08f) * radius / vmax(angle * inside, splat(1e-3f));
+  vf place = edge + (one - edge - edge) * to_float((vi)(h >> 16)) * k16;
+  vf tall = radius * splat(EYE_LONG * w->inverse_eye_cell);
+  vf height = tall + (one - tall - tall) * to_float((vi)(h & splatu(0xffffu))) * k16;
+  vf turned = (from_left - place) * angle; /* radians */
+  vf b = (rows - bottom - height) * splat(w->eye_cell / EYE_LONG);
+  vf lean = splat(0.4f / 512.0f) * (to_float((vi)(h & splatu(1023u))) - splat(512.0f));
+  vf a = turned * p->r + lean * b;
+  vf q = (a * a + b * b) / r2;
+  /* one that would reach y = 0 is not there */
+  vf centre = (bottom + height - shift) * splat(w->eye_cell);
+  vm there = and_(lt(q, one), gt(vabs(centre), radius * splat(EYE_LONG)));
+  there = and_(there, lt(to_float((vi)(g >> 22)), splat(EYE_SHARE * 1024.0f)));
+  there = and_(there, gt(radius, splat(1e-2f)));
+  if (!any(there)) return;
+
+  /* it begins in the shell's inner quarter and ends in its outer */
+  vf starts = splat(0.25f / 63.0f) * to_float((vi)(g >> 10 & splatu(63u)));
+  vf ends = one - splat(0.25f / 63.0f) * to_float((vi)(g >> 16 & splatu(63u)));
+  vf in = clamp01((within - starts) * splat(10.0f)), out = clamp01((ends - within) * splat(10.0f));
+  vf ein = in * in * (splat(3.0f) - in - in), eout = out * out * (splat(3.0f) - out - out);
+  vf age = ein * eout;
+  vf age_r =
+      splat(60.0f * w->inverse_eye_length) * (in * (one - in) * eout - out * (one - out) * ein);
+  vf depth = splat(w->eye_depth) * radius;
+  if (filter_touches(footprint, 2.0f * w->eye_radius)) {
+    depth = depth * filter_keep(footprint, 2.0f * w->eye_radius);
+  }
+  depth = sel(there, depth, zero);
+  vf left = vmax(one - q, zero), core = vmax(one - splat(4.0f) * q, zero), half = splat(0.5f);
+  vf left2 = left * left, core2 = core * core;
+  vf dent = depth * half * (left2 * left + core2 * core);
+  vf fall = splat(3.0f) * depth * (left2 + splat(4.0f) * core2) * age / r2;
+  vf along = fall * a, out_r = along * turned - dent * age_r;
+  vf dark = sel(there, depth * splat(w->eye_dark) / radius, zero) * core * age;
+  p->eye = vmax(p->eye, dark);
+  u->n = u->n - dent * age;
+  u->nx = u->nx + (out_r * p->c - along * p->s);
+  u->nz = u->nz + (out_r * p->s + along * p->c);
+  u->ny = u->ny + fall * (b + a * lean) * splat(1.0f / EYE_LONG);
+}
+
+/* All of them. */
+INLINE void figure_add(const wood_constants *w, vu own, vf y, vf footprint, vf extent,
+                       stem_place *p, undulation_sum *u) {
+  if (w->has_curl) figure_curl(w, own, y, extent, p, u);
+  if (w->has_quilt) figure_quilt(w, own, y, footprint, p, u);
+  if (w->has_eyes) {
+    for (int layer = 0; layer < 2; layer++) figure_eyes(w, own, layer, y, footprint, p, u);
+  }
+}
+
+INLINE stem_place stem_with_figure(const wood_constants *w, vf x, vf y, vf z) {
+  stem_place p;
+  vf zero = splat(0.0f);
+  vu own = splatu(0);
+  undulation_sum u = undulation_none();
+  p.pith = pith_at(w, own, y);
+  p.lost = p.lost_slope = p.eye = zero;
+  stem_about(x, z, &p);
+  for (int o = 0; o < 2; o++) undulation_add(w, own, o, y, zero, &p, &u);
+  figure_add(w, own, y, zero, zero, &p, &u);
+  stem_rho(w, y, &u, &p);
+  return p;
+}
+
+#endif

@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: Apache-2.0
+ * Wood sought for its figure: a species of the other groups, as it grows now and
+ * then. */
+#include "entry.h"
+
+#define MAPLE_TISSUE                                                                               \
+  DIFFUSE_POROUS(40.0, 66.0, 0.2), NUMBER("fibre_brightness", 0.05),                               \
+      SRGB("earlywood_colour", 230, 202, 164), SRGB("latewood_colour", 200, 163, 122),             \
+      SRGB("vessel_colour", 214, 184, 145), SRGB("sapwood_earlywood_colour", 236, 212, 178),       \
+      SRGB("sapwood_latewood_colour", 210, 178, 138), NUMBER("heartwood_years", 110.0),            \
+      NUMBER("diffuse", 0.8), NUMBER("specular", 0.3), NUMBER("shininess", 14.0),                  \
+      RAYS(2.2, 0.6, 70.0, 28.0), SRGB("ray_colour", 219, 187, 148), AGED(206, 162, 110, 4.0)
+
+static const sozai_value values_curly_maple[] = {
+    RINGS(2.2, 0.22, 0.7), LATEWOOD(0.06, 0.7),         WAVY(0.19, 9.0, 0.6),
+    CURL(0.13, 9.0, 0.6),  NUMBER("slope_noise", 0.03), NUMBER("slope_noise_length", 45.0),
+    MAPLE_TISSUE,
+};
+SPECIES(curly_maple, "Curly maple, tiger stripe (Acer saccharum)",
+        "Fibres that wave from side to side and in and out: bars across the board on every face.",
+        PANSHIN "; " BEALS);
+
+static const sozai_value values_quilted_maple[] = {
+    RINGS(2.4, 0.22, 0.7),
+    LATEWOOD(0.06, 0.7),
+    QUILT(0.17, 13.0, 23.0),
+    NUMBER("slope_noise", 0.05),
+    NUMBER("slope_noise_length", 20.0),
+    MAPLE_TISSUE,
+};
+SPECIES(quilted_maple, "Quilted maple (Acer macrophyllum)",
+        "Pillows of the growth front with creases between: three-dimensional on flat-sawn faces.",
+        PANSHIN "; " BEALS);
+
+static const sozai_value values_birdseye_maple[] = {
+    RINGS(1.9, 0.22, 0.7),       LATEWOOD(0.06, 0.7),
+    NUMBER("slope_noise", 0.03), NUMBER("slope_noise_length", 45.0),
+    EYES(1.0, 3.8, 0.5, 70.0),   MAPLE_TISSUE,
+};
+SPECIES(birdseye_maple, "Bird's-eye maple (Acer saccharum var. saccharum)",
+        "Dimples in the growth rings that go on for decades: little eyes on flat-sawn faces.",
+        BRAGG "; " BEALS);
+
+static const sozai_value values_pommele_sapele[] = {
+    RINGS(2.4, 0.28, 1.0),
+    LATEWOOD(0.2, 0.3),
+    INTERLOCKED(0.1, 12.0, 900.0),
+    QUILT(0.1, 9.0, 10.0),
+    NUMBER("slope_noise", 0.06),
+    NUMBER("slope_noise_length", 12.0),
+    DIFFUSE_POROUS(14.0, 125.0, 0.2),
+    NUMBER("fibre_brightness", 0.12),
+    SRGB("earlywood_colour", 150, 92, 62),
+    SRGB("latewood_colour", 124, 70, 46),
+    SRGB("vessel_colour", 116, 70, 46),
+    SRGB("sapwood_earlywood_colour", 214, 182, 152),
+    SRGB("sapwood_latewood_colour", 194, 158, 128),
+    NUMBER("heartwood_years", 140.0),
+    NUMBER("specular", 0.26),
+    NUMBER("shininess", 14.0),
+    RAYS(3.6, 0.45, 55.0, 28.0),
+    SRGB("ray_colour", 142, 85, 57),
+    AGED(114, 66, 42, 1.5),
+};
+SPECIES(pommele_sapele, "Sapele, pommele (Entandrophragma cylindricum)",
+        "Small round blisters over interlocked grain, like drops of rain on a puddle.",
+        RICHTER "; " BEALS);
