@@ -11,6 +11,7 @@
 #define POROSITY(id) ALONE("porosity_" id, .channel = "albedo", .wood = {.porosity = id})
 #define FOOTPRINT(mm) ALONE("footprint_" #mm, .footprint = (float)(mm))
 #define LAYOUT(id) ALONE("layout_" id, .wood = {.layout = id})
+#define SURFACE(id) ALONE("surface_" id, .wood = {.surface = id})
 #define STONE(label, size, set, ...) \
   {.name = "stone." label, .batch = size, .wood = {.cpu = set, .stone = "inada"}, __VA_ARGS__}
 #define STONE_ON(set) STONE("full.batch1024@" set, 1024, set), STONE("full.batch1@" set, 1, set)
@@ -63,6 +64,15 @@ const entry entries[] = {
     ALONE("section", .wood = {.pictured = true}),
     ALONE("section_end", .channel = "albedo",
           .wood = {.pictured = true, .cut = "end", .grain = "straight"}),
+    SURFACE("smooth"),
+    SURFACE("band_sawn"),
+    SURFACE("circular_sawn"),
+    SURFACE("planed"),
+    SURFACE("hand_planed"),
+    SURFACE("sanded"),
+    SURFACE("brushed"),
+    SURFACE("charred"),
+    SURFACE("weathered"),
     LAYOUT("strip"),
     LAYOUT("herringbone"),
     LAYOUT("versailles"),

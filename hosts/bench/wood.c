@@ -17,11 +17,12 @@ static sozai_value number(const char *id, double x) {
 
 bool wood_create(const wood *w, const char *picture, const plugin *p, sozai_texture **out,
                  failure *why) {
-  sozai_value values[13] = {choice("cut", w->cut ? w->cut : "flat"),
+  sozai_value values[14] = {choice("cut", w->cut ? w->cut : "flat"),
                             choice("grain", w->grain ? w->grain : "compound")};
   uint32_t count = 2;
   if (w->porosity) values[count++] = choice("porosity", w->porosity);
   if (w->layout) values[count++] = choice("layout", w->layout);
+  if (w->surface) values[count++] = choice("surface", w->surface);
   if (w->no_rays) values[count++] = number("ray_density", 0);
   if (w->reflection) values[count++] = choice("reflection", w->reflection);
   if (w->pictured) {
@@ -47,7 +48,8 @@ bool wood_create(const wood *w, const char *picture, const plugin *p, sozai_text
 
 uint32_t wood_components(const wood *w, const plugin *p) {
   const sozai_channel *layouts = wood_channel(p, "board_id");
-  return w->layout || !layouts ? p->textures->find("wood")->component_count : layouts->first;
+  return w->layout || w->surface || !layouts ? p->textures->find("wood")->component_count
+                                             : layouts->first;
 }
 
 const sozai_channel *wood_channel(const plugin *p, const char *id) {

@@ -13,6 +13,7 @@ typedef struct wood {
   bool no_rays;
   const char *reflection; /* NULL: the default */
   const char *layout;     /* NULL: one piece */
+  const char *surface;    /* NULL: smooth, and height and normal are not asked for */
   bool pictured;          /* its section is the yardstick's picture */
   const char *stone;      /* a preset of stone, in place of all this but cpu */
 } wood;
@@ -24,7 +25,7 @@ bool wood_create(const wood *w, const char *picture, const plugin *p, sozai_text
                  failure *why);
 
 /* How many components from the first on are a wood's: of one piece those before
- * the layout's, of a layout all. */
+ * the layout's, of a layout or a surface all. */
 uint32_t wood_components(const wood *w, const plugin *p);
 
 /* The channel of that id, or NULL. */

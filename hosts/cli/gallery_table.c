@@ -13,10 +13,24 @@
     .width = 400, .height = 400                                                                    \
   }
 
+/* A surface under raking light, of two species, near and far. */
+#define WORKED_(id, label, species, where, mm, cut_, a, b)                                         \
+  {                                                                                                \
+    .name = id "-" species "-" where, .title = label, .preset = species, .sheet = "finishes",      \
+    .params = {cut_, "cut_distance=70", "reflection=fibre_cone", a, b}, .shape = "plane",          \
+    .camera = "front", .size = mm, .light = "35,22", .sky = 0.7, .width = 640, .height = 440       \
+  }
+#define WORKED(id, label, a, b)                                                                    \
+  WORKED_(id, "Oak, " label, "oak", "near", "48x33", "cut=rift", a, b),                            \
+      WORKED_(id, "Oak, " label, "oak", "far", "320x220", "cut=flat", a, b),                       \
+      WORKED_(id, "Sugi, " label, "sugi", "near", "48x33", "cut=rift", a, b),                      \
+      WORKED_(id, "Sugi, " label, "sugi", "far", "320x220", "cut=flat", a, b)
+
 const shot_sheet gallery_sheets[GALLERY_SHEETS] = {
     {"gallery", 15}, /* five species, three cuts of each */
     {"stones", 5},
     {"layouts", 6},
+    {"finishes", 4}, /* two species, near and far */
 };
 
 const shot gallery_shots[] = {
@@ -150,6 +164,18 @@ const shot gallery_shots[] = {
          NULL),
     LAID("circles", "Rings of end-grain setts", "mizunara", "1600x1600", "cut=end", NULL, NULL),
     LAID("fan", "European fans of end-grain setts", "mizunara", "1800x1800", "cut=end", NULL, NULL),
+    /* every surface and finish */
+    WORKED("smooth", "smooth", "surface=smooth", NULL),
+    WORKED("band_sawn", "band-sawn", "surface=band_sawn", NULL),
+    WORKED("circular_sawn", "circular-sawn", "surface=circular_sawn", NULL),
+    WORKED("planed", "planed", "surface=planed", NULL),
+    WORKED("hand_planed", "hand-planed", "surface=hand_planed", NULL),
+    WORKED("sanded", "sanded, P80", "surface=sanded", "sanding_grit=80"),
+    WORKED("brushed", "brushed", "surface=brushed", NULL),
+    WORKED("charred", "charred", "surface=charred", NULL),
+    WORKED("weathered", "weathered", "surface=weathered", NULL),
+    WORKED("oiled", "planed and oiled", "finish=oiled", "surface=planed"),
+    WORKED("lacquered", "lacquered", "finish=lacquered", NULL),
     {.name = "stone",
      .title = "300 mm across",
      .material = "stone",

@@ -10,9 +10,11 @@
 #include "../core/hash1.h"
 #include "../core/scalar.h"
 #include "../core/status.h"
+#include "age.h"
 #include "cone_table.h"
 #include "parameters.h"
 #include "section.h"
+#include "surface/build.h"
 
 #define TWO_PI 6.28318530717958647692
 
@@ -510,6 +512,12 @@ static int32_t build_colour(wood_constants *w, const sozai_host *host, const set
   memcpy(w->ray, colours[P_RAY_COLOUR], sizeof w->ray);
   memcpy(w->sap_early, colours[P_SAP_EARLY], sizeof w->sap_early);
   memcpy(w->sap_late, colours[P_SAP_LATE], sizeof w->sap_late);
+  memcpy(w->streak, colours[P_STREAK_COLOUR], sizeof w->streak);
+  double streaks = number_at(s, P_STREAK_SHARE);
+  if (streaks > 0.0) {
+    tubes_filling(&w->streaks, 0.5 * number_at(s, P_STREAK_WIDTH), number_at(s, P_STREAK_LENGTH),
+                  0.75, streaks / (double)WOOD_STREAK);
+  }
   w->heart_years = (float)number_at(s, P_HEART_YEARS);
   w->heart_edge = (float)number_at(s, P_HEART_EDGE);
   w->heart_stray = (float)number_at(s, P_HEART_STRAY);
@@ -541,7 +549,7 @@ static void build_cone(wood_constants *w, const settings *s) {
   double a = number_at(s, P_COAT_ROUGHNESS);
   w->coat_alpha = (float)(a * a);
   for (int c = 0; c < 3; c++) {
-    double k = number_at(s, P_FIBRE_REFLECTANCE) * (double)w->tint_colour[c];
+    double k = number_at(s, P_FIBRE_REFLECTANCE) * surface_fibres(s) * (double)w->tint_colour[c];
     w->fibre_colour[c] = (float)(k > 0.0 ? k : 0.0);
   }
   if (w->cone) cone_table_build(w);
@@ -572,6 +580,9 @@ int32_t wood_build(wood_constants *w, const sozai_host *host, const settings *s,
   build_fibres(w, s);
   r = build_colour(w, host, s, colours);
   if (r) return r;
+  surface_build(w, s);
+  age_build(w, s, colours);
+  surface_build_colour(w, s, colours);
   build_cone(w, s);
   r = wood_build_boards(w, s, colours);
   if (r) return r;

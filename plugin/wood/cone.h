@@ -82,9 +82,10 @@ INLINE vf cone_reflectance(const wood_constants *w, vf sine, const cone_dive *d)
   return mix(low, high, d->part);
 }
 
-/* The coat's own highlight: GGX with Smith's shadowing, times pi cos. */
+/* The coat's own highlight: GGX with Smith's shadowing, times pi cos. a2: its
+ * alpha, squared. */
 INLINE vf coat_highlight(const wood_constants *w, const vf l[3], const vf v[3], const vf n[3],
-                         vf ci, vf cr) {
+                         vf ci, vf cr, vf a2) {
   vf one = splat(1.0f), tiny = splat(1e-4f);
   vf h[3], square = splat(0.0f), nh = square, vh = square;
   for (int c = 0; c < 3; c++) {
@@ -96,7 +97,6 @@ INLINE vf coat_highlight(const wood_constants *w, const vf l[3], const vf v[3], 
     nh = nh + h[c] * k * n[c];
     vh = vh + h[c] * k * v[c];
   }
-  vf a2 = splat(w->coat_alpha * w->coat_alpha);
   vf d = nh * nh * (a2 - one) + one;
   vf ca = vmax(ci, tiny), cb = vmax(cr, tiny);
   vf smith = ca * vsqrt(cb * cb * (one - a2) + a2) + cb * vsqrt(ca * ca * (one - a2) + a2);
@@ -109,9 +109,11 @@ INLINE vf coat_highlight(const wood_constants *w, const vf l[3], const vf v[3], 
 }
 
 /* Radiance towards v under l, for light_colour 1. sine: of the dive angle.
- * variance: of the slopes that the footprint averages. */
+ * variance: of the slopes that the footprint averages. coat2: the coat's alpha,
+ * squared. */
 INLINE void cone_radiance(const wood_constants *w, const vf l[3], const vf v[3], const vf n[3],
-                          const vf f[3], vf sine, vf variance, const vf albedo[3], vf out[3]) {
+                          const vf f[3], vf sine, vf variance, vf coat2, const vf albedo[3],
+                          vf out[3]) {
   vf one = splat(1.0f), zero = splat(0.0f);
   cone_ray i = cone_enter(w, l, n, f), r = cone_enter(w, v, n, f);
   vf flip = sel(lt(sine, zero), splat(-1.0f), one);
@@ -127,7 +129,7 @@ INLINE void cone_radiance(const wood_constants *w, const vf l[3], const vf v[3],
   vf half = vmax((one + cd) * splat(0.5f), splat(WOOD_CONE_LEAST));
   vf cosine = i.cosine * i.through * r.through;
   vf lobe = splat(3.14159265f) * g / half * cosine * scale;
-  vf coat = w->coat > 0.0f ? coat_highlight(w, l, v, n, i.cosine, r.cosine) : zero;
+  vf coat = w->coat > 0.0f ? coat_highlight(w, l, v, n, i.cosine, r.cosine, coat2) : zero;
   vm seen = and_(gt(i.cosine, zero), gt(r.cosine, zero));
   for (int c = 0; c < 3; c++) {
     vf k = splat(w->fibre_colour[c]);

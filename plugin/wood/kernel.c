@@ -11,6 +11,7 @@
 #include "heart.h"
 #include "picture.h"
 #include "rays.h"
+#include "surface/relief.h"
 #include "vessels.h"
 
 #define PASTE_(a, b) a##b
@@ -24,7 +25,7 @@ extern const wood_kernel NAMED(wood_kernel_);
 /* What has been asked for, and the stages that it takes. */
 typedef struct {
   int radiance, colour, fibre, dive;
-  int late, vessel, lobe, direction, section, picture, cone, board;
+  int late, vessel, lobe, direction, section, picture, cone, board, relief;
 } wood_wants;
 
 static int wanted(const wood_io *io, int first, int count) {
@@ -44,7 +45,9 @@ static wood_wants wants_of(const wood_constants *w, const wood_io *io) {
   q.lobe = wanted(io, WOOD_SPECULAR, 2) || q.radiance;
   q.cone = wanted(io, WOOD_CONE_COLOUR, 5);
   q.board = wanted(io, WOOD_BOARD_ID, WOOD_COMPONENTS - WOOD_BOARD_ID);
-  q.direction = q.fibre || q.dive || q.radiance || q.cone;
+  q.relief = w->surface.relief &&
+             (q.lobe || q.cone || (w->surface.stains && q.colour) || wanted(io, WOOD_NORMAL, 4));
+  q.direction = q.fibre || q.dive || q.radiance || q.cone || q.relief;
   q.section =
       q.direction || q.vessel || q.picture || q.lobe || q.cone || wanted(io, WOOD_REFERENCE, 2);
   return q;
@@ -130,6 +133,8 @@ typedef struct {
   vf late, over_late, cover, ray, albedo[3];
   vf exponent, strength, incident, tilted, power; /* figure */
   vf light[3];                                    /* log space */
+  vf streak;                                      /* share of minerals */
+  vf lost;                                        /* variance of the surface's slopes */
   ray_place rays;
   ray_cells ray_at;
   ray_body ray_in;
@@ -347,19 +352,24 @@ INLINE void stage_rings(const wood_constants *w, const wood_io *io, block *k) {
   store_lanes(io, WOOD_LATEWOOD, k, k->late);
 }
 
-/* The footprint over (arc, rho) of the reference section. */
-INLINE footprint2 footprint_in_section(const wood_io *io, const block *k) {
+/* The row of the map from surface to arc of the reference section. */
+INLINE void section_arc_row(const block *k, vf a[3]) {
   const stem_place *stem = &k->stem;
   vf zero = splat(0.0f);
-  /* the row of the map from surface to arc */
   vf ratio = stem->rho * stem->inverse_r;
   vf phi_rho =
       (k->grain.d_t * k->ring.inverse_width - k->phase * stem->rho * k->divisor) * k->divisor;
   vf shear = stem->rho * phi_rho, g = stem->rho * k->grain.g * k->divisor;
   vf tx = zero - ratio * stem->s, tz = ratio * stem->c;
-  vf a[3] = {tx - shear * k->b[0],
-             zero - tx * stem->pith.dx - tz * stem->pith.dz - g - shear * k->b[1],
-             tz - shear * k->b[2]};
+  a[0] = tx - shear * k->b[0];
+  a[1] = zero - tx * stem->pith.dx - tz * stem->pith.dz - g - shear * k->b[1];
+  a[2] = tz - shear * k->b[2];
+}
+
+/* The footprint over (arc, rho) of the reference section. */
+INLINE footprint2 footprint_in_section(const wood_io *io, const block *k) {
+  vf a[3];
+  section_arc_row(k, a);
   return footprint_through(a, k->b, k->nrm, !io->in->normal[0], k->s);
 }
 
@@ -450,6 +460,16 @@ INLINE void stage_shift(const wood_constants *w, int boards, int o, block *k) {
   k->shift = k->shift + fibre_octave(w, own_of(boards, k), o, k->x, k->z, k->f.aa + k->f.bb);
 }
 
+/* Streaks of minerals along the fibre: a stain, which is no deeper where two
+ * meet. */
+static __attribute__((noinline)) void stage_streaks(const wood_constants *w, int boards, block *k) {
+  vessel_place place = vessel_place_of(boards, k);
+  vf left;
+  trough_sum g =
+      tubes_over(&w->streaks, wood_seed(w, place.own, SEED_STREAKS), &place, k->p[1], &left);
+  k->streak = vmin(splat(WOOD_STREAK) * g.depth, splat(1.0f));
+}
+
 INLINE void stage_colour(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf one = splat(1.0f), zero = splat(0.0f);
   /* earlywood rows stand where there is no latewood; pores everywhere */
@@ -466,6 +486,7 @@ INLINE void stage_colour(const wood_constants *w, int boards, const wood_io *io,
       deep = sel(pale, mix(splat(w->sap_late[c]), deep, heart), deep);
     }
     vf tissue = light * early + deep * dark + splat(w->vessel[c]) * k->cover;
+    if (w->streaks.share > 0.0f) tissue = mix(tissue, splat(w->streak[c]) * k->shift, k->streak);
     if (w->has_rays) tissue = mix(tissue, splat(w->ray[c]) * k->shift, k->ray);
     k->albedo[c] = boards ? board_albedo(w, &k->board, c, tissue) : tissue;
     store_lanes(io, WOOD_ALBEDO + c, k, k->albedo[c]);
@@ -512,6 +533,13 @@ INLINE void stage_lobe(const wood_constants *w, int boards, const wood_io *io, b
     k->exponent = k->exponent * wide;
     k->strength = k->strength * vsqrt(wide);
     roughness = vmin(vsqrt(splat(2.0f) / (k->exponent + splat(2.0f))), one);
+  }
+  if (w->surface.relief) {
+    /* slopes of the surface, alike in all directions: alpha^2 + 2 variance */
+    vf narrow = splat(2.0f) / (k->exponent + splat(2.0f)), wide = vmin(narrow + k->lost, one);
+    k->exponent = splat(2.0f) / wide - splat(2.0f);
+    k->strength = k->strength * (narrow / wide);
+    roughness = vsqrt(wide);
   }
   store_lanes(io, WOOD_SPECULAR, k, k->strength);
   store_lanes(io, WOOD_ROUGHNESS, k, roughness);
@@ -570,15 +598,16 @@ INLINE void stage_cone(const wood_constants *w, const wood_io *io, block *k) {
 }
 
 INLINE void stage_cone_radiance(const wood_constants *w, int boards, const wood_io *io, block *k) {
-  vf r[3], v[3];
+  vf r[3], v[3], coat2 = splat(w->coat_alpha * w->coat_alpha);
+  if (w->surface.relief) coat2 = vmin(coat2 + k->lost, splat(1.0f));
   view_of(w, boards, io, k, v);
   vf variance = k->grain.variance + k->stem.lost_slope;
-  cone_radiance(w, k->light, v, k->nrm, k->fibre, k->sine, variance, k->albedo, r);
+  cone_radiance(w, k->light, v, k->nrm, k->fibre, k->sine, variance, coat2, k->albedo, r);
   if (w->has_rays) {
     /* the cells of a ray lie along the radius */
     vf zero = splat(0.0f), axis[3] = {k->stem.c, zero, k->stem.s}, shine[3];
     vf dive = zero - (axis[0] * k->nrm[0] + axis[2] * k->nrm[2]);
-    cone_radiance(w, k->light, v, k->nrm, axis, dive, zero, k->albedo, shine);
+    cone_radiance(w, k->light, v, k->nrm, axis, dive, zero, coat2, k->albedo, shine);
     for (int c = 0; c < 3; c++) r[c] = mix(r[c], shine[c], k->ray);
   }
   if (boards) {
@@ -602,6 +631,8 @@ INLINE void stage_radiance(const wood_constants *w, const wood_io *io, block *k)
   }
 }
 
+#include "surface/stage.h"
+
 /* 64 points on their way take 24 KB, which the nearest cache holds. */
 #ifndef BLOCKS
 #define BLOCKS (LANES == 1 ? 1 : 64 / LANES)
@@ -612,7 +643,8 @@ INLINE void stage_radiance(const wood_constants *w, const wood_io *io, block *k)
 /* restrict: what is stored is no constant, so that those are loaded before the
  * loops and not in them. */
 INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood_io *restrict io,
-                        const wood_wants *restrict want, block *blocks, uint32_t count) {
+                        const wood_wants *restrict want, block *blocks, surface_relief *reliefs,
+                        uint32_t count) {
   EACH(stage_load(w, boards, io, want, &blocks[k]));
   EACH(stage_pith(w, boards, &blocks[k]));
   EACH(stage_about(&blocks[k]));
@@ -653,12 +685,18 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
   }
   if (want->picture) {
     EACH(stage_picture(w, boards, io, &blocks[k]));
-  } else if (want->colour) {
-    EACH(stage_shift(w, boards, 0, &blocks[k]));
-    EACH(stage_shift(w, boards, 1, &blocks[k]));
-    EACH(stage_shift(w, boards, 2, &blocks[k]));
-    EACH(stage_colour(w, boards, io, &blocks[k]));
+    if (want->relief) EACH(stage_relief(w, boards, io, &blocks[k], &reliefs[k]));
+  } else {
+    if (want->colour) {
+      EACH(stage_shift(w, boards, 0, &blocks[k]));
+      EACH(stage_shift(w, boards, 1, &blocks[k]));
+      EACH(stage_shift(w, boards, 2, &blocks[k]));
+    }
+    if (want->relief) EACH(stage_relief(w, boards, io, &blocks[k], &reliefs[k]));
+    if (want->colour && w->streaks.share > 0.0f) EACH(stage_streaks(w, boards, &blocks[k]));
+    if (want->colour) EACH(stage_colour(w, boards, io, &blocks[k]));
   }
+  if (want->relief) EACH(stage_bump(w, boards, io, &blocks[k], &reliefs[k]));
   if (want->cone) EACH(stage_cone(w, io, &blocks[k]));
   if (want->lobe) EACH(stage_lobe(w, boards, io, &blocks[k]));
   if (want->radiance) {
@@ -677,20 +715,22 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
 static __attribute__((noinline)) void evaluate_piece(const wood_constants *restrict w,
                                                      const wood_io *restrict io,
                                                      const wood_wants *restrict want, block *blocks,
-                                                     uint32_t count) {
-  evaluate_as(0, w, io, want, blocks, count);
+                                                     surface_relief *reliefs, uint32_t count) {
+  evaluate_as(0, w, io, want, blocks, reliefs, count);
 }
 
 static __attribute__((noinline)) void evaluate_boards(const wood_constants *restrict w,
                                                       const wood_io *restrict io,
                                                       const wood_wants *restrict want,
-                                                      block *blocks, uint32_t count) {
-  evaluate_as(1, w, io, want, blocks, count);
+                                                      block *blocks, surface_relief *reliefs,
+                                                      uint32_t count) {
+  evaluate_as(1, w, io, want, blocks, reliefs, count);
 }
 
 static void evaluate(const wood_constants *w, const wood_io *io, uint32_t from, uint32_t to) {
   wood_wants want = wants_of(w, io);
   block blocks[BLOCKS];
+  surface_relief reliefs[BLOCKS];
   for (uint32_t i = from; i < to;) {
     uint32_t count = 0;
     for (; count < BLOCKS && i < to; count++, i += LANES) {
@@ -700,9 +740,9 @@ static void evaluate(const wood_constants *w, const wood_io *io, uint32_t from, 
       k->whole = k->n == LANES && !io->in->active;
     }
     if (w->boards.layout.kind != LAYOUT_NONE) {
-      evaluate_boards(w, io, &want, blocks, count);
+      evaluate_boards(w, io, &want, blocks, reliefs, count);
     } else {
-      evaluate_piece(w, io, &want, blocks, count);
+      evaluate_piece(w, io, &want, blocks, reliefs, count);
     }
   }
 }

@@ -427,6 +427,50 @@ static const sozai_parameter heart_stray = {
    .doc = "How many rings the boundary departs from following one, at most, round the stem.",
    .hard_min = 0, .hard_max = 50, .soft_min = 0, .soft_max = 10, .default_number = {3}};
 
+static const sozai_parameter streak_share = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "streak_share", .label = "Mineral streaks", .group = "colour", .unit = "",
+   .doc = "Share of the section that streaks of minerals stain; there is room for 0.06.",
+   .hard_min = 0, .hard_max = 0.06, .soft_min = 0, .soft_max = 0.06, .default_number = {0}};
+
+static const sozai_parameter streak_width = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "streak_width", .label = "Streak width", .group = "colour", .unit = "mm",
+   .doc = "Of the widest, across the fibre.",
+   .hard_min = 0.1, .hard_max = 100, .soft_min = 0.5, .soft_max = 10, .default_number = {2.5}};
+
+static const sozai_parameter streak_length = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "streak_length", .label = "Streak length", .group = "colour", .unit = "mm",
+   .doc = "Along the fibre.",
+   .hard_min = 2, .hard_max = 5000, .soft_min = 20, .soft_max = 1000, .default_number = {200}};
+
+static const sozai_parameter streak_colour = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "streak_colour", .label = "Streak colour", .group = "colour", .unit = "",
+   .doc = "Of a mineral streak in its middle.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.52, 0.46, 0.34},
+   .default_text = "sRGB"};
+
+static const sozai_parameter age_years = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "age_years", .label = "Age", .group = "colour", .unit = "years",
+   .doc = "Years of light and air indoors since the face was cut: colours go from those given towards aged_colour.",
+   .hard_min = 0, .hard_max = 1000, .soft_min = 0, .soft_max = 50, .default_number = {0}};
+
+static const sozai_parameter ageing_years = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "ageing_years", .label = "Ageing time", .group = "colour", .unit = "years",
+   .doc = "In which 63 % of the change is done.",
+   .hard_min = 0.05, .hard_max = 200, .soft_min = 0.3, .soft_max = 20, .default_number = {4}};
+
+static const sozai_parameter aged_colour = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "aged_colour", .label = "Aged colour", .group = "colour", .unit = "",
+   .doc = "What earlywood comes to; all other tissue changes with it.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.70, 0.51, 0.30},
+   .default_text = "sRGB"};
+
 static const sozai_parameter section = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_IMAGE,
    .id = "section", .label = "Section", .group = "section", .unit = "",
@@ -555,6 +599,129 @@ static const sozai_parameter coat_roughness = {
    .id = "coat_roughness", .label = "Coat roughness", .group = "figure", .unit = "",
    .doc = "fibre_cone: of the coat; its square is the width of the facets' distribution (GGX).",
    .hard_min = 0.03, .hard_max = 1, .soft_min = 0.05, .soft_max = 0.6, .default_number = {0.25}};
+
+static const char *const surface_choices[] = {
+   "smooth", "band_sawn", "circular_sawn", "planed", "hand_planed", "sanded", "brushed", "charred",
+   "weathered"};
+static const char *const surface_docs[] = {
+   "no relief at all",
+   "straight grooves across the board, one to a tooth of a band saw, and torn fibres",
+   "the same on arcs of saw_radius, crossed by those of the teeth behind",
+   "a planing machine's knives: fine cusps across the board",
+   "broad troughs of a hand plane's cambered iron along the board; bright",
+   "scratches along the board, by sanding_grit",
+   "earlywood brushed out from between the latewood",
+   "yakisugi: black, the latewood standing, cracked into cells",
+   "silver grey, the earlywood eroded, checks along the fibre"};
+static const sozai_parameter surface = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_CHOICE,
+   .id = "surface", .label = "Surface", .group = "surface", .unit = "",
+   .doc = "What has worked on the face: shows in height, normal and roughness. Tools run along "
+   "the board (+y of a piece; along x over its ends), on the face that the normal is nearest to; "
+   "wear follows rings and fibres.",
+   .choices = surface_choices, .choice_docs = surface_docs, .choice_count = COUNT(surface_choices), .default_number = {0}};
+
+static const char *const finish_choices[] = {"raw", "oiled", "lacquered"};
+static const char *const finish_docs[] = {
+   "nothing on it",
+   "oil in the fibres scatters less: darker and more saturated",
+   "a film that fills vessels and scratches: likewise, and coat is 1"};
+static const sozai_parameter finish = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_CHOICE,
+   .id = "finish", .label = "Finish", .group = "surface", .unit = "",
+   .doc = "What has been put on it.",
+   .choices = finish_choices, .choice_docs = finish_docs, .choice_count = COUNT(finish_choices), .default_number = {0}};
+
+static const sozai_parameter mark_pitch = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "mark_pitch", .label = "Mark pitch", .group = "surface", .unit = "mm",
+   .doc = "Of a tool's marks, one to the next; 0: the usual of the surface.",
+   .hard_min = 0, .hard_max = 200, .soft_min = 0, .soft_max = 50, .default_number = {0}};
+
+static const sozai_parameter mark_depth = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "mark_depth", .label = "Mark depth", .group = "surface", .unit = "mm",
+   .doc = "Of a tool's marks, a scratch's 2 sd; -1: the usual of the surface.",
+   .hard_min = -1, .hard_max = 5, .soft_min = -1, .soft_max = 0.5, .default_number = {-1}};
+
+static const sozai_parameter mark_angle = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "mark_angle", .label = "Mark angle", .group = "surface", .unit = "deg",
+   .doc = "By which the tool's run is turned in the face, from the board's length towards its width.",
+   .hard_min = -360, .hard_max = 360, .soft_min = -90, .soft_max = 90, .default_number = {0}};
+
+static const sozai_parameter saw_radius = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "saw_radius", .label = "Saw radius", .group = "surface", .unit = "mm",
+   .doc = "circular_sawn: of the blade.",
+   .hard_min = 20, .hard_max = 5000, .soft_min = 100, .soft_max = 700, .default_number = {250}};
+
+static const sozai_parameter sanding_grit = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "sanding_grit", .label = "Grit", .group = "surface", .unit = "P",
+   .doc = "sanded: of the last paper, by FEPA's P scale: grains of 425 um for 40, 125 for 120, 35 for 400.",
+   .hard_min = 12, .hard_max = 2500, .soft_min = 40, .soft_max = 400, .default_number = {120}};
+
+static const sozai_parameter erosion = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "erosion", .label = "Erosion", .group = "surface", .unit = "mm",
+   .doc = "How far earlywood lies below the densest latewood; -1: the usual of the surface.",
+   .hard_min = -1, .hard_max = 10, .soft_min = -1, .soft_max = 2, .default_number = {-1}};
+
+static const sozai_parameter fibre_wear = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "fibre_wear", .label = "Fibre wear", .group = "surface", .unit = "mm",
+   .doc = "How far single bundles of fibres stand out or lie low, at most; -1: the usual of the surface.",
+   .hard_min = -1, .hard_max = 2, .soft_min = -1, .soft_max = 0.3, .default_number = {-1}};
+
+static const sozai_parameter open_vessels = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "open_vessels", .label = "Open vessels", .group = "surface", .unit = "",
+   .doc = "Mean depth of vessels cut open, in their radii: 0 none or filled; -1: the usual of the surface.",
+   .hard_min = -1, .hard_max = 5, .soft_min = -1, .soft_max = 2, .default_number = {-1}};
+
+static const sozai_parameter checks = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "checks", .label = "Checks", .group = "surface", .unit = "",
+   .doc = "Cracks along the fibre that a line of 100 mm across it meets; -1: the usual of the surface.",
+   .hard_min = -1, .hard_max = 40, .soft_min = -1, .soft_max = 20, .default_number = {-1}};
+
+static const sozai_parameter check_width = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "check_width", .label = "Check width", .group = "surface", .unit = "mm",
+   .doc = "Of the widest.",
+   .hard_min = 0.02, .hard_max = 5, .soft_min = 0.05, .soft_max = 1, .default_number = {0.35}};
+
+static const sozai_parameter check_length = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "check_length", .label = "Check length", .group = "surface", .unit = "mm",
+   .doc = "Along the fibre, of the longest.",
+   .hard_min = 2, .hard_max = 2000, .soft_min = 10, .soft_max = 300, .default_number = {60}};
+
+static const sozai_parameter charring = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "charring", .label = "Charring", .group = "surface", .unit = "",
+   .doc = "charred: how far: 0 not at all, 0.5 toasted brown, 1 black and cracked.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {1}};
+
+static const sozai_parameter char_cell = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "char_cell", .label = "Char cell", .group = "surface", .unit = "mm",
+   .doc = "charred: across the fibre, of the cells that char cracks into; along it 1.5 times as much.",
+   .hard_min = 0.5, .hard_max = 200, .soft_min = 2, .soft_max = 30, .default_number = {7}};
+
+static const sozai_parameter greying = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "greying", .label = "Greying", .group = "surface", .unit = "",
+   .doc = "weathered: how far grey_colour has taken over.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.9}};
+
+static const sozai_parameter grey_colour = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "grey_colour", .label = "Grey", .group = "surface", .unit = "",
+   .doc = "weathered: of earlywood that has greyed; latewood and vessels are darker by what they were.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.63, 0.625, 0.60},
+   .default_text = "sRGB"};
 
 #define LAYOUT_ID_(kind, id, length, width, joint, doc) id,
 #define LAYOUT_DOC_(kind, id, length, width, joint, doc) doc,
@@ -737,6 +904,13 @@ const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_HEART_YEARS] = &heart_years,
    [P_HEART_EDGE] = &heart_edge,
    [P_HEART_STRAY] = &heart_stray,
+   [P_STREAK_SHARE] = &streak_share,
+   [P_STREAK_WIDTH] = &streak_width,
+   [P_STREAK_LENGTH] = &streak_length,
+   [P_STREAK_COLOUR] = &streak_colour,
+   [P_AGE_YEARS] = &age_years,
+   [P_AGEING_YEARS] = &ageing_years,
+   [P_AGED_COLOUR] = &aged_colour,
    [P_SECTION] = &section,
    [P_SECTION_WIDTH] = &section_width,
    [P_SECTION_PITH] = &section_pith,
@@ -756,6 +930,23 @@ const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_IOR] = &ior,
    [P_COAT] = &coat,
    [P_COAT_ROUGHNESS] = &coat_roughness,
+   [P_SURFACE] = &surface,
+   [P_FINISH] = &finish,
+   [P_MARK_PITCH] = &mark_pitch,
+   [P_MARK_DEPTH] = &mark_depth,
+   [P_MARK_ANGLE] = &mark_angle,
+   [P_SAW_RADIUS] = &saw_radius,
+   [P_SANDING_GRIT] = &sanding_grit,
+   [P_EROSION] = &erosion,
+   [P_FIBRE_WEAR] = &fibre_wear,
+   [P_OPEN_VESSELS] = &open_vessels,
+   [P_CHECKS] = &checks,
+   [P_CHECK_WIDTH] = &check_width,
+   [P_CHECK_LENGTH] = &check_length,
+   [P_CHARRING] = &charring,
+   [P_CHAR_CELL] = &char_cell,
+   [P_GREYING] = &greying,
+   [P_GREY_COLOUR] = &grey_colour,
    [P_LAYOUT] = &layout_,
    [P_BOARD_LENGTH] = &board_length,
    [P_BOARD_WIDTH] = &board_width,
@@ -819,7 +1010,7 @@ static const sozai_channel channel_roughness = {
    .uses = SOZAI_INPUT_FOOTPRINT,
    .id = "roughness", .unit = "", .suffixes = "",
    .doc = "Width of that lobe, sqrt(2 / (n + 2)): a Beckmann roughness, wider where the "
-   "footprint averages over slopes."};
+   "footprint averages over slopes, the fibres' or the surface's."};
 
 static const sozai_channel channel_time = {
    .size = sizeof(sozai_channel), .first = WOOD_TIME, .components = 1,
@@ -912,14 +1103,14 @@ static const sozai_channel channel_normal = {
    .needs = SOZAI_INPUT_POINT | SOZAI_INPUT_NORMAL,
    .uses = SOZAI_INPUT_FOOTPRINT,
    .id = "normal", .unit = "", .suffixes = "xyz",
-   .doc = "Unit, object space: the normal given, tilted by the layout's bevelled edges and cupping."};
+   .doc = "Unit, object space: the normal given, tilted by the surface and by the layout's bevelled edges and cupping."};
 
 static const sozai_channel channel_height = {
    .size = sizeof(sozai_channel), .first = WOOD_HEIGHT, .components = 1,
    .needs = SOZAI_INPUT_POINT,
    .uses = SOZAI_INPUT_FOOTPRINT,
    .id = "height", .unit = "mm", .suffixes = "",
-   .doc = "Of the layout's relief above the face: bevels, joints, cupping."};
+   .doc = "Above the face: of the surface's relief, and the layout's bevels, joints and cupping."};
 
 const sozai_channel *const wood_channels[] = {
    &channel_albedo, &channel_radiance, &channel_fiber, &channel_dive, &channel_specular, &channel_roughness, &channel_time, &channel_latewood, &channel_vessel, &channel_reference, &channel_cone_colour, &channel_cone_width, &channel_coat, &channel_ray,

@@ -19,6 +19,7 @@
 
 #include "../../api/sozai_colour.h"
 #include "../layout/layout.h"
+#include "surface/surface.h"
 
 #define WOOD_RINGS 256      /* rings before the table repeats */
 #define WOOD_BINS_MAX 16384 /* bins of the look-up from rho to ring */
@@ -29,6 +30,7 @@
 #define WOOD_CONE_PSI 65      /* steps of the sine of inclination, -1 to 1 */
 #define WOOD_CONE_DIVE 17     /* steps of the sine of the dive angle, 0 to 1 */
 #define WOOD_CONE_LEAST 0.05f /* of cos^2(psi_d / 2): where cones close, the lobe stays finite */
+#define WOOD_STREAK 0.62f     /* how much of its colour a streak's depth gives */
 #define WOOD_RIM 256          /* directions in which the rim of a picture is known */
 
 /* The seeds of the noises, kept apart. */
@@ -46,7 +48,12 @@ enum {
   SEED_CURL,
   SEED_QUILT,
   SEED_EYES,
-  WOOD_SEEDS = SEED_EYES + 2
+  SEED_MARKS = SEED_EYES + 2,
+  SEED_WEAR,
+  SEED_CHECKS = SEED_WEAR + SURFACE_OCTAVES,
+  SEED_CRACKS,
+  SEED_STREAKS,
+  WOOD_SEEDS
 };
 
 /* A layer of vessels of normally distributed radius. inverse_square[i] is
@@ -164,6 +171,8 @@ typedef struct {
   float early[3], late[3], vessel[3], ray[3];
 
   float sap_early[3], sap_late[3];
+  wood_tubes streaks;            /* of minerals */
+  float streak[3];               /* their colour */
   float heart_years, heart_edge; /* years: where the heartwood ends, and how gradually */
   float heart_stray;             /* years: most that the boundary departs from the ring */
   float heart_cos[3], heart_sin[3];
@@ -193,6 +202,7 @@ typedef struct {
   float cone_scale[WOOD_CONE_DIVE];                 /* of the lobe */
 
   wood_boards boards;
+  wood_surface surface;
 
   uint32_t seed;
   uint32_t seeds[WOOD_SEEDS]; /* one for each noise */

@@ -61,7 +61,12 @@ static int make(const char *id, const char *preset, const sozai_value *values, u
   return 0;
 }
 
-/* Every fourth preset, with every kind of slope. */
+static const char *const surfaces[] = {"smooth",  "band_sawn",   "circular_sawn",
+                                       "planed",  "hand_planed", "sanded",
+                                       "brushed", "charred",     "weathered"};
+static const char *const finishes[] = {"raw", "oiled", "lacquered"};
+
+/* Every fourth preset, with every kind of slope, surface and finish. */
 static int make_woods(void) {
   static const char *const cuts[] = {"log", "flat", "quarter", "rift", "end"};
   const sozai_texture_info *info = host.textures->find("wood");
@@ -79,8 +84,13 @@ static int make_woods(void) {
         {.id = "coat", .kind = SOZAI_KIND_FLOAT, .number = {i / 4u % 3u * 0.5}},
         {.id = "reflection",
          .kind = SOZAI_KIND_CHOICE,
-         .text = i / 4u % 2u ? "fibre_cone" : "kawai"}};
-    r = make("wood", i ? info->presets[i - 1]->id : NULL, values, 7);
+         .text = i / 4u % 2u ? "fibre_cone" : "kawai"},
+        {.id = "surface", .kind = SOZAI_KIND_CHOICE, .text = surfaces[i / 4u % 9u]},
+        {.id = "finish", .kind = SOZAI_KIND_CHOICE, .text = finishes[i / 4u % 3u]},
+        {.id = "age_years", .kind = SOZAI_KIND_FLOAT, .number = {i / 4u % 2u * 7.0}},
+        {.id = "streak_share", .kind = SOZAI_KIND_FLOAT, .number = {i / 4u % 4u * 0.01}},
+        {.id = "mark_angle", .kind = SOZAI_KIND_FLOAT, .number = {i % 3u * 30.0}}};
+    r = make("wood", i ? info->presets[i - 1]->id : NULL, values, 12);
   }
   return r;
 }
@@ -101,8 +111,9 @@ static int make_layouts(void) {
         {.id = "cupping", .kind = SOZAI_KIND_FLOAT, .number = {i % 2u * 0.7}},
         {.id = "board_flip", .kind = SOZAI_KIND_CHOICE, .text = flips[i % 3u]},
         {.id = "grain", .kind = SOZAI_KIND_CHOICE, .text = "compound"},
-        {.id = "reflection", .kind = SOZAI_KIND_CHOICE, .text = i % 2u ? "fibre_cone" : "kawai"}};
-    r = make("wood", info->presets[i % info->preset_count]->id, values, 7);
+        {.id = "reflection", .kind = SOZAI_KIND_CHOICE, .text = i % 2u ? "fibre_cone" : "kawai"},
+        {.id = "surface", .kind = SOZAI_KIND_CHOICE, .text = surfaces[(i + 1u) % 9u]}};
+    r = make("wood", info->presets[i % info->preset_count]->id, values, 8);
   }
   return r;
 }
@@ -110,15 +121,15 @@ static int make_layouts(void) {
 /* Every third preset, which among them have all that a stone can have, every
  * finish, and both of the paper's modes of colour. */
 static int make_stones(void) {
-  static const char *const finishes[] = {"split", "flamed", "bush_hammered",
-                                         "sawn",  "honed",  "polished"};
+  static const char *const worked[] = {"split", "flamed", "bush_hammered",
+                                       "sawn",  "honed",  "polished"};
   static const char *const modes[] = {"paper_rgb", "paper_lightness"};
   static const char *const beds[] = {"x", "y", "z"};
   const sozai_texture_info *info = host.textures->find("stone");
   int r = info ? 0 : 1;
   for (uint32_t i = 0; !r && i < info->preset_count; i += 3) {
     const sozai_value values[] = {
-        {.id = "finish", .kind = SOZAI_KIND_CHOICE, .text = finishes[i / 3 % 6u]},
+        {.id = "finish", .kind = SOZAI_KIND_CHOICE, .text = worked[i / 3 % 6u]},
         {.id = "bed", .kind = SOZAI_KIND_CHOICE, .text = beds[i / 3 % 3u]},
         {.id = "hole_share", .kind = SOZAI_KIND_FLOAT, .number = {i % 2u * 0.05}},
         {.id = "vein_width", .kind = SOZAI_KIND_FLOAT, .number = {i % 2u ? 0.0 : 4.0}}};

@@ -16,6 +16,7 @@ static const sozai_value values_sugi[] = {
     SRGB("sapwood_latewood_colour", 198, 158, 116),
     NUMBER("heartwood_years", 110.0),
     NUMBER("specular", 0.05),
+    AGED(184, 128, 86, 3.0),
 };
 SPECIES(sugi, "Sugi, Japanese cedar (Cryptomeria japonica)",
         "A conifer: pinkish earlywood and dark, abrupt latewood.", FFPRI "; " INSIDEWOOD);
@@ -34,6 +35,7 @@ static const sozai_value values_hinoki[] = {
     SRGB("sapwood_latewood_colour", 214, 184, 142),
     NUMBER("heartwood_years", 130.0),
     NUMBER("specular", 0.09),
+    AGED(208, 154, 96, 4.0),
 };
 SPECIES(hinoki, "Hinoki, Japanese cypress (Chamaecyparis obtusa)",
         "A conifer: pale, fine and lustrous, with narrow, gradual latewood.",
@@ -54,6 +56,7 @@ static const sozai_value values_karamatsu[] = {
     SRGB("sapwood_latewood_colour", 196, 154, 104),
     NUMBER("heartwood_years", 110.0),
     NUMBER("specular", 0.06),
+    AGED(166, 106, 60, 2.5),
 };
 SPECIES(karamatsu, "Karamatsu, Japanese larch (Larix kaempferi)",
         "A conifer: orange-brown heart, with wide dark latewood abrupt in both directions.",
@@ -73,6 +76,7 @@ static const sozai_value values_akamatsu[] = {
     SRGB("sapwood_latewood_colour", 202, 158, 106),
     NUMBER("heartwood_years", 100.0),
     NUMBER("specular", 0.06),
+    AGED(194, 134, 76, 2.0),
 };
 SPECIES(akamatsu, "Akamatsu, Japanese red pine (Pinus densiflora)",
         "A conifer: yellowish, with a broad resinous latewood.", FFPRI "; " GYMNOSPERMS);
@@ -91,6 +95,7 @@ static const sozai_value values_scots_pine[] = {
     SRGB("sapwood_latewood_colour", 200, 156, 104),
     NUMBER("heartwood_years", 90.0),
     NUMBER("specular", 0.06),
+    AGED(192, 132, 74, 2.0),
 };
 SPECIES(scots_pine, "Scots pine (Pinus sylvestris)",
         "A conifer: reddish heart, pale sapwood, latewood clear and brown.",
@@ -110,6 +115,7 @@ static const sozai_value values_douglas_fir[] = {
     SRGB("sapwood_latewood_colour", 198, 152, 104),
     NUMBER("heartwood_years", 140.0),
     NUMBER("specular", 0.06),
+    AGED(178, 110, 62, 2.0),
 };
 SPECIES(douglas_fir, "Douglas fir (Pseudotsuga menziesii)",
         "A conifer: orange-brown, with strong, abrupt latewood and even lines.",
@@ -129,6 +135,7 @@ static const sozai_value values_spruce[] = {
     SRGB("sapwood_latewood_colour", 208, 166, 114),
     NUMBER("heartwood_years", 60.0),
     NUMBER("specular", 0.1),
+    AGED(204, 160, 106, 2.5),
 };
 SPECIES(spruce, "Norway spruce (Picea abies)",
         "A conifer: nearly white and lustrous, with gradual yellowish latewood.",
@@ -148,6 +155,7 @@ static const sozai_value values_momi[] = {
     SRGB("sapwood_latewood_colour", 198, 160, 122),
     NUMBER("heartwood_years", 60.0),
     NUMBER("specular", 0.07),
+    AGED(204, 166, 118, 3.0),
 };
 SPECIES(momi, "Momi, Japanese fir (Abies firma)",
         "A conifer: white with a grey cast, coarse, latewood distinct and pinkish brown.",
@@ -167,6 +175,7 @@ static const sozai_value values_silver_fir[] = {
     SRGB("sapwood_latewood_colour", 200, 164, 126),
     NUMBER("heartwood_years", 60.0),
     NUMBER("specular", 0.07),
+    AGED(204, 164, 114, 3.0),
 };
 SPECIES(silver_fir, "European silver fir (Abies alba)",
         "A conifer: whitish, without resin, with a greyish latewood.", SCHOCH "; " GYMNOSPERMS);
@@ -185,6 +194,7 @@ static const sozai_value values_western_red_cedar[] = {
     SRGB("sapwood_latewood_colour", 202, 166, 126),
     NUMBER("heartwood_years", 160.0),
     NUMBER("specular", 0.05),
+    AGED(152, 106, 76, 1.5),
 };
 SPECIES(western_red_cedar, "Western red cedar (Thuja plicata)",
         "A conifer: from pinkish to chocolate brown, drifting; thin dark latewood.",
@@ -204,6 +214,7 @@ static const sozai_value values_larch[] = {
     SRGB("sapwood_latewood_colour", 192, 148, 100),
     NUMBER("heartwood_years", 100.0),
     NUMBER("specular", 0.06),
+    AGED(160, 100, 56, 2.5),
 };
 SPECIES(larch, "European larch (Larix decidua)",
         "A conifer: reddish brown heart; sharp dark latewood in narrow rings.",
@@ -226,6 +237,7 @@ static const sozai_value values_yew[] = {
     NUMBER("heartwood_years", 200.0),
     NUMBER("heartwood_edge", 0.3),
     NUMBER("specular", 0.1),
+    AGED(160, 94, 52, 3.0),
 };
 SPECIES(yew, "Yew (Taxus baccata)",
         "A conifer: orange-brown within thin white sapwood, with wavy, close rings.",
@@ -246,6 +258,7 @@ static const sozai_value values_hiba[] = {
     SRGB("sapwood_latewood_colour", 216, 184, 138),
     NUMBER("heartwood_years", 120.0),
     NUMBER("specular", 0.07),
+    AGED(206, 160, 98, 3.0),
 };
 SPECIES(hiba, "Hiba, hiba arborvitae (Thujopsis dolabrata)",
         "A conifer: pale yellow, fine and even, with thin gradual latewood.",
@@ -265,6 +278,7 @@ static const sozai_value values_sawara[] = {
     SRGB("sapwood_latewood_colour", 208, 176, 132),
     NUMBER("heartwood_years", 120.0),
     NUMBER("specular", 0.05),
+    AGED(180, 136, 90, 3.0),
 };
 SPECIES(sawara, "Sawara, Sawara cypress (Chamaecyparis pisifera)",
         "A conifer: dull yellowish brown, soft, its latewood narrow and brown.",
@@ -284,6 +298,7 @@ static const sozai_value values_kaya[] = {
     SRGB("sapwood_latewood_colour", 214, 178, 118),
     NUMBER("heartwood_years", 160.0),
     NUMBER("specular", 0.09),
+    AGED(202, 150, 88, 4.0),
 };
 SPECIES(kaya, "Kaya, Japanese nutmeg yew (Torreya nucifera)",
         "A conifer: honey yellow and resilient, the board of go; close, faint rings.",
@@ -303,6 +318,7 @@ static const sozai_value values_tsuga[] = {
     SRGB("sapwood_latewood_colour", 192, 150, 118),
     NUMBER("heartwood_years", 150.0),
     NUMBER("specular", 0.06),
+    AGED(184, 136, 96, 3.0),
 };
 SPECIES(tsuga, "Tsuga, southern Japanese hemlock (Tsuga sieboldii)",
         "A conifer: pale purplish brown, hard; latewood dark and close.", FFPRI "; " GYMNOSPERMS);
@@ -323,6 +339,7 @@ static const sozai_value values_ichii[] = {
     NUMBER("heartwood_years", 180.0),
     NUMBER("heartwood_edge", 0.3),
     NUMBER("specular", 0.1),
+    AGED(158, 98, 60, 3.0),
 };
 SPECIES(ichii, "Ichii, Japanese yew (Taxus cuspidata)",
         "A conifer: reddish orange, fine and smooth, in a thin white sapwood.",
@@ -342,6 +359,7 @@ static const sozai_value values_redwood[] = {
     SRGB("sapwood_latewood_colour", 206, 168, 128),
     NUMBER("heartwood_years", 200.0),
     NUMBER("specular", 0.05),
+    AGED(126, 80, 58, 1.5),
 };
 SPECIES(redwood, "Coast redwood (Sequoia sempervirens)",
         "A conifer: deep reddish brown, coarse and straight, with abrupt dark latewood.",
@@ -361,6 +379,7 @@ static const sozai_value values_southern_pine[] = {
     SRGB("sapwood_latewood_colour", 207, 160, 105),
     NUMBER("heartwood_years", 90.0),
     NUMBER("specular", 0.06),
+    AGED(194, 128, 68, 2.0),
 };
 SPECIES(southern_pine, "Longleaf pine (Pinus palustris)",
         "A conifer: orange-yellow with latewood half of the ring, dark and abrupt.",

@@ -59,6 +59,14 @@ SPECIES_ALL(DECLARE)
   NUMBER("ray_density", density), NUMBER("ray_height", height), NUMBER("ray_width", width),        \
       NUMBER("ray_length", length)
 
+/* What the light makes of earlywood's colour, sRGB, and in how many years 63 % of
+ * it: directions after Sandermann and Schlumbom (Holz als Roh- und Werkstoff 20,
+ * 1962), Oltean, Teischinger and Hansmann (the same, 66, 2008), and the USDA
+ * Wood Handbook's notes on colour. */
+#define AGED(r, g, b, years) SRGB("aged_colour", r, g, b), NUMBER("ageing_years", years)
+#define MINERAL_STREAKS(share, width, length)                                                      \
+  NUMBER("streak_share", share), NUMBER("streak_width", width), NUMBER("streak_length", length)
+
 #define SPECIES(key, name, about, literature)                                                      \
   const sozai_preset species_##key = {.size = sizeof(sozai_preset),                                \
                                       .value_count = COUNT(values_##key),                          \

@@ -9,7 +9,7 @@
       SRGB("vessel_colour", 214, 184, 145), SRGB("sapwood_earlywood_colour", 236, 212, 178),       \
       SRGB("sapwood_latewood_colour", 210, 178, 138), NUMBER("heartwood_years", 110.0),            \
       NUMBER("diffuse", 0.8), NUMBER("specular", 0.3), NUMBER("shininess", 14.0),                  \
-      RAYS(2.2, 0.6, 70.0, 28.0), SRGB("ray_colour", 219, 187, 148)
+      RAYS(2.2, 0.6, 70.0, 28.0), SRGB("ray_colour", 219, 187, 148), AGED(206, 162, 110, 4.0)
 
 static const sozai_value values_curly_maple[] = {
     RINGS(2.2, 0.22, 0.7), LATEWOOD(0.06, 0.7),         WAVY(0.19, 9.0, 0.6),
@@ -60,6 +60,7 @@ static const sozai_value values_pommele_sapele[] = {
     NUMBER("shininess", 14.0),
     RAYS(3.6, 0.45, 55.0, 28.0),
     SRGB("ray_colour", 142, 85, 57),
+    AGED(114, 66, 42, 1.5),
 };
 SPECIES(pommele_sapele, "Sapele, pommele (Entandrophragma cylindricum)",
         "Small round blisters over interlocked grain, like drops of rain on a puddle.",

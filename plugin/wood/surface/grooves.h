@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Vessels that the cut has opened, at the places of vessels.h: each a trough as
+ * tubes.h has them, whole along its length. Where troughs meet they add up.
+ */
+#ifndef SOZAI_WOOD_SURFACE_GROOVES_H
+#define SOZAI_WOOD_SURFACE_GROOVES_H
+
+#include "../tubes.h"
+
+/* The field's pores, over their depth; slopes are per mm of (x, z). */
+INLINE trough_sum grooves_pores(const wood_constants *w, vu own, vf x, vf z, const disc *d) {
+  pore_cells p = pores_near(w, own, x, z, d);
+  vf zero = splat(0.0f), unit = splat(PORE_UNIT), one = splat(1.0f), unused;
+  trough_sum g = {zero, zero, zero, zero};
+  for (int i = 0; i < 4; i++) {
+    int a = i & 1, b = i >> 1;
+    vu base = hash_upper(p.hash + splatu((uint32_t)a * HASH_X + (uint32_t)b * HASH_Z));
+    vf cx = sel_top(base, a ? p.x - unit : p.x, splat(PORE_NOWHERE)), cz = b ? p.z - unit : p.z;
+    vu h = base << 1;
+    for (int k = 0; k < 2; k++) {
+      trough_add(&p.d, one, lookup16(w->pores.inverse_square, h >> 5), cx - hash_place(h),
+                 cz - hash_place2(h), &g, &unused);
+      h = base * splatu(PORE_SECOND);
+    }
+  }
+  vf per_mm = splat(1.0f / w->pore_step);
+  g.x = g.x * per_mm;
+  g.z = g.z * per_mm;
+  return g;
+}
+
+/* The earlywood's rows; x is along the arc and z along rho. */
+INLINE trough_sum grooves_rows(const wood_constants *w, const row_place *p, vf rho, vf da, vf dr,
+                               const disc *d) {
+  vf zero = splat(0.0f), one = splat(1.0f), unused;
+  trough_sum g = {zero, zero, zero, zero};
+  vi whole;
+  for (int m = 0; m < w->rows; m++) {
+    vu row_seed = hash_upper(p->seed + splatu((uint32_t)m * HASH_X));
+    vf u = p->turn + to_float((vi)(row_seed >> 8)) * splat(1.0f / 16777216.0f);
+    vf place = (u - vfloor(u, &whole)) * p->count - splat(0.5f) + da * p->per_arc;
+    vi k0;
+    vf within = place - vfloor(place, &k0);
+    vf radial = rho + dr - p->start - splat(w->row_start + w->row_spacing * (float)m);
+    for (int a = 0; a < 2; a++) {
+      vi k = k0 + splati(a);
+      k = seli(lti(k, splati(0)), k + p->n, k);
+      k = seli(lti(k, p->n), k, k - p->n);
+      vu h = hash_upper((vu)k * splatu(HASH_Y) + row_seed);
+      vf x = (within - splat((float)a) - hash_place(h) * splat(w->row_step_arc)) * p->arc;
+      vf z = radial - hash_place2(h) * splat(w->row_step_radial);
+      trough_add(d, one, lookup16(w->row.inverse_square, h >> 5), x, z, &g, &unused);
+    }
+  }
+  g.depth = sel(p->near, g.depth, zero);
+  g.x = sel(p->near, g.x, zero);
+  g.z = sel(p->near, g.z, zero);
+  return g;
+}
+
+#endif

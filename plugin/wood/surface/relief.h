@@ -1,0 +1,154 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * All that a surface is made of, added up: height, exact gradient, and what of
+ * the gradient's square the footprint averages out.
+ */
+#ifndef SOZAI_WOOD_SURFACE_RELIEF_H
+#define SOZAI_WOOD_SURFACE_RELIEF_H
+
+#include "cracks.h"
+#include "grooves.h"
+#include "marks.h"
+#include "wear.h"
+
+/* The point, as the other stages have found it. */
+typedef struct {
+  vessel_place place;        /* in the reference section, with its footprint */
+  vf y;                      /* log space */
+  vf along_x[3], along_z[3]; /* gradients of the section's x and z over log space, */
+  vf arc[3], rho[3];         /* of its arc, and of rho */
+  vf reach;                  /* mm: what the footprint spans along rho */
+  vf across_rho2;            /* square of rho's gradient within the surface */
+  vf s;                      /* mm: the footprint */
+} surface_place;
+
+typedef struct {
+  vf height;   /* mm */
+  vf slope[3]; /* gradient of the height, log space */
+  vf lost;     /* sum over the surface's two axes of the slope's variance */
+  vf dark;     /* share of the albedo that checks and cracks take */
+} surface_relief;
+
+INLINE void relief_add(surface_relief *r, vf k, const vf g[3]) {
+  for (int c = 0; c < 3; c++) r->slope[c] = r->slope[c] + k * g[c];
+}
+
+/* Mean square slope within the surface of what has slope2 over the section:
+ * half of it along each axis there. */
+INLINE vf relief_within(const surface_place *p, vf slope2) {
+  vf per = splat(1.0f) / vmax(p->s * p->s, splat(1e-12f));
+  return splat(0.5f) * slope2 * (p->place.f.aa + p->place.f.bb) * per;
+}
+
+INLINE void relief_wear(const wood_constants *w, const surface_place *p, surface_relief *r) {
+  const wood_surface *m = &w->surface;
+  vf zero = splat(0.0f), one = splat(1.0f), late = zero, slope = zero;
+  if (m->erosion > 0.0f) {
+    vf k = splat(m->erosion), e = vsqrt(p->reach * p->reach + splat(m->soft * m->soft));
+    late = wear_average(w, &p->place.ring, p->place.rho, e, &slope);
+    r->height = r->height + k * (late - one);
+    relief_add(r, k * slope, p->rho);
+    vf gone = vmax(splat(m->wear_slope2[0]) - wear_slope2(m, e), zero);
+    r->lost = r->lost + k * k * gone * p->across_rho2;
+  }
+  if (m->fibre[0].height == 0.0f) return;
+  vf dx, dz, lost, extent = vsqrt(p->place.f.aa + p->place.f.bb);
+  vf n = wear_fibres(w, p->place.own, p->place.x, p->place.z, extent, &dx, &dz, &lost);
+  /* latewood keeps its fibres */
+  vf fall = splat(m->fibre_late - 1.0f), share = one + fall * late;
+  r->height = r->height + share * n;
+  r->dark = r->dark - splat(m->fibre_stain) * share * n;
+  relief_add(r, share * dx, p->along_x);
+  relief_add(r, share * dz, p->along_z);
+  relief_add(r, n * fall * slope, p->rho);
+  r->lost = r->lost + share * share * relief_within(p, lost + lost);
+}
+
+INLINE void relief_vessels(const wood_constants *w, const surface_place *p, surface_relief *r) {
+  const wood_surface *m = &w->surface;
+  const vessel_place *v = &p->place;
+  vf zero = splat(0.0f), one = splat(1.0f);
+  /* past what the nearest cells answer the mean takes over */
+  vf e2 = v->f.aa + v->f.bb;
+  if (m->pores.depth > 0.0f) {
+    vf faded = fade_beyond(e2, w->pores.reach), k = splat(m->pores.depth) * (one - faded);
+    vf left = zero;
+    r->height = r->height - splat(m->pores.mean) * faded;
+    if (any(lt(faded, one))) {
+      disc d = pores_disc(w, v, v->f.aa, v->f.ab, v->f.bb);
+      trough_sum g = grooves_pores(w, v->own, v->x, v->z, &d);
+      r->height = r->height - k * g.depth;
+      relief_add(r, zero - k * g.x, p->along_x);
+      relief_add(r, zero - k * g.z, p->along_z);
+      left = trough_left(&d) * (one - faded) * (one - faded);
+    }
+    r->lost = r->lost + relief_within(p, splat(m->pores.slope2) * (one - left));
+  }
+  if (m->rows.depth > 0.0f) {
+    row_place row = row_of(w, v);
+    vf faded = fade_beyond(e2, w->row.reach), k = splat(m->rows.depth) * (one - faded);
+    vf twelfth = splat(1.0f / 12.0f);
+    matrix2 c = {v->f.aa * twelfth, v->f.ab * twelfth, v->f.bb * twelfth};
+    disc d = disc_blurred(splat(w->row.radius * w->row.radius), c);
+    vf left = trough_left(&d) * (one - faded) * (one - faded);
+    r->height = r->height - splat(m->rows.mean) * faded;
+    if (any(and_(lt(faded, one), row.near))) {
+      trough_sum g = grooves_rows(w, &row, v->rho, zero, zero, &d);
+      r->height = r->height - k * g.depth;
+      relief_add(r, zero - k * g.x, p->arc);
+      relief_add(r, zero - k * g.z, p->rho);
+    }
+    r->lost = r->lost + relief_within(p, splat(m->rows.slope2) * (one - left));
+  }
+}
+
+INLINE void relief_checks(const wood_constants *w, const surface_place *p, surface_relief *r) {
+  const wood_surface *m = &w->surface;
+  if (m->check_depth <= 0.0f) return;
+  vf left, slope = splat(-m->check_depth), one = splat(1.0f);
+  trough_sum g =
+      tubes_over(&m->checks, wood_seed(w, p->place.own, SEED_CHECKS), &p->place, p->y, &left);
+  relief_add(r, slope * g.x, p->along_x);
+  relief_add(r, slope * g.z, p->along_z);
+  r->slope[1] = r->slope[1] + slope * g.y;
+  r->height = r->height + slope * g.depth;
+  r->lost = r->lost + slope * slope * relief_within(p, splat(m->checks.slope2) * (one - left));
+  r->dark = vmin(r->dark + splat(m->check_dark) * g.depth, one);
+}
+
+INLINE void relief_cracks(const wood_constants *w, const surface_place *p, surface_relief *r) {
+  const wood_surface *m = &w->surface;
+  if (m->crack_depth <= 0.0f) return;
+  vf one = splat(1.0f), zero = splat(0.0f), k = splat(m->crack_depth);
+  float size = 1.0f / m->crack_frequency[0];
+  vf keep = one - smooth_step(splat(0.3f * size), splat(1.2f * size), p->s);
+  vf left = zero, depth = splat(m->crack_mean), dark = splat(m->crack_dark);
+  if (any(gt(keep, zero))) {
+    crack_place c = cracks_at(w, p->place.own, p->place.x, p->y, p->place.z, splat(0.5f) * p->s);
+    depth = mix(depth, c.depth, keep);
+    dark = mix(dark, c.dark, keep);
+    vf slope = zero - k * keep;
+    relief_add(r, slope * c.x, p->along_x);
+    relief_add(r, slope * c.z, p->along_z);
+    r->slope[1] = r->slope[1] + slope * c.y;
+    /* share^2 of the slope's square is left, over share^-1 of the area */
+    vf share = splat(m->crack_width) / (splat(m->crack_width) + splat(0.5f) * p->s);
+    left = keep * keep * share * share * share;
+  }
+  r->height = r->height - k * depth;
+  r->lost = r->lost + splat(m->crack_slope2) * (one - left);
+  r->dark = vmin(r->dark + splat(0.8f) * dark, one);
+}
+
+/* All but the tool's marks, which are not in log space. */
+INLINE surface_relief relief_grown(const wood_constants *w, const surface_place *p) {
+  vf zero = splat(0.0f);
+  surface_relief r = {zero, {zero, zero, zero}, zero, zero};
+  relief_wear(w, p, &r);
+  relief_vessels(w, p, &r);
+  relief_checks(w, p, &r);
+  relief_cracks(w, p, &r);
+  return r;
+}
+
+#endif

@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * The kernel's stages for the surface: what it is at a block's points, and the
+ * normal that it bends. Included by kernel.c, whose block they work on.
+ */
+#ifndef SOZAI_WOOD_SURFACE_STAGE_H
+#define SOZAI_WOOD_SURFACE_STAGE_H
+
+/* Object space's part of a direction of log space. */
+INLINE void from_log(const wood_constants *w, int boards, const block *k, const vf v[3],
+                     vf out[3]) {
+  for (int c = 0; c < 3; c++) {
+    if (boards) {
+      const vf(*t)[3] = k->board.turn;
+      out[c] = t[0][c] * v[0] + t[1][c] * v[1] + t[2][c] * v[2];
+    } else if (w->turned) {
+      out[c] =
+          splat(w->turn[0][c]) * v[0] + splat(w->turn[1][c]) * v[1] + splat(w->turn[2][c]) * v[2];
+    } else {
+      out[c] = v[c];
+    }
+  }
+}
+
+/* Which way tools have gone over the face, object space: along the board, or
+ * along y of a piece; over the ends of one, along x. The face is the one that
+ * the normal is nearest to, +z where there is none. */
+INLINE void surface_feed(const wood_constants *w, int boards, const wood_io *io, const block *k,
+                         vf along[3], vf across[3]) {
+  vf one = splat(1.0f), zero = splat(0.0f);
+  along[2] = across[2] = zero;
+  if (boards) {
+    const layout_unit *unit = &k->board.unit;
+    along[0] = across[1] = unit->c;
+    along[1] = unit->s;
+    across[0] = zero - unit->s;
+    return;
+  }
+  along[0] = across[1] = zero;
+  along[1] = across[0] = one;
+  if (!io->in->normal[0]) return;
+  vf n[3];
+  from_log(w, boards, k, k->nrm, n);
+  for (int c = 0; c < 3; c++) n[c] = vabs(n[c]);
+  vm x = and_(lt(n[2], n[0]), lt(n[1], n[0])), y = and_(lt(n[2], n[1]), le(n[0], n[1]));
+  along[0] = sel(y, one, zero);
+  along[1] = sel(y, zero, one);
+  across[0] = sel(or_(x, y), zero, one);
+  across[2] = sel(or_(x, y), one, zero);
+}
+
+INLINE void surface_marks(const wood_constants *w, int boards, const wood_io *io, const block *k,
+                          surface_relief *r) {
+  vf along[3], across[3], a = splat(0.0f), b = a, g[3], turned[3];
+  surface_feed(w, boards, io, k, along, across);
+  if (boards) {
+    a = k->board.unit.u;
+    b = k->board.unit.v;
+  } else {
+    for (int c = 0; c < 3; c++) {
+      vf p = finite_coordinate(load_lanes(io->in->point[c], k->i, k->n));
+      a = a + along[c] * p;
+      b = b + across[c] * p;
+    }
+  }
+  marks_relief m = marks_at(&w->surface, wood_seed(w, own_of(boards, k), SEED_MARKS), a, b, k->s);
+  for (int c = 0; c < 3; c++) g[c] = along[c] * m.a + across[c] * m.b;
+  to_log(w, boards, k, g, turned);
+  r->height = r->height + m.height;
+  r->lost = r->lost + m.lost;
+  relief_add(r, splat(1.0f), turned);
+}
+
+/* Where the point is for wear and grooves. */
+INLINE void surface_place_of(const wood_constants *w, int boards, const wood_io *io, block *k,
+                             surface_place *p) {
+  stem_row(k);
+  vf slope, one = splat(1.0f), widen = one + outline_at(w, k->c, k->sn, &slope);
+  vf rho2 = splat(0.0f), along_normal = rho2;
+  section_arc_row(k, p->arc);
+  k->f = footprint_through(p->arc, k->b, k->nrm, !io->in->normal[0], k->s);
+  vf xr = widen * k->c, zr = widen * k->sn;
+  vf xa = slope * k->c - zr, za = slope * k->sn + xr;
+  for (int c = 0; c < 3; c++) {
+    p->rho[c] = k->b[c];
+    p->along_x[c] = k->b[c] * xr + p->arc[c] * xa;
+    p->along_z[c] = k->b[c] * zr + p->arc[c] * za;
+    rho2 = rho2 + k->b[c] * k->b[c];
+    along_normal = along_normal + k->b[c] * k->nrm[c];
+  }
+  p->place = vessel_place_of(boards, k);
+  p->y = k->p[1];
+  p->s = k->s;
+  p->reach = rings_extent(&k->stem, k->b, k->nrm, !io->in->normal[0], k->s);
+  if (io->in->normal[0]) rho2 = vmax(rho2 - along_normal * along_normal, splat(0.0f));
+  p->across_rho2 = rho2;
+}
+
+/* The surface at the block's points; the share of light that its checks and
+ * cracks swallow goes to the fibres' shift. */
+static __attribute__((noinline)) void stage_relief(const wood_constants *w, int boards,
+                                                   const wood_io *io, block *k, surface_relief *r) {
+  vf one = splat(1.0f);
+  surface_place p;
+  surface_place_of(w, boards, io, k, &p);
+  *r = relief_grown(w, &p);
+  surface_marks(w, boards, io, k, r);
+  if (boards) {
+    vf face = one - k->board.unit.joint;
+    r->height = r->height * face;
+    for (int c = 0; c < 3; c++) r->slope[c] = r->slope[c] * face;
+  }
+  k->lost = r->lost;
+  if (w->surface.stains) k->shift = k->shift * (one - r->dark);
+}
+
+/* The normal from here on is the surface's own. */
+static __attribute__((noinline)) void stage_bump(const wood_constants *w, int boards,
+                                                 const wood_io *io, block *k,
+                                                 const surface_relief *r) {
+  vf zero = splat(0.0f), one = splat(1.0f), out[3], along = zero;
+  if (io->in->normal[0]) {
+    for (int c = 0; c < 3; c++) along = along + r->slope[c] * k->nrm[c];
+    for (int c = 0; c < 3; c++) k->nrm[c] = k->nrm[c] - (r->slope[c] - along * k->nrm[c]);
+    unit_direction(k->nrm);
+    k->up2 = vmax(one - k->nrm[1] * k->nrm[1], zero);
+    k->inverse_up = inverse_root(vmax(k->up2, splat(1e-12f)));
+    vf dive = k->fibre[0] * k->nrm[0] + k->fibre[1] * k->nrm[1] + k->fibre[2] * k->nrm[2];
+    k->sine = zero - dive;
+    from_log(w, boards, k, k->nrm, out);
+    for (int c = 0; c < 3; c++) store_lanes(io, WOOD_NORMAL + c, k, out[c]);
+  }
+  vf height = r->height;
+  if (boards) {
+    height =
+        height + layout_relief(&w->boards.layout, &w->boards.profile, &k->board.unit, k->s).height;
+  }
+  store_lanes(io, WOOD_HEIGHT, k, height);
+}
+
+#endif
