@@ -2,6 +2,7 @@
  * Tables as text: field tables (docs/tree.md), and any table as CSV. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include "growth.h"
 #include "text_file.h"
 
@@ -20,12 +21,12 @@ static void name_blocks(const sozai_table *nodes, char (*names)[40], uint32_t *c
       snprintf(names[block], sizeof names[block], "B%u.0", ++children[0]);
     else {
       /* the parent's, without its last ".0" */
-      int length = 0;
-      while (names[parent][length]) length++;
-      if (length > 2 && names[parent][length - 1] == '0' && names[parent][length - 2] == '.')
-        length -= 2;
-      snprintf(names[block], sizeof names[block], "%.*s.%u", length < 30 ? length : 30,
-               names[parent], ++children[parent]);
+      char from[24];
+      memcpy(from, names[parent], sizeof from - 1);
+      from[sizeof from - 1] = 0;
+      size_t length = strlen(from);
+      if (length > 2 && strcmp(from + length - 2, ".0") == 0) from[length - 2] = 0;
+      snprintf(names[block], sizeof names[block], "%s.%u", from, ++children[parent]);
     }
   }
 }

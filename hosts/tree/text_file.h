@@ -4,6 +4,7 @@
 #ifndef SOZAI_HOSTS_TEXT_FILE_H
 #define SOZAI_HOSTS_TEXT_FILE_H
 
+#include <stddef.h>
 #include <stdint.h>
 #include "failure.h"
 
