@@ -160,8 +160,8 @@ static int32_t table(const sozai_geometry *g, const char *id, sozai_table *out) 
     if (strcmp(g->info->tables[i]->id, id) != 0) continue;
     uint64_t rows = 0;
     const float *data = g->kind->table(g->state, i, &rows);
-    *out = (sozai_table){
-        .size = sizeof *out, .info = g->info->tables[i], .data = data, .rows = rows};
+    *out =
+        (sozai_table){.size = sizeof *out, .info = g->info->tables[i], .data = data, .rows = rows};
     return SOZAI_OK;
   }
   return fail(SOZAI_ERROR_UNKNOWN, "%s has no table \"%.80s\"", g->info->id, id);
@@ -238,6 +238,6 @@ curves_block *curves_block_make(const sozai_host *host, uint64_t curve_count, ui
   return c;
 }
 
-const sozai_geometry_1 geometry_table = {
-    count,          info,  find,  grow,    release, mesh,        release_mesh, curves,
-    release_curves, table, value, info_of, bytes,   fail_message};
+const sozai_geometry_1 geometry_table = {count, info,         find,   grow,           release,
+                                         mesh,  release_mesh, curves, release_curves, table,
+                                         value, info_of,      bytes,  fail_message};

@@ -29,9 +29,7 @@ static bool ends_in(const char *path, const char *ending) {
   return a > b && strcasecmp(path + a - b, ending) == 0;
 }
 
-static bool is_picture(const char *path) {
-  return ends_in(path, ".png") || ends_in(path, ".exr");
-}
+static bool is_picture(const char *path) { return ends_in(path, ".png") || ends_in(path, ".exr"); }
 
 /* Before any work is done. */
 static bool check(const grow_options *o, const char *what, failure *why) {
@@ -71,8 +69,8 @@ static bool write_geometry(const grow_options *o, const sozai_geometry_1 *table,
   int32_t code = table->mesh(g, &detail, &m);
   if (code != SOZAI_OK) return growth_failed(table, code, why);
   progress_show(1, "writing");
-  bool ok = is_picture(o->output)       ? tree_view_write(&o->view, m, s, path, why)
-            : ends_in(o->output, ".obj") ? write_obj(m, path, why)
+  bool ok = is_picture(o->output)         ? tree_view_write(&o->view, m, s, path, why)
+            : ends_in(o->output, ".obj")  ? write_obj(m, path, why)
             : ends_in(o->output, ".gltf") ? write_gltf(m, path, why)
                                           : write_usda(m, NULL, path, why);
   if (ok && o->verbose) {
@@ -162,7 +160,8 @@ int run_grow(int argc, char **argv) {
       {"camera", 0, OPTION_TEXT, &o.view.camera, "AZ,EL[,ANGLE]", "of a view, degrees", 0, 0},
       {"target", 0, OPTION_TEXT, &o.view.target, "X,Y,Z", "a view's middle, mm", 0, 0},
       {"zoom", 0, OPTION_NUMBER, &o.view.zoom, "X", "1: the whole tree", 0.01, 10000},
-      SESSION_DISPLAY_OPTIONS(shared), SESSION_RUN_OPTIONS(shared)};
+      SESSION_DISPLAY_OPTIONS(shared),
+      SESSION_RUN_OPTIONS(shared)};
   static const char *const positional[] = {"generator"};
   const command_line line = {.usage = "grow tree -o FILE [options]",
                              .about = "Grows a tree and writes it to a file.\n",

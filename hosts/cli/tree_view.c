@@ -154,8 +154,8 @@ bool tree_view_render(const tree_view *v, const sozai_mesh *m, session *s, film 
   scene sc;
   if (!scene_open(&sc, &job, why)) return false;
   view w = {.job = &job, .mesh = m, .scene = &sc, .film = out};
-  bool ok = film_allocate(out, v->size[0], v->size[1], NULL, NULL, 0, why) &&
-            draw(&w, &job, s, why);
+  bool ok =
+      film_allocate(out, v->size[0], v->size[1], NULL, NULL, 0, why) && draw(&w, &job, s, why);
   scene_close(&sc);
   if (!ok) film_free(out);
   return ok;

@@ -14,10 +14,10 @@ typedef struct tree_view {
   double zoom;
 } tree_view;
 
-#define TREE_VIEW_DEFAULT {.size = {768, 1024}, .spp = 16, .camera = "25,4,20", .zoom = 1}
+#define TREE_VIEW_DEFAULT                                                                          \
+  { .size = {768, 1024}, .spp = 16, .camera = "25,4,20", .zoom = 1.15 }
 
-bool tree_view_render(const tree_view *v, const sozai_mesh *m, session *s, film *out,
-                      failure *why);
+bool tree_view_render(const tree_view *v, const sozai_mesh *m, session *s, film *out, failure *why);
 /* By the path's ending: .png through the display, .exr. */
 bool tree_view_write(const tree_view *v, const sozai_mesh *m, session *s, const char *path,
                      failure *why);

@@ -27,13 +27,13 @@ typedef struct render_job {
   const sozai_textures_1 *textures;
   const sozai_texture *texture;
 
-  int shape;         /* SHAPE_* */
-  double size[3];    /* board: width, length, thickness; sphere: diameter; plane: width, length */
-  double bevel;      /* board: radius of its rounded edges */
-  const char *mesh;  /* mesh: path */
-  double mesh_scale; /* mesh: mm per unit of the file */
+  int shape;          /* SHAPE_* */
+  double size[3];     /* board: width, length, thickness; sphere: diameter; plane: width, length */
+  double bevel;       /* board: radius of its rounded edges */
+  const char *mesh;   /* mesh: path */
+  double mesh_scale;  /* mesh: mm per unit of the file */
   struct mesh *given; /* given: the render takes its memory over */
-  bool y_up;         /* +y points up from the floor instead of +z */
+  bool y_up;          /* +y points up from the floor instead of +z */
 
   uint32_t width, height; /* pixels; 0: by the shape and camera */
   uint32_t spp;           /* samples per pixel */

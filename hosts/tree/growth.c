@@ -35,8 +35,7 @@ bool growth_grow(const sozai_geometry_1 *table, const sozai_host *host, const ch
     }
     names[i] = strndup(pairs[i], (size_t)(equals - pairs[i]));
     ok = names[i] || fail(why, EXIT_FAILURE, "out of memory");
-    values[count++] =
-        (sozai_value){.id = names[i], .kind = SOZAI_KIND_STRING, .text = equals + 1};
+    values[count++] = (sozai_value){.id = names[i], .kind = SOZAI_KIND_STRING, .text = equals + 1};
   }
   if (ok && field)
     values[count++] = (sozai_value){.id = "field", .kind = SOZAI_KIND_TEXT, .text = field};

@@ -48,7 +48,8 @@ static double linear(float code) {
   if (x <= 0.04045) return x / 12.92;
   double y = (x + 0.055) / 1.055; /* y^2.4 = y^2 * (y^2)^(1/5), by Newton's steps */
   double root = y > 0.1 ? y : 0.1;
-  for (int i = 0; i < 30; i++) root -= (root * root * root * root * root - y * y) / (5 * root * root * root * root);
+  for (int i = 0; i < 30; i++)
+    root -= (root * root * root * root * root - y * y) / (5 * root * root * root * root);
   return y * y * root;
 }
 
@@ -112,7 +113,8 @@ static void put_curves(text_file *t, const sozai_curves *c) {
   for (uint64_t i = 0; i < c->point_count; i++)
     if ((double)c->radii[i] > widest) widest = (double)c->radii[i];
   text_put(t, "    def BasisCurves \"curves\"\n    {\n");
-  text_put(t, "        uniform token type = \"linear\"\n        uniform token wrap = \"nonperiodic\"\n");
+  text_put(
+      t, "        uniform token type = \"linear\"\n        uniform token wrap = \"nonperiodic\"\n");
   put_extent(t, c->points, c->point_count, widest);
   text_put(t, "        int[] curveVertexCounts = [");
   for (uint64_t i = 0; i < c->curve_count; i++) {

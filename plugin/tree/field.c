@@ -23,7 +23,6 @@ typedef struct {
 
 static uint32_t column(const reader *r, const char *at) { return (uint32_t)(at - r->line) + 1; }
 
-
 __attribute__((format(printf, 3, 4))) static int32_t refuse(const reader *r, const char *at,
                                                             const char *format, ...) {
   char text[256];
@@ -123,7 +122,8 @@ static int32_t read_heading(reader *r, const char *s, const char *e) {
     if (same_name(&f->blocks[i], b->name)) return refuse(r, s, "%s stands twice", b->name);
   }
   if (order == 0 && f->block_count) return refuse(r, s, "the trunk comes first");
-  if (order && !f->block_count) return refuse(r, s, "%s before the trunk, which comes first", b->name);
+  if (order && !f->block_count)
+    return refuse(r, s, "%s before the trunk, which comes first", b->name);
   if (order) {
     char name[24];
     print_name(name, path, order - 1);
@@ -154,7 +154,8 @@ static int32_t read_measures(reader *r, const char *s, field_row *out) {
   int n = 0;
   for (; s < r->end; n++) {
     const char *e = word(r, s);
-    if (n == 4) return refuse(r, s, "a fifth value: length, azimuth, elevation and diameter are all");
+    if (n == 4)
+      return refuse(r, s, "a fifth value: length, azimuth, elevation and diameter are all");
     int missing = n == 3 && e - s == 1 && *s == '-';
     if (!missing && !read_number(s, e, &value[n])) {
       return refuse(r, s, "\"%.*s\" is no number, wanted is %s in %s",

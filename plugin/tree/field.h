@@ -20,7 +20,7 @@ typedef struct {
   char name[24];
   uint32_t parent; /* index of its block */
   uint32_t order;
-  uint32_t node;   /* the node from the ground that it stands on: its zeros */
+  uint32_t node; /* the node from the ground that it stands on: its zeros */
   uint32_t first, rows;
 } field_block;
 
@@ -39,9 +39,9 @@ int32_t field_grow(tree *t, const sozai_host *host, const tree_field *f);
 
 /* What its first-order branches say, as section 3 of the paper reckons it. */
 typedef struct {
-  double height; /* mm */
-  double a, a_up, a_down, rms; /* rms: of the lengths' residuals over the curve, as a share */
-  double turns, branches;      /* a year, a turn */
+  double height;                /* mm */
+  double a, a_up, a_down, rms;  /* rms: of the lengths' residuals over the curve, as a share */
+  double turns, branches;       /* a year, a turn */
   double mean, sd, least, most; /* divergence */
   uint32_t count;
 } field_fit;

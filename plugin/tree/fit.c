@@ -7,7 +7,7 @@
 #include "../core/status.h"
 #include "field.h"
 
-#define LEAST 3u     /* branches */
+#define LEAST 3u /* branches */
 #define BRANCHES_MOST 4096u
 
 static double turned(double degrees) {

@@ -54,8 +54,7 @@ static void run_job(void *context, uint32_t i) {
   shoot_crew *w = context;
   if (atomic_load(&w->cancelled)) return;
   const tree_branch *b = &w->tree->branches[i];
-  shoot_pen pen = {
-      .tree = w->tree, .writing = w->writing, .sprigs = w->sprigs, .thin = w->thin};
+  shoot_pen pen = {.tree = w->tree, .writing = w->writing, .sprigs = w->sprigs, .thin = w->thin};
   if (w->writing) pen.at = w->rooms[i];
   if (i == 0) {
     /* the year's leader is green; measured stems as the species' shoots are */
@@ -141,7 +140,8 @@ static int32_t make_room(shoot_crew *w) {
   tree *t = w->tree;
   shoot_room more = total_of(w);
   if (t->branch_count + more.branches > 0xfffffff0ull || more.organs > 0xfffffff0ull) {
-    return fail(SOZAI_ERROR_RANGE, "the tree has %llu shoots and %llu leaves: more than can be held; "
+    return fail(SOZAI_ERROR_RANGE,
+                "the tree has %llu shoots and %llu leaves: more than can be held; "
                 "fewer orders or wider spacings",
                 (unsigned long long)more.branches, (unsigned long long)more.organs);
   }

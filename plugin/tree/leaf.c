@@ -31,8 +31,9 @@ static int shape_of(const tree *t, uint32_t level) {
   if (t->sprigs) return level < 2 ? SHAPE_SPRIG : SHAPE_CORE;
   if (t->plan.leaf == LEAF_NEEDLE) return level < 1 ? SHAPE_AWL : SHAPE_SLIVER;
   if (level > 0) return SHAPE_DIAMOND;
-  return t->plan.leaf == LEAF_BLADE ? SHAPE_BLADE
-                                    : t->plan.leaf == LEAF_ELLIPSE ? SHAPE_ELLIPSE : SHAPE_LOBED;
+  return t->plan.leaf == LEAF_BLADE     ? SHAPE_BLADE
+         : t->plan.leaf == LEAF_ELLIPSE ? SHAPE_ELLIPSE
+                                        : SHAPE_LOBED;
 }
 
 void leaf_shape_of(const tree *t, uint32_t level, leaf_shape *out) {
@@ -96,7 +97,8 @@ static uint32_t at(mesh_pen *pen, const frame *f, float x, float y, float z, flo
 
 static void write_awl(mesh_pen *pen, const frame *f) {
   float r = f->half;
-  uint32_t a = at(pen, f, r, 0, 0, 1, 0, 0), b = at(pen, f, -0.5f * r, 0, 0.866f * r, -0.5f, 0, 0.8660254f),
+  uint32_t a = at(pen, f, r, 0, 0, 1, 0, 0),
+           b = at(pen, f, -0.5f * r, 0, 0.866f * r, -0.5f, 0, 0.8660254f),
            c = at(pen, f, -0.5f * r, 0, -0.866f * r, -0.5f, 0, -0.8660254f),
            tip = at(pen, f, 0, f->length, 0, 0, 1, 0);
   pen_triangle(pen, a, b, c);
@@ -126,11 +128,18 @@ static void write_core(mesh_pen *pen, const frame *f, float share) {
 }
 
 /* cos and sin of i times 137.5 degrees */
-static const float golden[SPRIG_AWLS][2] = {
-    {1.0f, 0.0f},           {-0.737277f, 0.675590f}, {0.087426f, -0.996171f},
-    {0.608439f, 0.793601f}, {-0.984713f, -0.174182f}, {0.843755f, -0.536728f},
-    {-0.259604f, 0.965715f}, {-0.460970f, -0.887416f}, {0.939321f, 0.343039f},
-    {-0.924116f, 0.382113f}, {0.423362f, -0.905961f}, {0.299745f, 0.954019f}};
+static const float golden[SPRIG_AWLS][2] = {{1.0f, 0.0f},
+                                            {-0.737277f, 0.675590f},
+                                            {0.087426f, -0.996171f},
+                                            {0.608439f, 0.793601f},
+                                            {-0.984713f, -0.174182f},
+                                            {0.843755f, -0.536728f},
+                                            {-0.259604f, 0.965715f},
+                                            {-0.460970f, -0.887416f},
+                                            {0.939321f, 0.343039f},
+                                            {-0.924116f, 0.382113f},
+                                            {0.423362f, -0.905961f},
+                                            {0.299745f, 0.954019f}};
 
 /* Needles stand out from the shoot and bend along it: some of them, larger. */
 static void write_sprig(mesh_pen *pen, const frame *f) {
@@ -186,9 +195,9 @@ static void write_fan(mesh_pen *pen, const frame *f, const float (*outline)[2], 
 
 /* Anticlockwise from the stalk's end. */
 static const float ellipse[ELLIPSE_POINTS][2] = {
-    {0.0f, 0.0f},  {0.5f, 0.066987f},  {0.866025f, 0.25f}, {1.0f, 0.5f},
-    {0.866025f, 0.75f}, {0.5f, 0.933013f}, {0.0f, 1.0f},   {-0.5f, 0.933013f},
-    {-0.866025f, 0.75f}, {-1.0f, 0.5f}, {-0.866025f, 0.25f}, {-0.5f, 0.066987f}};
+    {0.0f, 0.0f},        {0.5f, 0.066987f}, {0.866025f, 0.25f},  {1.0f, 0.5f},
+    {0.866025f, 0.75f},  {0.5f, 0.933013f}, {0.0f, 1.0f},        {-0.5f, 0.933013f},
+    {-0.866025f, 0.75f}, {-1.0f, 0.5f},     {-0.866025f, 0.25f}, {-0.5f, 0.066987f}};
 static const float hand[HAND_POINTS][2] = {
     {0.0f, 0.08f},   {0.62f, -0.02f}, {0.40f, 0.20f},  {1.0f, 0.42f},   {0.42f, 0.42f},
     {0.60f, 0.80f},  {0.20f, 0.56f},  {0.0f, 1.0f},    {-0.20f, 0.56f}, {-0.60f, 0.80f},

@@ -9,14 +9,14 @@
 #include "tree.h"
 
 typedef struct {
-  double z;          /* height on the stem, mm */
-  double turning;    /* degrees, summed from the first branch */
-  double azimuth;    /* degrees */
-  double divergence; /* from the one before; 0 of the first */
+  double z;                  /* height on the stem, mm */
+  double turning;            /* degrees, summed from the first branch */
+  double azimuth;            /* degrees */
+  double divergence;         /* from the one before; 0 of the first */
   double birth, death, shed; /* years; TREE_ALIVE */
-  double scatter;    /* of its length */
-  int year;          /* the shoot it stands on, from 1 */
-  int down;          /* on the downslope side */
+  double scatter;            /* of its length */
+  int year;                  /* the shoot it stands on, from 1 */
+  int down;                  /* on the downslope side */
   uint32_t key;
 } tree_bud;
 

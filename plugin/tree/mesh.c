@@ -28,7 +28,9 @@ void pen_triangle(mesh_pen *pen, uint32_t a, uint32_t b, uint32_t c) {
 static void name_part(sozai_part *part, const tree *t, int which, uint64_t first, uint64_t count,
                       int closed) {
   const char *leaf = t->plan.leaf == LEAF_NEEDLE ? "needle" : "leaf";
-  *part = (sozai_part){.id = which == PART_BARK ? "bark" : which == PART_SHOOT ? "shoot" : leaf,
+  *part = (sozai_part){.id = which == PART_BARK    ? "bark"
+                             : which == PART_SHOOT ? "shoot"
+                                                   : leaf,
                        .first = first,
                        .count = count,
                        .flags = closed ? SOZAI_PART_CLOSED : 0u};
@@ -68,8 +70,8 @@ int32_t tree_mesh(const tree *t, const sozai_host *host, uint32_t level, mesh_bl
   }
   leaf_shape_of(t, level, &leaf);
   uint64_t leaves = leaves_of(t, leaf.stride), work = t->branch_count + leaves, done = 0;
-  mesh_block *m = mesh_block_make(host, points + leaves * leaf.points,
-                                  triangles + leaves * leaf.triangles);
+  mesh_block *m =
+      mesh_block_make(host, points + leaves * leaf.points, triangles + leaves * leaf.triangles);
   if (!m) return points >> 32 ? SOZAI_ERROR_UNSUPPORTED : SOZAI_ERROR_MEMORY;
   mesh_pen pen = {.mesh = m};
   uint64_t ends[3] = {0, 0, 0};

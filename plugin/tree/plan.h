@@ -29,7 +29,7 @@ typedef struct {
   double angle_top, angle_low, droop, droop_length, upturn, wander, slender, thickest;
   tree_side side[4]; /* [2], [3]: of shoots; [0]: of leaves */
   float leaf_width, leaf_stalk;
-  float colours[3][3]; /* bark, shoots, leaves */
+  float colours[3][3];  /* bark, shoots, leaves */
   float round[1024][2]; /* cosine and sine all round, for random angles */
 } tree_plan;
 

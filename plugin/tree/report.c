@@ -27,16 +27,11 @@ static void add_row(tree *t, int table, const double *values) {
 static void fill_branches(tree *t) {
   for (uint32_t i = 0; i < t->stems; i++) {
     const tree_branch *b = &t->branches[i];
-    const double row[] = {b->order,
-                          b->parent == TREE_NONE ? -1.0 : (double)b->parent,
-                          (double)b->at,
-                          (double)b->birth,
-                          (double)b->death,
-                          (double)b->shed,
-                          (double)b->azimuth,
-                          (double)b->elevation,
-                          (double)b->length,
-                          2.0 * (double)b->radius};
+    const double row[] = {b->order,           b->parent == TREE_NONE ? -1.0 : (double)b->parent,
+                          (double)b->at,      (double)b->birth,
+                          (double)b->death,   (double)b->shed,
+                          (double)b->azimuth, (double)b->elevation,
+                          (double)b->length,  2.0 * (double)b->radius};
     add_row(t, TABLE_BRANCHES, row);
   }
 }
@@ -125,8 +120,12 @@ static void fill_turning(tree *t, const fit_branch *list, uint32_t count, const 
     if (d < 0.0) d += 360.0;
     turning += d;
     while (buds && at + 1 < bud_count && buds[at].z < list[i].z - 0.01) at++;
-    const double row[] = {buds ? buds[at].year : 0.0, turning, d, list[i].azimuth,
-                          list[i].z / height, list[i].length / height,
+    const double row[] = {buds ? buds[at].year : 0.0,
+                          turning,
+                          d,
+                          list[i].azimuth,
+                          list[i].z / height,
+                          list[i].length / height,
                           buds ? life_elevation(&t->plan, &buds[at]) : 0.0};
     add_row(t, TABLE_TURNING, row);
   }
@@ -177,8 +176,8 @@ static void fill_nodes_grown(tree *t) {
     }
     /* as a tape measures it: along the branch, in its chord's direction */
     segment_of(base, t->nodes[b->first + b->nodes - 1].p, own);
-    const double row[] = {++block, 0.0, node,  (double)b->length / 10.0, own[1], own[2],
-                          0.2 * (double)b->radius};
+    const double row[] = {
+        ++block, 0.0, node, (double)b->length / 10.0, own[1], own[2], 0.2 * (double)b->radius};
     add_row(t, TABLE_NODES, row);
   }
 }
@@ -188,8 +187,9 @@ static void fill_nodes_measured(tree *t, const tree_field *f) {
     const field_block *b = &f->blocks[k];
     for (uint32_t i = 0; i < b->rows; i++) {
       const field_row *r = &f->lines[b->first + i];
-      const double row[] = {k,      b->order ? (double)b->parent : -1.0, b->node + i, r->length,
-                            r->theta, r->phi,                            r->diameter};
+      const double row[] = {
+          k,          b->order ? (double)b->parent : -1.0, b->node + i, r->length, r->theta, r->phi,
+          r->diameter};
       add_row(t, TABLE_NODES, row);
     }
   }
@@ -257,15 +257,14 @@ static void fill_fit(tree *t, const field_fit *was, const field_fit *is) {
 static int32_t make_rooms(tree *t, const sozai_host *host, const tree_bud *buds, uint32_t count,
                           const tree_field *field) {
   const tree_plan *p = &t->plan;
-  const uint64_t most[TREE_TABLES] = {
-      [TABLE_BRANCHES] = t->stems,
-      [TABLE_KNOTS] = count,
-      [TABLE_KNOT_RADII] = buds ? radii_of(p, buds, count) : 0,
-      [TABLE_RINGS] = buds ? (uint64_t)p->years * RING_HEIGHTS : 0,
-      [TABLE_TURNING] = t->stems,
-      [TABLE_NODES] = buds ? 2ull * t->stems + 1 : field->row_count,
-      [TABLE_STATISTICS] = 1,
-      [TABLE_FIT] = field ? 3 : 0};
+  const uint64_t most[TREE_TABLES] = {[TABLE_BRANCHES] = t->stems,
+                                      [TABLE_KNOTS] = count,
+                                      [TABLE_KNOT_RADII] = buds ? radii_of(p, buds, count) : 0,
+                                      [TABLE_RINGS] = buds ? (uint64_t)p->years * RING_HEIGHTS : 0,
+                                      [TABLE_TURNING] = t->stems,
+                                      [TABLE_NODES] = buds ? 2ull * t->stems + 1 : field->row_count,
+                                      [TABLE_STATISTICS] = 1,
+                                      [TABLE_FIT] = field ? 3 : 0};
   for (int i = 0; i < TREE_TABLES; i++) {
     int32_t r = room_for(&t->tables[i], host, i, most[i]);
     if (r) return r;

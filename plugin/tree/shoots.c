@@ -94,8 +94,8 @@ static void write_leaf(shoot_pen *pen, const axis_walk *w, const float p[3], uin
     uint32_t r = (((hash >> 8) & 255u) - 128u) & 1023u; /* within 45 degrees */
     roll[0] = plan->round[r][0], roll[1] = plan->round[r][1];
     along[1] -= 0.5f * tree_unit(hash1(hash));
-    float l = 1.0f / __builtin_sqrtf(along[0] * along[0] + along[1] * along[1] +
-                                     along[2] * along[2]);
+    float l =
+        1.0f / __builtin_sqrtf(along[0] * along[0] + along[1] * along[1] + along[2] * along[2]);
     for (int c = 0; c < 3; c++) along[c] *= l;
     turn_level(along, level);
     turn_about(along, roll[0], roll[1], level, level);

@@ -15,11 +15,11 @@ typedef struct {
 /* Where to write next. */
 typedef struct {
   tree *tree;
-  int writing;     /* else only counting, in `used` */
-  int sprigs;      /* clothe shoots as one */
-  float thin;      /* 1: every leaf; 4: one of four, twice as large */
+  int writing; /* else only counting, in `used` */
+  int sprigs;  /* clothe shoots as one */
+  float thin;  /* 1: every leaf; 4: one of four, twice as large */
   shoot_room used;
-  shoot_room at;   /* of the first to write */
+  shoot_room at; /* of the first to write */
 } shoot_pen;
 
 /* All upon one branch. from: no shoots below that many mm from its base. */

@@ -108,8 +108,8 @@ static const sozai_column fit_columns[] = {
 TABLE(fit, "fit", "What a field table's fit gives, and how near this tree is; else no row.");
 
 const sozai_table_info *const tree_table_infos[TREE_TABLES] = {
-    [TABLE_BRANCHES] = &branches, [TABLE_KNOTS] = &knots,     [TABLE_KNOT_RADII] = &knot_radii,
-    [TABLE_RINGS] = &rings,       [TABLE_TURNING] = &turning, [TABLE_NODES] = &nodes,
+    [TABLE_BRANCHES] = &branches,     [TABLE_KNOTS] = &knots,     [TABLE_KNOT_RADII] = &knot_radii,
+    [TABLE_RINGS] = &rings,           [TABLE_TURNING] = &turning, [TABLE_NODES] = &nodes,
     [TABLE_STATISTICS] = &statistics, [TABLE_FIT] = &fit};
 
 uint32_t tree_table_columns(int table) { return tree_table_infos[table]->column_count; }

@@ -29,12 +29,12 @@ typedef struct {
   uint32_t nodes; /* 0: shed, no longer there */
   uint32_t parent;
   uint32_t order;
-  uint32_t key;    /* what everything random on it is drawn from */
-  float at;        /* mm along the parent's axis */
-  float length;    /* mm, along it */
-  float radius;    /* at its base, mm */
-  float azimuth;   /* degrees, at its base */
-  float elevation; /* degrees above the horizontal, at its base */
+  uint32_t key;             /* what everything random on it is drawn from */
+  float at;                 /* mm along the parent's axis */
+  float length;             /* mm, along it */
+  float radius;             /* at its base, mm */
+  float azimuth;            /* degrees, at its base */
+  float elevation;          /* degrees above the horizontal, at its base */
   float birth, death, shed; /* years of the tree's age, or TREE_ALIVE */
 } tree_branch;
 
@@ -63,9 +63,9 @@ typedef struct {
   uint64_t order_counts[5]; /* branches of each order; 4: leaves and needles */
   int sprigs;               /* organs are clothed shoots */
   tree_rows tables[TREE_TABLES];
-  int measured;             /* the highest order that a field table gave; 0: none */
-  uint32_t stems;           /* branches that were not grown as shoots: stem and first order,
-                               or all that was measured; they come first */
+  int measured;   /* the highest order that a field table gave; 0: none */
+  uint32_t stems; /* branches that were not grown as shoots: stem and first order,
+                     or all that was measured; they come first */
 } tree;
 
 static inline float tree_unit(uint32_t hash) { return (float)(hash >> 8) * (1.0f / 16777216.0f); }

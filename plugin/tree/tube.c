@@ -116,7 +116,8 @@ static float lobed(const tree *t, const tree_branch *b, float height, const floa
   const float *turn = t->plan.round[h >> 22];
   float c = round[0] * turn[0] - round[1] * turn[1], d = round[1] * turn[0] + round[0] * turn[1];
   /* cos 5x and cos 3x of one angle */
-  float c2 = c * c, five = c * (16.0f * c2 * c2 - 20.0f * c2 + 5.0f), three = d * (3.0f - 4.0f * d * d);
+  float c2 = c * c, five = c * (16.0f * c2 * c2 - 20.0f * c2 + 5.0f),
+        three = d * (3.0f - 4.0f * d * d);
   return 1.0f + near_ground * near_ground * (0.16f * five + 0.1f * three + 0.1f);
 }
 

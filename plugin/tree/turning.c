@@ -7,10 +7,10 @@
 
 /* Table 1: turns a year and branches a turn of sugi nos. 2 to 18. Their means
  * are printed as 3.19 and 2.10. */
-static const double table_1[17][2] = {
-    {5.0, 1.9}, {2.7, 2.0}, {2.3, 2.2}, {2.2, 1.9}, {2.3, 2.5}, {3.1, 2.3},
-    {2.5, 2.4}, {3.4, 2.0}, {2.4, 2.4}, {4.4, 2.2}, {3.2, 2.1}, {3.8, 2.0},
-    {3.3, 2.0}, {4.4, 1.9}, {3.3, 1.9}, {3.8, 1.9}, {2.1, 2.1}};
+static const double table_1[17][2] = {{5.0, 1.9}, {2.7, 2.0}, {2.3, 2.2}, {2.2, 1.9}, {2.3, 2.5},
+                                      {3.1, 2.3}, {2.5, 2.4}, {3.4, 2.0}, {2.4, 2.4}, {4.4, 2.2},
+                                      {3.2, 2.1}, {3.8, 2.0}, {3.3, 2.0}, {4.4, 1.9}, {3.3, 1.9},
+                                      {3.8, 1.9}, {2.1, 2.1}};
 #define MEAN_TURNS (54.2 / 17.0)
 #define MEAN_BRANCHES (35.7 / 17.0)
 
@@ -72,6 +72,4 @@ double turning_divergence(const tree_turning *t, double u) {
   return t->quantile[i] + (at - i) * (t->quantile[i + 1] - t->quantile[i]);
 }
 
-double turning_height(const tree_plan *p, double u) {
-  return 1.0 - tree_power(1.0 - u, p->flush);
-}
+double turning_height(const tree_plan *p, double u) { return 1.0 - tree_power(1.0 - u, p->flush); }

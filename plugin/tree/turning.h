@@ -12,8 +12,8 @@
 
 /* One tree's way of turning. */
 typedef struct {
-  double turns;    /* a year */
-  double branches; /* a turn */
+  double turns;                       /* a year */
+  double branches;                    /* a turn */
   double quantile[TURNING_STEPS + 1]; /* of its divergence, degrees */
 } tree_turning;
 

@@ -52,9 +52,8 @@
 #define LEAVES(shape, spacing, site, length, width, taper, angle, round, stalk, from, zone)        \
   CHOICE("leaf", shape), NUMBER("leaf_spacing", spacing), WHOLE("leaves_site", site),              \
       NUMBER("leaf_length", length), NUMBER("leaf_width", width), NUMBER("leaf_taper", taper),     \
-      NUMBER("leaf_angle", angle), CHOICE("leaf_arrangement", round),                              \
-      NUMBER("leaf_stalk", stalk), WHOLE("leaf_from", from), NUMBER("leaf_zone", zone)
-#define STEM(form, butt, sway)                                                                     \
-  NUMBER("stem_form", form), NUMBER("butt", butt), NUMBER("sway", sway)
+      NUMBER("leaf_angle", angle), CHOICE("leaf_arrangement", round), NUMBER("leaf_stalk", stalk), \
+      WHOLE("leaf_from", from), NUMBER("leaf_zone", zone)
+#define STEM(form, butt, sway) NUMBER("stem_form", form), NUMBER("butt", butt), NUMBER("sway", sway)
 
 #endif
