@@ -8,6 +8,7 @@ int run_list(int argc, char **argv);
 int run_describe(int argc, char **argv);
 int run_eval(int argc, char **argv);
 int run_render(int argc, char **argv);
+int run_bake(int argc, char **argv);
 int run_colour(int argc, char **argv);
 int run_figures(int argc, char **argv);
 int run_gallery(int argc, char **argv);

@@ -19,6 +19,7 @@ static const command commands[] = {
     {"describe", "a material's parameters, presets and channels", run_describe},
     {"eval", "a material's answers at points of a CSV file", run_eval},
     {"render", "a picture of a material on a board, a sphere or a mesh", run_render},
+    {"bake", "a surface as picture files, in shares and resumed if need be", run_bake},
     {"colour", "the colour config in force, and what the materials ask of it", run_colour},
     {"figures", "the figures of the papers, with their measured numbers", run_figures},
     {"gallery", "a folder of pictures of every preset", run_gallery},
@@ -37,6 +38,7 @@ static void print_help(FILE *to) {
 }
 
 int main(int argc, char **argv) {
+  signal(SIGXFSZ, SIG_IGN); /* a file past the size that is allowed is too */
   signal(SIGPIPE, SIG_IGN); /* a closed pipe is a failed write, and reported as one */
   cancel_install();
   const char *name = argc > 1 ? argv[1] : "";

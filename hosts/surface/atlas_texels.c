@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * Block by block: the few triangles that meet a block are gathered once and
- * tried in turn for each of its texels. What none of them contains, and blocks
- * of many triangles, are looked up in the tree. */
+ * tried in turn for each of its texels; a block of many is quartered first.
+ * What none of them contains is looked up in the tree. */
 #include "atlas_parts.h"
 
 #include <math.h>
@@ -135,32 +135,59 @@ static atlas_box centres_of(rectangle r, double margin) {
                      {r.x + r.w - 0.5 + margin, r.y + r.h - 0.5 + margin}};
 }
 
-/* `stride` and `first`: where the block's texels stand in out. */
-static void fill_block(const atlas *a, const atlas_view *v, rectangle r, const surface_room *out,
-                       size_t first, size_t stride) {
-  uint32_t found[MOST_GATHERED];
+/* Where a rectangle's texels stand in the arrays. */
+typedef struct target {
+  const surface_room *room;
+  size_t first, stride;
+} target;
+
+static size_t index_of(const target *t, uint32_t column, uint32_t row) {
+  return t->first + row * t->stride + column;
+}
+
+static void fill_far(const atlas *a, rectangle r, const target *t) {
+  for (uint32_t row = 0; row < r.h; row++)
+    for (uint32_t column = 0; column < r.w; column++) put_far(a, t->room, index_of(t, column, row));
+}
+
+static void fill_from(const atlas *a, const atlas_view *v, rectangle r, const uint32_t *triangles,
+                      uint32_t count, const target *t) {
   patch patches[MOST_GATHERED];
-  atlas_box box = centres_of(r, 0), around = centres_of(r, ATLAS_DILATION);
-  uint32_t count = atlas_tree_gather(&a->tree, &a->mesh, v, &box, found, MOST_GATHERED);
-  bool many = count > MOST_GATHERED;
-  bool none = count == 0 && atlas_tree_gather(&a->tree, &a->mesh, v, &around, found, 0) == 0;
-  for (uint32_t k = 0; !many && k < count; k++) {
-    atlas_face_of(&patches[k].face, &a->mesh, v, found[k]);
+  for (uint32_t k = 0; k < count; k++) {
+    atlas_face_of(&patches[k].face, &a->mesh, v, triangles[k]);
     patch_of(&patches[k], &a->mesh);
   }
   for (uint32_t row = 0; row < r.h; row++)
     for (uint32_t column = 0; column < r.w; column++) {
-      size_t i = first + row * stride + column;
+      size_t i = index_of(t, column, row);
       double x = r.x + column + 0.5, y = r.y + row + 0.5;
       uint32_t k = 0;
-      while (!many && k < count && !atlas_face_contains(&patches[k].face, x, y)) k++;
-      if (none)
-        put_far(a, out, i);
-      else if (!many && k < count)
-        put_inside(a, &patches[k], x, y, out, i);
+      while (k < count && !atlas_face_contains(&patches[k].face, x, y)) k++;
+      if (k < count)
+        put_inside(a, &patches[k], x, y, t->room, i);
       else
-        look_up(a, v, x, y, out, i);
+        look_up(a, v, x, y, t->room, i);
     }
+}
+
+static void fill_block(const atlas *a, const atlas_view *v, rectangle r, const target *t) {
+  uint32_t found[MOST_GATHERED];
+  atlas_box box = centres_of(r, 0), around = centres_of(r, ATLAS_DILATION);
+  uint32_t count = atlas_tree_gather(&a->tree, &a->mesh, v, &box, found, MOST_GATHERED);
+  if (count == 0 && atlas_tree_gather(&a->tree, &a->mesh, v, &around, found, 0) == 0)
+    fill_far(a, r, t);
+  else if (count <= MOST_GATHERED)
+    fill_from(a, v, r, found, count, t);
+  else if (r.w == 1 && r.h == 1)
+    look_up(a, v, r.x + 0.5, r.y + 0.5, t->room, t->first);
+  else /* quarters, or halves of what is one texel wide */
+    for (uint32_t row = 0, h = (r.h + 1) / 2; row < r.h; row += h)
+      for (uint32_t column = 0, w = (r.w + 1) / 2; column < r.w; column += w) {
+        rectangle part = {r.x + column, r.y + row, r.w - column < w ? r.w - column : w,
+                          r.h - row < h ? r.h - row : h};
+        target at = {t->room, index_of(t, column, row), t->stride};
+        fill_block(a, v, part, &at);
+      }
 }
 
 static bool has_tile(const atlas *a, int udim) {
@@ -179,7 +206,8 @@ bool atlas_texels(const atlas *a, int udim, uint32_t width, uint32_t height, uin
     for (uint32_t column = 0; column < w; column += BLOCK) {
       rectangle r = {x + column, y + row, w - column < BLOCK ? w - column : BLOCK,
                      h - row < BLOCK ? h - row : BLOCK};
-      fill_block(a, &view, r, out, (size_t)row * w + column, w);
+      target t = {out, (size_t)row * w + column, w};
+      fill_block(a, &view, r, &t);
     }
   return true;
 }

@@ -184,12 +184,21 @@ static void node_box(const atlas_node *n, const atlas_view *v, atlas_box *b) {
   b->low[1] = to_y(v, n->high[1]), b->high[1] = to_y(v, n->low[1]);
 }
 
-static double to_box(const atlas_node *n, const atlas_view *v, double x, double y) {
+static double positive(double a, double b) {
+  double most = a > b ? a : b;
+  return most > 0 ? most : 0;
+}
+
+static double to_box(const atlas_box *b, double x, double y) {
+  double dx = positive(b->low[0] - x, x - b->high[0]);
+  double dy = positive(b->low[1] - y, y - b->high[1]);
+  return dx * dx + dy * dy;
+}
+
+static double to_node(const atlas_node *n, const atlas_view *v, double x, double y) {
   atlas_box b;
   node_box(n, v, &b);
-  double dx = fmax(0, fmax(b.low[0] - x, x - b.high[0]));
-  double dy = fmax(0, fmax(b.low[1] - y, y - b.high[1]));
-  return dx * dx + dy * dy;
+  return to_box(&b, x, y);
 }
 
 static bool better(double distance2, uint32_t index, const atlas_found *than) {
@@ -208,6 +217,7 @@ static void look_in_leaf(const atlas_tree *t, const mesh *m, const atlas_view *v
     atlas_face f;
     double at[2];
     if (!atlas_face_of(&f, m, v, t->order[i]) || !in_tile(&f, v)) continue;
+    if (!better(to_box(&f.box, x, y), f.index, found)) continue;
     double d = to_face(&f, x, y, at);
     if (better(d, f.index, found)) *found = (atlas_found){f.index, d, {at[0], at[1]}};
   }
@@ -223,7 +233,7 @@ bool atlas_tree_nearest(const atlas_tree *t, const mesh *m, const atlas_view *v,
   waiting stack[DEPTH];
   int height = 0;
   found->index = UINT32_MAX;
-  stack[height++] = (waiting){0, 0, t->leaves, to_box(&t->nodes[0], v, x, y)};
+  stack[height++] = (waiting){0, 0, t->leaves, to_node(&t->nodes[0], v, x, y)};
   while (height > 0) {
     waiting w = stack[--height];
     if (!better(w.distance2, t->nodes[w.node].first, found)) continue;
@@ -234,8 +244,8 @@ bool atlas_tree_nearest(const atlas_tree *t, const mesh *m, const atlas_view *v,
     uint32_t half = w.leaves / 2;
     waiting a = {w.node + 1, w.leaf, half, 0},
             b = {w.node + 2 * half, w.leaf + half, w.leaves - half, 0};
-    a.distance2 = to_box(&t->nodes[a.node], v, x, y);
-    b.distance2 = to_box(&t->nodes[b.node], v, x, y);
+    a.distance2 = to_node(&t->nodes[a.node], v, x, y);
+    b.distance2 = to_node(&t->nodes[b.node], v, x, y);
     bool a_first = a.distance2 < b.distance2 ||
                    (a.distance2 == b.distance2 && t->nodes[a.node].first < t->nodes[b.node].first);
     stack[height++] = a_first ? b : a;

@@ -30,9 +30,9 @@ static bool set_size(surface *s, const recipe *r, failure *why) {
   bool volume = s->shape.kind == SURFACE_VOLUME;
   for (int c = 0; c < 3; c++) {
     double usual = asked->shape != RECIPE_NO_SHAPE && asked->size[c] > 0 ? asked->size[c]
-                   : c == 1 && asked->size[0] > 0                       ? asked->size[0]
-                   : c == 2 && !volume                                  ? 0
-                                                                        : USUAL_SIZE;
+                   : c == 1 && asked->size[0] > 0                        ? asked->size[0]
+                   : c == 2 && !volume                                   ? 0
+                                                                         : USUAL_SIZE;
     if (c == 2 && volume && asked->size[2] <= 0) usual = fmin(size[0], size[1]);
     size[c] = image[c] > 0 ? image[c] : usual;
     if (board && asked->size[c] > 0 && size[c] > asked->size[c])
@@ -77,7 +77,8 @@ static bool open_mesh(surface *s, const recipe *r, failure *why) {
   s->shape.udim = r->image.udim ? r->image.udim : atlas_udim(s->atlas, 0);
   for (uint32_t k = 0; k < atlas_udim_count(s->atlas); k++)
     if (atlas_udim(s->atlas, k) == s->shape.udim) return true;
-  return fail(why, EXIT_BAD_INPUT, "%s: image: udim %d is not among the mesh's tiles; the first is %d",
+  return fail(why, EXIT_BAD_INPUT,
+              "%s: image: udim %d is not among the mesh's tiles; the first is %d",
               r->file ? r->file : "mesh", s->shape.udim, atlas_udim(s->atlas, 0));
 }
 
@@ -90,8 +91,7 @@ static bool check(const surface *s, const recipe *r, failure *why) {
     return refuse(r, why, "image: normals: tangent is not for a volume, which has none");
   if (kind == SURFACE_VOLUME && r->surface.shape == RECIPE_MESH)
     return refuse(r, why, "image: three numbers make a volume, which a mesh is not");
-  if (kind != SURFACE_MESH && i->udim)
-    return refuse(r, why, "image: udim is for a mesh alone");
+  if (kind != SURFACE_MESH && i->udim) return refuse(r, why, "image: udim is for a mesh alone");
   if (i->wrap == RECIPE_WRAP_PERIODIC)
     return refuse(r, why, "image: wrap: periodic is not for this material");
   return true;
@@ -110,7 +110,7 @@ bool surface_open(surface **out, const recipe *r, failure *why) {
   surface *s = calloc(1, sizeof *s);
   if (!s) return fail(why, EXIT_FAILURE, "out of memory");
   bool volume = r->image.resolution[2] > 0 || r->image.size[2] > 0;
-  s->shape.kind = volume                              ? SURFACE_VOLUME
+  s->shape.kind = volume                            ? SURFACE_VOLUME
                   : r->surface.shape == RECIPE_MESH ? SURFACE_MESH
                                                     : SURFACE_PLANE;
   bool ok = check(s, r, why) &&
@@ -134,6 +134,7 @@ void surface_close(surface *s) {
 /* ---- reading ---------------------------------------------------------- */
 
 const surface_shape *surface_shape_of(const surface *s) { return &s->shape; }
+const atlas *surface_atlas(const surface *s) { return s->atlas; }
 
 void surface_level(const surface *s, uint32_t level, uint32_t pixels[3]) {
   for (int c = 0; c < 3; c++) {

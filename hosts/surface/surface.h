@@ -43,6 +43,8 @@ void surface_close(surface *s);
 
 /* [thread-safe] */
 const surface_shape *surface_shape_of(const surface *s);
+/* Of a mesh its charts, all tiles of them; else NULL. [thread-safe] */
+const struct atlas *surface_atlas(const surface *s);
 /* Width, height and depth of a level: halved and rounded down, at least 1.
  * [thread-safe] */
 void surface_level(const surface *s, uint32_t level, uint32_t pixels[3]);

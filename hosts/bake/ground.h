@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: Apache-2.0
+ * What a bake is of: a surface, and of a mesh the tiles. */
+#ifndef SOZAI_BAKE_GROUND_H
+#define SOZAI_BAKE_GROUND_H
+
+#include "atlas.h"
+#include "surface.h"
+
+typedef struct bake_ground {
+  surface *surface;
+  const atlas *atlas; /* of a mesh, else NULL */
+  int *tiles;         /* of a mesh: the UDIM of each picture */
+  uint32_t count;     /* of pictures */
+} bake_ground;
+
+/* tiles: "1001,1002", or NULL for all there are. */
+bool bake_ground_open(bake_ground *g, const recipe *r, const char *tiles, failure *why);
+void bake_ground_close(bake_ground *g);
+
+/* The texels of a rectangle of a level of a picture. [thread-safe] */
+bool bake_ground_texels(const bake_ground *g, uint32_t picture, uint32_t level, uint32_t x,
+                        uint32_t y, uint32_t w, uint32_t h, const surface_room *out, failure *why);
+
+#endif
