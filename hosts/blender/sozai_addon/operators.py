@@ -150,7 +150,7 @@ class SOZAI_OT_bake(Job, bpy.types.Operator):
                       description="Let this material's nodes show the images")
 
     def work(self, material, context):
-        return bake.bake(material, context.scene, self.format, self.pixels, self.use)
+        self.report({"INFO"}, bake.bake(material, context.scene, self.format, self.pixels, self.use))
 
 
 class SOZAI_OT_connect(bpy.types.Operator):

@@ -12,8 +12,8 @@ def number(value):
     for digits in range(1, 10):
         text = "%.*g" % (digits, value)
         if struct.pack("f", float(text)) == struct.pack("f", value):
-            return text
-    return "%.9g" % value
+            break
+    return text if abs(value) < 1e-4 else repr(float(text)).removesuffix(".0")
 
 
 def scalar(value):

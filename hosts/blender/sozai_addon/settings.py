@@ -35,11 +35,11 @@ def settings_class(described, changed):
             precision=3, update=changed,
             description="Width of a pixel of the picture on the object"),
         "most_pixels": IntProperty(
-            name="Most pixels", default=8192, min=16, max=65536, update=changed,
+            name="Most pixels", default=4096, min=16, max=65536, update=changed,
             description="Of the picture's longer side, for Cycles holds the whole picture: "
-                        "8192 x 8192 pixels take 512 MB to a map of colours"),
+                        "4096 x 4096 pixels take 128 MB to a map of colours, 256 MB to one of directions"),
         "mesh_pixels": IntProperty(
-            name="Pixels", default=4096, min=16, max=65536, update=changed,
+            name="Pixels", default=2048, min=16, max=65536, update=changed,
             description="A side of the unwrapped mesh's picture, each UDIM tile's"),
         "uv_mm": FloatProperty(
             name="UV unit (mm)", default=1000.0, min=0.001, max=1e6, update=changed,

@@ -59,7 +59,7 @@ def resolution_of(settings, extent, scene):
         # Cycles would read the whole picture first and shrink it then
         most = min(most, int(scene.cycles.texture_limit_render))
     longest = max(extent)
-    pixels = min(most, max(1, math.ceil(longest / settings.texel)))
+    pixels = min(most, max(1, math.ceil(longest / settings.texel - 1e-3)))
     return [max(1, round(pixels * side / longest)) for side in extent]
 
 
@@ -128,7 +128,7 @@ def params_of(described, group):
 
 
 def write_recipes(material, described, group, scene, extent):
-    """The .sozai files, and the mesh; (path by channel, tiles, path of the whole)."""
+    """The .sozai files, and the mesh; (path by channel, UDIM tiles, path of the one with all)."""
     settings, where, name = material.sozai, folder(), clean(material.name)
     tiles, surface, image = [1001], {"shape": "plane"}, {}
     if settings.mode == "SOLID":
