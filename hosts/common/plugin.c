@@ -75,8 +75,9 @@ static bool find_beside(char *found, size_t size, const char *library, failure *
                               : snprintf(found, size, "%s/%s", SOZAI_FULL_LIBDIR, names[name]);
       if (length > 0 && (size_t)length < size && access(found, R_OK) == 0) return true;
     }
-  return fail(why, EXIT_FAILURE, "sozai.so not found beside %s or in %s; set SOZAI_PLUGIN to its path",
-              library, SOZAI_FULL_LIBDIR);
+  return fail(why, EXIT_FAILURE,
+              "sozai.so not found beside %s or in %s; set SOZAI_PLUGIN to its path", library,
+              SOZAI_FULL_LIBDIR);
 }
 
 /* library: what the plugin lies beside; NULL: this program. */

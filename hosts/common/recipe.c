@@ -39,12 +39,22 @@ static recipe_param *slot_for(recipe *r, const char *id, failure *why) {
   return p;
 }
 
-bool recipe_set(recipe *r, const char *id, const char *text, int line, failure *why) {
+bool recipe_set_from(recipe *r, const char *id, const char *text, const char *file, int line,
+                     failure *why) {
   recipe_param *p = slot_for(r, id, why);
   if (!p) return false;
   p->line = line;
-  p->beside = line > 0;
+  p->settled = false;
+  if (!file) {
+    free(p->file);
+    p->file = NULL;
+  } else if (!set_string(&p->file, file, why))
+    return false;
   return set_string(&p->text, text, why);
+}
+
+bool recipe_set(recipe *r, const char *id, const char *text, int line, failure *why) {
+  return recipe_set_from(r, id, text, NULL, line, why);
 }
 
 bool recipe_set_pair(recipe *r, const char *pair, failure *why) {
@@ -97,7 +107,7 @@ static bool apply_override(recipe *r, char *pair, failure *why) {
   if (!recipe_set_pair(r, pair, why)) return false;
   for (size_t i = 0; i < r->param_count; i++)
     if (strlen(r->params[i].id) == length && strncmp(r->params[i].id, pair, length) == 0)
-      r->params[i].beside = true;
+      return set_string(&r->params[i].file, r->file, why);
   return true;
 }
 
@@ -134,6 +144,7 @@ void recipe_free(recipe *r) {
   for (size_t i = 0; i < r->param_count; i++) {
     free(r->params[i].id);
     free(r->params[i].text);
+    free(r->params[i].file);
   }
   free(r->params);
   free(r->file);
@@ -170,22 +181,22 @@ static bool is_path(const sozai_texture_info *info, const char *id) {
   return false;
 }
 
-/* Relative paths from the file's own folder, once and for all. */
+/* Relative paths from their file's own folder. What is whole stays as it is. */
 static bool settle_paths(recipe *r, const sozai_texture_info *info, failure *why) {
-  const char *slash = r->file ? strrchr(r->file, '/') : NULL;
-  for (size_t i = 0; slash && i < r->param_count; i++) {
+  for (size_t i = 0; i < r->param_count; i++) {
     recipe_param *p = &r->params[i];
-    if (!p->beside || !*p->text || *p->text == '/' || !is_path(info, p->id)) continue;
-    size_t folder = (size_t)(slash + 1 - r->file);
+    const char *slash = p->file ? strrchr(p->file, '/') : NULL;
+    if (!slash || !*p->text || *p->text == '/' || p->settled || !is_path(info, p->id)) continue;
+    size_t folder = (size_t)(slash + 1 - p->file);
     /* " @ " begins an image's options: one in the folder's name must not */
-    const char *end = strstr(r->file, " @ ") && !strstr(p->text, " @ ") ? " @ " : "";
+    const char *end = strstr(p->file, " @ ") && !strstr(p->text, " @ ") ? " @ " : "";
     size_t size = folder + strlen(p->text) + strlen(end) + 1;
     char *path = malloc(size);
     if (!path) return out_of_memory(why);
-    snprintf(path, size, "%.*s%s%s", (int)folder, r->file, p->text, end);
+    snprintf(path, size, "%.*s%s%s", (int)folder, p->file, p->text, end);
     free(p->text);
     p->text = path;
-    p->beside = false;
+    p->settled = true; /* the folder may be relative itself */
   }
   return true;
 }
@@ -214,7 +225,7 @@ static int exit_code_of(int32_t result) {
 static const recipe_param *find_culprit(const recipe *r, const sozai_textures_1 *textures,
                                         const sozai_host *host, int32_t result) {
   for (size_t i = 0; i < r->param_count; i++) {
-    if (r->params[i].line == 0) continue;
+    if (r->params[i].line == 0 || !r->params[i].file) continue;
     sozai_value value = value_of(&r->params[i]);
     sozai_texture *texture = NULL;
     int32_t alone = textures->create(host, r->material, NULL, &value, 1, &texture);
@@ -232,7 +243,7 @@ static bool explain(const recipe *r, const sozai_textures_1 *textures, const soz
   char text[sizeof why->text];
   memcpy(text, why->text, sizeof text);
   const recipe_param *culprit = find_culprit(r, textures, host, result);
-  if (culprit) return fail(why, EXIT_BAD_INPUT, "%s:%d: %s", r->file, culprit->line, text);
+  if (culprit) return fail(why, EXIT_BAD_INPUT, "%s:%d: %s", culprit->file, culprit->line, text);
   return fail(why, EXIT_BAD_INPUT, "%s: %s", r->file, text);
 }
 

@@ -11,9 +11,10 @@
 
 typedef struct recipe_param {
   char *id;
-  char *text;  /* the plugin reads it as the parameter's kind */
-  int line;    /* in the file; 0: not from a file */
-  bool beside; /* relative paths start from the file's folder */
+  char *text;   /* the plugin reads it as the parameter's kind */
+  char *file;   /* which file says it, whose folder relative paths start from; or NULL */
+  int line;     /* in that file; 0: not from a file's text */
+  bool settled; /* text is a path that no longer starts from that folder */
 } recipe_param;
 
 #define RECIPE_NO_SHAPE 0
@@ -45,7 +46,7 @@ typedef struct recipe {
 bool recipe_open(recipe *r, const char *name, failure *why);
 void recipe_free(recipe *r);
 
-/* A later value for the same parameter replaces the earlier. */
+/* A later value for the same parameter replaces the earlier. line is kept. */
 bool recipe_set(recipe *r, const char *id, const char *text, int line, failure *why);
 /* "name=value", as in -p. */
 bool recipe_set_pair(recipe *r, const char *pair, failure *why);
@@ -61,7 +62,9 @@ bool recipe_settle(recipe *r, const sozai_textures_1 *textures, failure *why);
 bool recipe_create(recipe *r, const sozai_textures_1 *textures, const sozai_host *host,
                    sozai_texture **out, failure *why);
 
-/* Used by recipe_open: fill r from a .sozai file. */
+/* Used by recipe_open: a value that a file says, and fill r from a .sozai file. */
+bool recipe_set_from(recipe *r, const char *id, const char *text, const char *file, int line,
+                     failure *why);
 bool recipe_read_file(recipe *r, const char *path, failure *why);
 
 #endif

@@ -2,6 +2,7 @@
  *
  * The .sozai file:
  *
+ *   include: oak.sozai        # first if at all: that file's recipe, over which this one's goes
  *   material: wood
  *   preset: keyaki            # optional, as is all that follows
  *   params:
@@ -42,12 +43,19 @@
 #define MOST_BYTES (1 << 20)
 #define MOST_TEXT 65536 /* bytes in one value */
 
+#define MOST_INCLUDES 8 /* one within another */
+
 typedef struct reader {
+  const char *path;
+  const struct reader *includer; /* the file that includes this one, or NULL */
+  dev_t device;                  /* which file it is, whatever its names */
+  ino_t number;
   yaml_parser_t parser;
   yaml_event_t event; /* the one being looked at */
   bool has_event;
   recipe *out;
   failure *why;
+  bool started;     /* a key has been read */
   char *picture[4]; /* of the image being read: file, space, wrap, channel */
 } reader;
 
@@ -64,7 +72,7 @@ __attribute__((format(printf, 2, 3))) static bool refuse(reader *in, const char 
   va_start(arguments, format);
   vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
-  return fail(in->why, EXIT_BAD_INPUT, "%s:%d: %s", in->out->file, line_of(in), text);
+  return fail(in->why, EXIT_BAD_INPUT, "%s:%d: %s", in->path, line_of(in), text);
 }
 
 static bool next(reader *in) {
@@ -72,7 +80,7 @@ static bool next(reader *in) {
   in->has_event = false;
   if (!yaml_parser_parse(&in->parser, &in->event)) {
     int line = (int)in->parser.problem_mark.line + 1;
-    return fail(in->why, EXIT_BAD_INPUT, "%s:%d: %s", in->out->file, line,
+    return fail(in->why, EXIT_BAD_INPUT, "%s:%d: %s", in->path, line,
                 in->parser.problem ? in->parser.problem : "unreadable");
   }
   in->has_event = true;
@@ -156,6 +164,7 @@ static bool read_mapping(reader *in, const key *keys, const char *where) {
     if (seen & bit) return refuse(in, "'%s' stands twice", name);
     seen |= bit;
     if (!next(in) || !k->read(in)) return false;
+    in->started = true;
   }
 }
 
@@ -207,26 +216,30 @@ static bool join_picture(reader *in, char *text, size_t size) {
 static bool read_param(reader *in, const char *id, int line) {
   if (in->event.type == YAML_MAPPING_START_EVENT) {
     char text[8192] = "";
-    return join_picture(in, text, sizeof text) && recipe_set(in->out, id, text, line, in->why);
+    return join_picture(in, text, sizeof text) &&
+           recipe_set_from(in->out, id, text, in->path, line, in->why);
   }
   if (in->event.type == YAML_SEQUENCE_START_EVENT) {
     char text[256] = "";
-    return join_list(in, text, sizeof text) && recipe_set(in->out, id, text, line, in->why);
+    return join_list(in, text, sizeof text) &&
+           recipe_set_from(in->out, id, text, in->path, line, in->why);
   }
   const char *text = scalar(in, "a parameter");
-  return text && recipe_set(in->out, id, text, line, in->why);
+  return text && recipe_set_from(in->out, id, text, in->path, line, in->why);
 }
 
 static bool read_params(reader *in) {
   if (in->event.type != YAML_MAPPING_START_EVENT)
     return refuse(in, "params must be a mapping of names to values");
+  int first = line_of(in); /* those of an included file may be said again */
   for (;;) {
     if (!next(in)) return false;
     if (in->event.type == YAML_MAPPING_END_EVENT) return true;
     const char *name = scalar(in, "a parameter's name");
     if (!name) return false;
     for (size_t i = 0; i < in->out->param_count; i++)
-      if (strcmp(in->out->params[i].id, name) == 0)
+      if (strcmp(in->out->params[i].id, name) == 0 && in->out->params[i].line >= first &&
+          strcmp(in->out->params[i].file, in->path) == 0)
         return refuse(in, "parameter '%.80s' stands twice", name);
     int line = line_of(in);
     char *id = strdup(name); /* the next event takes its text away */
@@ -249,6 +262,10 @@ static bool read_shape(reader *in) {
   for (size_t i = 0; i < sizeof shapes / sizeof shapes[0]; i++)
     if (strcmp(shapes[i].name, text) == 0) {
       in->out->surface.shape = shapes[i].shape;
+      if (shapes[i].shape != RECIPE_MESH) { /* an included file's */
+        free(in->out->surface.mesh);
+        in->out->surface.mesh = NULL;
+      }
       return true;
     }
   return refuse(in, "unknown shape '%.40s'; there is plane, board, mesh", text);
@@ -258,24 +275,27 @@ static bool read_surface_size(reader *in) {
   return read_numbers(in, in->out->surface.size, 3, 1e-3, 1e6, "size (mm)") > 0;
 }
 
-/* A relative path starts from the file's own folder. */
-static bool read_mesh(reader *in) {
+/* The name being looked at; a relative one starts from the file's own folder. */
+static bool read_path(reader *in, char **slot, const char *what) {
   char *name = NULL;
-  if (!keep(in, &name, "mesh")) return false;
-  const char *slash = name[0] == '/' ? NULL : strrchr(in->out->file, '/');
+  if (!keep(in, &name, what)) return false;
+  const char *slash = name[0] == '/' ? NULL : strrchr(in->path, '/');
   if (slash) {
-    size_t folder = (size_t)(slash + 1 - in->out->file);
+    size_t folder = (size_t)(slash + 1 - in->path);
     char *path = malloc(folder + strlen(name) + 1);
     if (path) {
-      memcpy(path, in->out->file, folder);
+      memcpy(path, in->path, folder);
       memcpy(path + folder, name, strlen(name) + 1);
     }
     free(name);
     name = path;
   }
-  in->out->surface.mesh = name;
+  free(*slot);
+  *slot = name;
   return name ? true : fail(in->why, EXIT_FAILURE, "out of memory");
 }
+
+static bool read_mesh(reader *in) { return read_path(in, &in->out->surface.mesh, "mesh"); }
 
 static bool read_scale(reader *in) {
   return read_numbers(in, &in->out->surface.scale, 1, 1e-6, 1e6, "scale (mm per unit)") > 0;
@@ -292,7 +312,7 @@ static bool read_surface(reader *in) {
   const recipe_surface *s = &in->out->surface;
   if ((s->shape == RECIPE_MESH) == (s->mesh != NULL)) return true;
   return fail(in->why, EXIT_BAD_INPUT, "%s:%d: surface: 'shape: mesh' and 'mesh' go together",
-              in->out->file, line);
+              in->path, line);
 }
 
 /* ---- image ------------------------------------------------------------ */
@@ -342,38 +362,85 @@ static bool read_image(reader *in) {
 static bool read_material(reader *in) { return keep(in, &in->out->material, "material"); }
 static bool read_preset(reader *in) { return keep(in, &in->out->preset, "preset"); }
 
+static bool read_one(recipe *r, const char *path, const reader *includer, failure *why);
+
+/* The other file's recipe first, and this one's over it. */
+static bool read_include(reader *in) {
+  if (in->started) return refuse(in, "'include' must be the first key");
+  char *path = NULL;
+  bool ok = read_path(in, &path, "include") && read_one(in->out, path, in, in->why);
+  free(path);
+  return ok;
+}
+
 static bool read_document(reader *in) {
-  static const key keys[] = {{"material", read_material}, {"preset", read_preset},
-                             {"params", read_params},     {"surface", read_surface},
-                             {"image", read_image},       {NULL, NULL}};
+  static const key keys[] = {{"material", read_material},
+                             {"preset", read_preset},
+                             {"params", read_params},
+                             {"surface", read_surface},
+                             {"image", read_image},
+                             {"include", read_include},
+                             {NULL, NULL}};
   if (!next(in) || !next(in)) return false; /* the stream's start and the document's */
   if (in->event.type == YAML_STREAM_END_EVENT) return refuse(in, "an empty file");
   if (!next(in) || !read_mapping(in, keys, "the file")) return false;
   if (!next(in) || !next(in)) return false; /* the document's end, and what follows */
   if (in->event.type != YAML_STREAM_END_EVENT) return refuse(in, "more than one document");
-  if (!in->out->material) return refuse(in, "no 'material' is named");
+  if (!in->out->material && !in->includer) return refuse(in, "no 'material' is named");
   return true;
 }
 
-bool recipe_read_file(recipe *r, const char *path, failure *why) {
-  FILE *file = fopen(path, "rb");
+static bool includes_itself(const reader *in) {
+  for (const reader *up = in->includer; up; up = up->includer)
+    if (up->device == in->device && up->number == in->number) return true;
+  return false;
+}
+
+static int depth_of(const reader *in) {
+  int depth = 0;
+  for (; in; in = in->includer) depth++;
+  return depth;
+}
+
+static bool read_stream(reader *in, FILE *file) {
+  if (!yaml_parser_initialize(&in->parser)) return fail(in->why, EXIT_FAILURE, "out of memory");
+  yaml_parser_set_input_file(&in->parser, file);
+  bool ok = read_document(in);
+  if (in->has_event) yaml_event_delete(&in->event);
+  yaml_parser_delete(&in->parser);
+  return ok;
+}
+
+static bool read_one(recipe *r, const char *path, const reader *includer, failure *why) {
+  FILE *file = fopen(path, "rbe");
   struct stat status;
   if (!file || fstat(fileno(file), &status) != 0 || !S_ISREG(status.st_mode)) {
     if (file) fclose(file);
-    return fail(why, EXIT_BAD_INPUT, "cannot read %s", path);
+    return includer ? fail(why, EXIT_BAD_INPUT, "%s:%d: cannot read %s", includer->path,
+                           line_of(includer), path)
+                    : fail(why, EXIT_BAD_INPUT, "cannot read %s", path);
   }
-  reader in = {.out = r, .why = why};
+  reader in = {.path = path,
+               .includer = includer,
+               .device = status.st_dev,
+               .number = status.st_ino,
+               .out = r,
+               .why = why};
   bool ok;
-  if (status.st_size > MOST_BYTES)
+  if (includes_itself(&in))
+    ok = fail(why, EXIT_BAD_INPUT, "%s:%d: %s includes itself", includer->path, line_of(includer),
+              path);
+  else if (depth_of(&in) > MOST_INCLUDES)
+    ok = fail(why, EXIT_BAD_INPUT, "%s:%d: more than %d files include one another", includer->path,
+              line_of(includer), MOST_INCLUDES);
+  else if (status.st_size > MOST_BYTES)
     ok = fail(why, EXIT_BAD_INPUT, "%s: longer than %d bytes", path, MOST_BYTES);
-  else if (!yaml_parser_initialize(&in.parser))
-    ok = fail(why, EXIT_FAILURE, "out of memory");
-  else {
-    yaml_parser_set_input_file(&in.parser, file);
-    ok = read_document(&in);
-    if (in.has_event) yaml_event_delete(&in.event);
-    yaml_parser_delete(&in.parser);
-  }
+  else
+    ok = read_stream(&in, file);
   fclose(file);
   return ok;
+}
+
+bool recipe_read_file(recipe *r, const char *path, failure *why) {
+  return read_one(r, path, NULL, why);
 }

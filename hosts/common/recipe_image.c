@@ -29,9 +29,8 @@ static bool set_resolution(recipe_image *image, const char *text, failure *why) 
   double read[3] = {0};
   size_t count = read_sizes(text, read, 3, 1, RECIPE_MOST_PIXELS);
   if (count == 0)
-    return fail(why, EXIT_BAD_INPUT,
-                "resolution: '%.80s' is not 1 to 3 whole numbers from 1 to %d", text,
-                RECIPE_MOST_PIXELS);
+    return fail(why, EXIT_BAD_INPUT, "resolution: '%.80s' is not 1 to 3 whole numbers from 1 to %d",
+                text, RECIPE_MOST_PIXELS);
   for (size_t i = 0; i < count; i++)
     if (read[i] != (double)(int)read[i])
       return fail(why, EXIT_BAD_INPUT, "resolution: '%.80s' must be whole numbers", text);

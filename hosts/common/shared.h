@@ -10,7 +10,7 @@
 
 typedef struct shared shared; /* a use of one object */
 
-#define SHARED_IDLE 8                     /* objects that stay unused */
+#define SHARED_IDLE 8                    /* objects that stay unused */
 #define SHARED_IDLE_BYTES (256ull << 20) /* and what they may hold together */
 
 /* A use of the object of that key; NULL: there is none. [thread-safe] */

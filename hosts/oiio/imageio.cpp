@@ -151,7 +151,10 @@ bool SozaiInput::read_tiles(int subimage, int level, int x0, int x1, int y0, int
   }
   if (format == TypeDesc::UNKNOWN) format = spec.format;
   spec.auto_stride(xstride, ystride, zstride, format, end - first, x1 - x0, y1 - y0);
-  picture_place to = {data, format == TypeDesc::HALF, whole(first), whole(end - first),
+  picture_place to = {data,
+                      format == TypeDesc::HALF,
+                      whole(first),
+                      whole(end - first),
                       {xstride, ystride, zstride}};
   picture_box box = make_box(x0, x1, y0, y1, z0, z1);
   if (format == TypeDesc::HALF || format == TypeDesc::FLOAT) return read(subimage, level, box, to);
@@ -210,7 +213,10 @@ bool SozaiInput::read_native_scanline(int subimage, int level, int y, int z, voi
   }
   ImageSpec spec = spec_make_dimensions(picture_.get(), whole(subimage), whole(level));
   stride_t texel = stride_t(spec.pixel_bytes());
-  picture_place to = {data, spec.format == TypeDesc::HALF, 0, whole(spec.nchannels),
+  picture_place to = {data,
+                      spec.format == TypeDesc::HALF,
+                      0,
+                      whole(spec.nchannels),
                       {texel, texel * spec.width, texel * spec.width}};
   return read(subimage, level, make_box(0, spec.width, y, y + 1, z, z + 1), to);
 }

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "evaluate.h"
 
 #define LIGHTING (SOZAI_INPUT_LIGHT | SOZAI_INPUT_LIGHT_COLOUR | SOZAI_INPUT_VIEW)
 
@@ -16,7 +17,7 @@ static bool is_colour(const sozai_channel *c) { return strcmp(c->suffixes, "rgb"
 
 static bool usable(const sozai_channel *c, bool solid) {
   return c->components <= OUTPUT_MOST_COMPONENTS &&
-         c->first + c->components <= OUTPUT_MOST_INDEX && !(c->needs & LIGHTING) &&
+         c->first + c->components <= SURFACE_COMPONENTS && !(c->needs & LIGHTING) &&
          !(solid && c->needs & SOZAI_INPUT_NORMAL);
 }
 
@@ -78,7 +79,8 @@ static bool take_asked(output *out, uint32_t *count, const recipe *r,
     if (!c) return refuse(r, at, length, "unknown output", info, solid, why);
     if (!usable(c, solid))
       return refuse(r, at, length,
-                    c->needs & LIGHTING ? "a picture has no light for" : "a volume has no normal for",
+                    c->needs & LIGHTING ? "a picture has no light for"
+                                        : "a volume has no normal for",
                     info, solid, why);
     for (uint32_t k = 0; k < *count; k++)
       if (out[k].id == c->id) return refuse(r, at, length, "asked for twice:", info, solid, why);

@@ -12,13 +12,12 @@ extern "C" {
 #endif
 
 #define OUTPUT_MOST_COMPONENTS 3
-#define OUTPUT_MOST_INDEX 64 /* components past it are not offered */
 
 typedef struct output {
-  const char *id;                        /* the channel's */
-  uint32_t first, components;            /* of sozai_batch.out */
+  const char *id;                         /* the channel's */
+  uint32_t first, components;             /* of sozai_batch.out */
   char names[OUTPUT_MOST_COMPONENTS][64]; /* "R", "normal.x", "height" */
-  bool colour;                           /* in the working space; else data */
+  bool colour;                            /* in the working space; else data */
   bool half;
   bool encoded; /* 0.5 + 0.5 of the value */
 } output;

@@ -7,10 +7,10 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
+#include "evaluate.h"
 #include "half.h"
 #include "parallel.h"
 
-#define BLOCK 1024u          /* points in a batch */
 #define TILES_FOR_THREADS 4u /* fewer are not worth starting threads for */
 
 typedef struct block {
@@ -30,9 +30,7 @@ typedef struct job {
 } job;
 
 typedef struct room {
-  float input[7][BLOCK];
-  float out[OUTPUT_MOST_COMPONENTS][BLOCK];
-  uint8_t covered[BLOCK];
+  float out[OUTPUT_MOST_COMPONENTS][SURFACE_BLOCK];
   float row[OUTPUT_MOST_COMPONENTS * PICTURE_TILE]; /* texel by texel */
 } room;
 
@@ -71,47 +69,22 @@ static void put_zeros(const job *j, uint32_t x, uint32_t to_x, uint32_t y, uint3
 
 /* ---- evaluating ------------------------------------------------------- */
 
-/* Nothing of the mesh near: all texels are alike. */
-static bool far_from_all(const uint8_t *covered, size_t count) {
-  for (size_t i = 0; i < count; i++)
-    if (covered[i]) return false;
-  return true;
-}
-
 static void encode(float *value, size_t count) {
   for (size_t i = 0; i < count; i++) value[i] = 0.5f + 0.5f * value[i];
 }
 
 static bool evaluate(const job *j, room *r, const block *b, failure *why) {
   const picture *p = j->picture;
-  const sozai_textures_1 *t = p->library->plugin.textures;
-  bool solid = p->about.shape.kind == SURFACE_VOLUME, mesh = p->about.shape.kind == SURFACE_MESH;
-  surface_room texels = {.point = {r->input[0], r->input[1], r->input[2]},
-                         .footprint = r->input[6],
-                         .covered = mesh ? r->covered : NULL};
-  for (int c = 0; c < 3; c++) texels.normal[c] = solid ? NULL : r->input[3 + c];
-  size_t count = (size_t)b->w * b->h;
-  if (!surface_texels(p->surface, j->level, b->x, b->y, b->z, b->w, b->h, &texels))
-    return fail(why, EXIT_FAILURE, "%s: no such texels", p->recipe.file);
-  bool alike = mesh && far_from_all(r->covered, count);
-  float *out[OUTPUT_MOST_INDEX] = {NULL};
-  for (uint32_t k = 0; k < j->to->count; k++)
-    out[j->output->first + j->to->first + k] = r->out[j->to->first + k];
-  sozai_batch batch = {.size = sizeof batch,
-                       .count = alike ? 1 : (uint32_t)count,
-                       .footprint = texels.footprint,
-                       .out = out,
-                       .out_count = OUTPUT_MOST_INDEX};
-  for (int c = 0; c < 3; c++) {
-    batch.point[c] = texels.point[c];
-    batch.normal[c] = texels.normal[c];
-  }
-  if (t->evaluate(p->texture, &batch) != SOZAI_OK)
-    return fail(why, EXIT_FAILURE, "%s: %s", p->recipe.file, t->last_error());
-  for (uint32_t k = j->to->first; k < j->to->first + j->to->count; k++) {
-    for (size_t i = 1; alike && i < count; i++) r->out[k][i] = r->out[k][0];
-    if (j->output->encoded) encode(r->out[k], count);
-  }
+  surface_material material = {p->library->plugin.textures, p->texture};
+  float *out[SURFACE_COMPONENTS] = {NULL};
+  uint32_t first = j->to->first, end = first + j->to->count;
+  for (uint32_t k = first; k < end; k++) out[j->output->first + k] = r->out[k];
+  failure reason;
+  if (!surface_evaluate(p->surface, &material, j->level, b->x, b->y, b->z, b->w, b->h, out,
+                        SURFACE_COMPONENTS, NULL, &reason))
+    return fail(why, EXIT_FAILURE, "%s: %s", p->recipe.file, reason.text);
+  for (uint32_t k = first; j->output->encoded && k < end; k++)
+    encode(r->out[k], (size_t)b->w * b->h);
   return true;
 }
 
@@ -128,7 +101,7 @@ static bool read_slice(const job *j, room *r, const uint32_t begin[3], const uin
   if (x1 < begin[0]) x1 = begin[0];
   if (y1 < begin[1] || x1 == begin[0]) y1 = begin[1];
   block b = {.x = begin[0], .z = z, .w = x1 - begin[0]};
-  uint32_t rows = b.w ? BLOCK / b.w : 0;
+  uint32_t rows = b.w ? SURFACE_BLOCK / b.w : 0;
   for (b.y = begin[1]; b.y < y1; b.y += b.h) {
     b.h = least(rows, y1 - b.y);
     if (!evaluate(j, r, &b, why)) return false;
@@ -179,7 +152,8 @@ bool picture_read(const picture *p, uint32_t output, uint32_t level, const pictu
     j.tiles[c] = (length + p->about.tile[c] - 1) / p->about.tile[c];
     tiles *= j.tiles[c];
   }
-  if (tiles > UINT32_MAX) return fail(why, EXIT_FAILURE, "%s: too many texels at once", p->recipe.file);
+  if (tiles > UINT32_MAX)
+    return fail(why, EXIT_FAILURE, "%s: too many texels at once", p->recipe.file);
   atomic_init(&j.failed, false);
   if (tiles < TILES_FOR_THREADS) threads = 1;
   parallel_for(threads ? threads : 1, (uint32_t)tiles, read_tile, &j);

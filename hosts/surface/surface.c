@@ -92,8 +92,14 @@ static bool check(const surface *s, const recipe *r, failure *why) {
   if (kind == SURFACE_VOLUME && r->surface.shape == RECIPE_MESH)
     return refuse(r, why, "image: three numbers make a volume, which a mesh is not");
   if (kind != SURFACE_MESH && i->udim) return refuse(r, why, "image: udim is for a mesh alone");
-  if (i->wrap == RECIPE_WRAP_PERIODIC)
-    return refuse(r, why, "image: wrap: periodic is not for this material");
+  if (i->wrap != RECIPE_WRAP_PERIODIC) return true;
+  if (kind != SURFACE_PLANE || r->surface.shape == RECIPE_BOARD)
+    return refuse(r, why, "image: wrap: periodic is for a plane alone");
+  if (!periodic_fits(r->material))
+    return fail(why, EXIT_BAD_INPUT,
+                "%s: image: wrap: periodic is not for %s, of which no piece fits itself; there is "
+                "black, clamp, mirror",
+                r->file ? r->file : "image", r->material);
   return true;
 }
 
@@ -120,6 +126,8 @@ bool surface_open(surface **out, const recipe *r, failure *why) {
     return false;
   }
   set_pixels(s, r);
+  s->shape.seamless = r->image.wrap == RECIPE_WRAP_PERIODIC;
+  if (s->shape.seamless) s->shape.repeat = periodic_make(s->shape.size);
   s->shape.levels = count_levels(&s->shape);
   *out = s;
   return true;

@@ -16,6 +16,7 @@
 #ifndef SOZAI_SURFACE_SURFACE_H
 #define SOZAI_SURFACE_SURFACE_H
 
+#include "periodic.h"
 #include "recipe.h"
 #include "texels.h"
 
@@ -32,6 +33,8 @@ typedef struct surface_shape {
   uint32_t pixels[3]; /* of level 0; the third is 1 but for a volume */
   double size[3];     /* mm; 0 for a mesh */
   int udim;           /* of a mesh */
+  bool seamless;      /* a plane that fits itself: */
+  periodic repeat;
 } surface_shape;
 
 /* From the recipe's surface and image. Where the image's size is not said it is
