@@ -8,9 +8,9 @@
 
 string sozai_file(string file, string output_name)
 {
-    string match[3];
-    if (regex_match(file, match, "(.*)<output>(.*)"))
-        return concat(match[1], output_name, match[2]);
+    int found[2];
+    if (regex_search(file, found, "<output>"))
+        return concat(substr(file, 0, found[0]), output_name, substr(file, found[1]));
     return file;
 }
 

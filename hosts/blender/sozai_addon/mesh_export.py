@@ -23,11 +23,11 @@ def turned(vector, along):
     return tuple(sign * vector[axis] for sign, axis in TURNS[along])
 
 
-def lines(mesh, uv, scale, along):
-    """The file's text, line by line; scale: mm to a unit along each of the object's axes."""
+def lines(mesh, uv, scale, mm, along):
+    """The file's text, line by line; scale: the object's, mm: of one of the scene's units."""
     for vertex in mesh.vertices:
-        place = turned([vertex.co[k] * scale[k] for k in range(3)], along)
-        yield "v %.9g %.9g %.9g\n" % place
+        place = turned([vertex.co[k] * scale[k] * mm for k in range(3)], along)
+        yield "v %.7g %.7g %.7g\n" % place
     for corner in uv:
         yield "vt %.9g %.9g\n" % (corner.uv[0], corner.uv[1])
     for corner in range(len(mesh.loops)):
@@ -56,11 +56,10 @@ def export(obj, path, along, scene):
             mesh.calc_normals_split()
         mesh.calc_loop_triangles()
         uv = mesh.uv_layers.active.data
-        scale = [s * millimetres(scene) for s in obj.scale]
         os.makedirs(os.path.dirname(path), exist_ok=True)
         with open(path + ".part", "w", encoding="ascii") as out:
             out.write("# %d vertices in mm, by Blender's add-on sozai\n" % len(mesh.vertices))
-            out.writelines(lines(mesh, uv, scale, along))
+            out.writelines(lines(mesh, uv, obj.scale, millimetres(scene), along))
         os.replace(path + ".part", path)
         return tiles(uv)
     finally:
