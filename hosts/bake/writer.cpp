@@ -41,6 +41,7 @@ bool failed(const bake_writer &w, failure *why) {
 
 void describe(OIIO::ImageSpec &spec, const writer_spec &s) {
   spec.attribute("Software", "sozai");
+  spec.attribute("DateTime", ""); // else the clock's, and no two bakes would be the same
   spec.attribute("compression", "zip"); // lossless; PNG's own is the same
   if (s.colour.space) spec.attribute("colorSpace", s.colour.space);
   if (s.colour.chromaticities)
@@ -121,6 +122,7 @@ bool read_back(const bake_writer &w, failure *why) {
 
 bool close(bake_writer &w, failure *why) {
   if (!w.output->close()) return failed(w, why);
+  w.output.reset(); // which alone ends a file of mipmaps
   return read_back(w, why);
 }
 
