@@ -59,7 +59,7 @@ closure color sozai_fibres(vector fibre, normal n, color tint, float width, floa
     float along = clamp(0.8 * ior * width, 0.001, 1.0);
     float across = max(0.8, along);
     color white = 1;
-    return 2.2 * tint * generalized_schlick_bsdf((normal)normalize(level), seen, white, color(0),
+    return 3.4 * tint * generalized_schlick_bsdf((normal)normalize(level), seen, white, color(0),
                                                  along, across, white, white, 5.0, "ggx");
 }
 

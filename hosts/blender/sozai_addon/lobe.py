@@ -6,7 +6,8 @@ No part of Blender is used here.
 import math
 
 # Fitted by tests/osl/lobe.py --fit.
-ALONG, ACROSS, SCALE = 0.8, 0.8, 2.2
+ALONG, ACROSS, SCALE = 0.8, 0.8, 3.4
+REFLECTED = 2.1  # of white fibres, about, when light comes from all sides; the rest is diffuse
 
 
 def anisotropic(width, ior):

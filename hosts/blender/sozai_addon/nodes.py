@@ -174,14 +174,15 @@ def fibre_lobe(build, fibre, normal, figures, row):
     dive = build.vector_math("DOT_PRODUCT", seen, normal, row=row)
     square = build.vector_math("SUBTRACT", normal, build.scaled(seen, dive, row), row=row)
     square = build.vector_math("NORMALIZE", square, label="square to the fibre", row=row)
-    glossy = build.node("ShaderNodeBsdfAnisotropic", "fibres", row, distribution="BECKMANN")
-    colour = [min(1.0, lobe.SCALE * figures["cone_colour_" + c]) for c in "rgb"]
+    glossy = build.node("ShaderNodeBsdfAnisotropic", "fibres", row, distribution="GGX")
+    tint = [figures["cone_colour_" + c] for c in "rgb"]
+    colour = [min(1.0, lobe.SCALE * c) for c in tint]
     glossy.inputs["Color"].default_value = (*colour, 1.0)
     glossy.inputs["Roughness"].default_value = roughness
     glossy.inputs["Anisotropy"].default_value = anisotropy
     build.link(square, glossy.inputs["Normal"])
     build.link(seen, glossy.inputs["Tangent"])
-    return glossy.outputs["BSDF"], colour
+    return glossy.outputs["BSDF"], [max(0.0, 1.0 - lobe.REFLECTED * c) for c in tint]
 
 
 def build_group(material, images, extent, figures):
@@ -216,8 +217,7 @@ def build_group(material, images, extent, figures):
     surface = principled.outputs["BSDF"]
     if "fiber" in maps:
         out["Fibre"] = to_world(build, settings, maps["fiber"], 4)
-        fibres, colour = fibre_lobe(build, out["Fibre"], normal, figures, 4)
-        left = [1.0 - c for c in colour]
+        fibres, left = fibre_lobe(build, out["Fibre"], normal, figures, 4)
         base = build.vector_math("MULTIPLY", base, left, "what the fibres leave")
         both = build.node("ShaderNodeAddShader")
         build.link(surface, both.inputs[0])

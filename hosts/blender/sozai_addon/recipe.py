@@ -31,9 +31,17 @@ def section(name, values):
     return [name + ":", *lines] if lines else []
 
 
+HEAD = "# Written by Blender's add-on, and written over when the material changes."
+
+
+def output(whole, image):
+    """One output of another file: Blender takes one picture from a file, and no query."""
+    return "\n".join([HEAD, "# It shows one output of the file named here, which has all the rest.",
+                      "include: " + scalar(whole), *section("image", image)]) + "\n"
+
+
 def text(material, preset, params, surface, image):
-    lines = ["# Written by Blender's add-on, and written over when the material changes.",
-             "material: " + material]
+    lines = [HEAD, "material: " + material]
     if preset:
         lines.append("preset: " + preset)
     lines += section("params", params) + section("surface", surface) + section("image", image)

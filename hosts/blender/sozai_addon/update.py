@@ -141,9 +141,9 @@ def write_recipes(material, described, group, scene, extent):
         image["size"] = [float(s) for s in extent]
         image["resolution"] = resolution_of(settings, extent, scene)
     preset = "" if group.preset == parameters.NONE else group.preset
-    content = (described["id"], preset, params_of(described, group), surface)
+    params = params_of(described, group)
     base = os.path.join(where, name + ".sozai")
-    recipe.write(base, recipe.text(*content, image))
+    recipe.write(base, recipe.text(described["id"], preset, params, surface, image))
     paths = {}
     for channel in wanted_channels(described, material, group):
         for tile in tiles:
@@ -152,7 +152,7 @@ def write_recipes(material, described, group, scene, extent):
             if tiles != [1001]:
                 more["udim"], middle = tile, "%s.%d" % (channel, tile)
             path = os.path.join(where, "%s.%s.sozai" % (name, middle))
-            recipe.write(path, recipe.text(*content, image | more))
+            recipe.write(path, recipe.output(os.path.basename(base), more))
             paths.setdefault(channel, path)
     if tiles != [1001]:  # Blender wants to hear of the first
         paths = {c: os.path.join(where, "%s.%s.1001.sozai" % (name, c)) for c in paths}
