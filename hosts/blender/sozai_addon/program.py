@@ -3,6 +3,7 @@
 
 No part of Blender is used here.
 """
+import glob
 import json
 import os
 import shutil
@@ -17,7 +18,7 @@ class Problem(Exception):
 
 
 def find(chosen=""):
-    """The program's path: what was chosen, $SOZAI, the build tree that this file is in, PATH."""
+    """The program's path: what was chosen, $SOZAI, the tree that this file is in, PATH."""
     if chosen:
         path = os.path.abspath(os.path.expanduser(chosen))
         if os.path.isdir(path):
@@ -25,8 +26,10 @@ def find(chosen=""):
         if os.access(path, os.X_OK) and os.path.isfile(path):
             return path
         raise Problem("sozai: no program at '%s', as the add-on's preferences say" % chosen)
-    tree = os.path.join(os.path.dirname(os.path.realpath(__file__)), *[os.pardir] * 3)
-    for path in (os.environ.get("SOZAI"), os.path.join(tree, "build", "bin", "sozai")):
+    here = os.path.dirname(os.path.realpath(__file__))
+    built = os.path.join(here, *[os.pardir] * 3, "build", "bin", "sozai")
+    installed = os.path.join(here, *[os.pardir] * 4, "bin", "sozai")
+    for path in (os.environ.get("SOZAI"), built, installed):
         if path and os.path.isfile(path) and os.access(path, os.X_OK):
             return os.path.normpath(path)
     path = shutil.which("sozai")
@@ -77,8 +80,8 @@ def reader_folder(program, chosen=""):
     else:
         places = [p for p in os.environ.get(SEARCHED, "").split(os.pathsep) if p]
         places += [os.path.join(beside, *rest) for rest in
-                   (("lib",), ("lib", "sozai"), ("lib", "x86_64-linux-gnu", "sozai"),
-                    ("lib64", "sozai"))]
+                   (("lib",), ("lib", "sozai"), ("lib64", "sozai"))]
+        places += glob.glob(os.path.join(beside, "lib", "*", "sozai"))
     for place in places:
         if os.path.isfile(os.path.join(place, READER)):
             return os.path.normpath(place)
