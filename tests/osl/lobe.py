@@ -223,7 +223,7 @@ def main():
     with open(os.path.join(HOSTS, "osl", "sozai.h"), encoding="utf-8") as file:
         shader = file.read()
     for text in ("clamp(%g * ior * width" % NUMBERS[0], "max(%g, along)" % NUMBERS[1],
-                 "return %g * tint" % NUMBERS[2]):
+                 "fade * %g * tint" % NUMBERS[2]):
         if text not in shader:
             print("FAILED: hosts/osl/sozai.h has other numbers: no '%s'" % text)
             failed = 1

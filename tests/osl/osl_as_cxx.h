@@ -50,6 +50,7 @@ vector normalize(const normal &v);
 float length(const vector &v);
 color min(const color &a, const color &b);
 float max(float a, float b);
+float smoothstep(float low, float high, float x);
 float clamp(float x, float low, float high);
 vector transform(const string &from, const string &to, const vector &v);
 vector calculatenormal(const point &p);

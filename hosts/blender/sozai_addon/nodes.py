@@ -19,6 +19,7 @@ from .mesh_export import millimetres
 OUTPUTS = (("Shader", "NodeSocketShader"), ("Albedo", "NodeSocketColor"),
            ("Roughness", "NodeSocketFloat"), ("Normal", "NodeSocketVector"),
            ("Fibre", "NodeSocketVector"), ("Height", "NodeSocketFloat"))
+END_GRAIN = 0.2, 0.7  # cosines of the dive between which the fibres' lobe fades in
 # Euler angles that turn sozai's axes back to the object's; see mesh_export.TURNS.
 QUARTER = 1.5707963267948966
 BACK = {"X": (0, 0, -QUARTER), "Y": None, "Z": (QUARTER, 0, 0)}
@@ -173,11 +174,19 @@ def fibre_lobe(build, fibre, normal, figures, row):
     seen = build.vector_math("NORMALIZE", build.vector_math("ADD", fibre, down, row=row), row=row)
     dive = build.vector_math("DOT_PRODUCT", seen, normal, row=row)
     square = build.vector_math("SUBTRACT", normal, build.scaled(seen, dive, row), row=row)
+    # End grain shows no cone, and has no such normal.
+    fade = build.node("ShaderNodeMapRange", "end grain", row, interpolation_type="SMOOTHSTEP")
+    build.link(build.vector_math("LENGTH", square, row=row), fade.inputs["Value"])
+    fade.inputs["From Min"].default_value = END_GRAIN[0]
+    fade.inputs["From Max"].default_value = END_GRAIN[1]
     square = build.vector_math("NORMALIZE", square, label="square to the fibre", row=row)
     glossy = build.node("ShaderNodeBsdfAnisotropic", "fibres", row, distribution="GGX")
     tint = [figures["cone_colour_" + c] for c in "rgb"]
     colour = [min(1.0, lobe.SCALE * c) for c in tint]
-    glossy.inputs["Color"].default_value = (*colour, 1.0)
+    strength = build.node("ShaderNodeVectorMath", "", row, operation="SCALE")
+    strength.inputs[0].default_value = colour
+    build.link(fade.outputs["Result"], strength.inputs["Scale"])
+    build.link(strength.outputs["Vector"], glossy.inputs["Color"])
     glossy.inputs["Roughness"].default_value = roughness
     glossy.inputs["Anisotropy"].default_value = anisotropy
     build.link(square, glossy.inputs["Normal"])
