@@ -24,7 +24,8 @@ struct Bound {
 };
 
 // Root mean square and mean of what differs; points: of the texels' middles alone.
-void compare(const direct *d, ImageInput *in, int level, double *rms, double *mean, double *points) {
+void compare(const direct *d, ImageInput *in, int level, double *rms, double *mean,
+             double *points) {
   const ImageSpec spec = in->spec(0, level);
   std::vector<float> all(size_t(spec.width) * size_t(spec.height) * 3);
   assert_true(in->read_image(0, level, 0, 3, TypeFloat, all.data()));
@@ -64,8 +65,10 @@ void levels(void **) {
       {"material: stone\npreset: inada\n", 0.006, 0.03},
   };
   for (const Bound &b : bounds) {
-    std::string file = direct_write("levels.sozai", (std::string(b.recipe) +
-                                    "image: {resolution: 1024, size: 256, format: float, outputs: albedo}\n").c_str());
+    std::string file = direct_write(
+        "levels.sozai", (std::string(b.recipe) +
+                         "image: {resolution: 1024, size: 256, format: float, outputs: albedo}\n")
+                            .c_str());
     auto in = ImageInput::open(file);
     if (!in) fail_msg("%s", OIIO::geterror().c_str());
     direct *d = direct_open(file.c_str());

@@ -3,8 +3,8 @@
 // Random texels of several files, outputs and levels, read by 16 threads from
 // one image cache that holds a part of them, some hundred from each tile in
 // turn, every 32nd compared with the material itself; while others open and
-// close the same files. 300,000 reads unless READS says another number: `cmake --build build --target oiio-reads`
-// makes 10 million.
+// close the same files. 300,000 reads unless READS says another number: `cmake --build build
+// --target oiio-reads` makes 10 million.
 #include <OpenImageIO/imagecache.h>
 #include <OpenImageIO/imageio.h>
 #include <atomic>
@@ -56,8 +56,8 @@ void run(Shared *shared, int thread) {
     }
     uint32_t x = tile_x + direct_random(&state) % 64, y = tile_y + direct_random(&state) % 64;
     float got[3], want[3];
-    if (!shared->cache->get_pixels(file->name, output, level, int(x), int(x) + 1, int(y), int(y) + 1,
-                                   0, 1, 0, components[output], TypeFloat, got)) {
+    if (!shared->cache->get_pixels(file->name, output, level, int(x), int(x) + 1, int(y),
+                                   int(y) + 1, 0, 1, 0, components[output], TypeFloat, got)) {
       shared->failed++;
       continue;
     }
@@ -82,11 +82,13 @@ void random_reads(void **) {
   Shared shared;
   shared.cache = ImageCache::create(false);
   shared.cache->attribute("max_memory_MB", 12.0f);
-  const char *const materials[] = {"wood\npreset: keyaki", "wood\npreset: sugi\nparams: {layout: strip}",
+  const char *const materials[] = {"wood\npreset: keyaki",
+                                   "wood\npreset: sugi\nparams: {layout: strip}",
                                    "stone\npreset: oya", "stone\npreset: carrara"};
   for (int i = 0; i < 4; i++) {
     std::string text = std::string("material: ") + materials[i] +
-                       "\nimage: {resolution: 512, size: 200, format: float, outputs: [albedo, height, roughness]}\n";
+                       "\nimage: {resolution: 512, size: 200, format: float, outputs: [albedo, "
+                       "height, roughness]}\n";
     std::string name = "reads" + std::to_string(i) + ".sozai";
     const char *path = direct_write(name.c_str(), text.c_str());
     shared.files.push_back({ustring(path), direct_open(path)});

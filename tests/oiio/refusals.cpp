@@ -54,7 +54,8 @@ void files(void **) {
   refuse_text("material: wood\nparams: {ring_width: .nan}\n", {"ring_width"});
   refuse_text("material: wood\nparams: {no_such: 1}\n", {":2:", "no_such"});
   refuse_text("material: wood\nparams: [1, 2]\n", {":2:", "mapping"});
-  refuse_text("material: wood\nimage: {resolution: 1000000000}\n", {":2:", "resolution", "1048576"});
+  refuse_text("material: wood\nimage: {resolution: 1000000000}\n",
+              {":2:", "resolution", "1048576"});
   refuse_text("material: wood\nimage: {resolution: 0}\n", {"resolution"});
   refuse_text("material: wood\nimage: {resolution: -5}\n", {"resolution"});
   refuse_text("material: wood\nimage: {resolution: 1.5}\n", {"resolution", "whole"});
@@ -65,15 +66,18 @@ void files(void **) {
   refuse_text("material: wood\nimage: {format: double}\n", {"format", "'double'", "half"});
   refuse_text("material: wood\nimage: {wrap: round}\n", {"wrap", "'round'", "mirror"});
   refuse_text("material: wood\nimage: {wrap: periodic}\n", {"periodic", "wood"});
-  refuse_text("material: stone\nsurface: {shape: board, size: [9, 9, 9]}\nimage: {wrap: periodic}\n",
-              {"periodic", "plane"});
+  refuse_text(
+      "material: stone\nsurface: {shape: board, size: [9, 9, 9]}\nimage: {wrap: periodic}\n",
+      {"periodic", "plane"});
   refuse_text("material: wood\nimage: {normals: up}\n", {"normals", "'up'", "tangent"});
-  refuse_text("material: wood\nimage: {outputs: [albedo, colour]}\n", {"outputs", "'colour'", "albedo"});
+  refuse_text("material: wood\nimage: {outputs: [albedo, colour]}\n",
+              {"outputs", "'colour'", "albedo"});
   refuse_text("material: wood\nimage: {outputs: albedo albedo}\n", {"outputs"});
   refuse_text("material: wood\nimage: {outputs: [albedo, albedo]}\n", {"outputs", "twice"});
   refuse_text("material: wood\nimage: {outputs: []}\n", {"outputs"});
   refuse_text("material: wood\nimage: {outputs: radiance}\n", {"radiance", "light"});
-  refuse_text("material: wood\nimage: {resolution: [8, 8, 8], outputs: specular}\n", {"specular", "normal"});
+  refuse_text("material: wood\nimage: {resolution: [8, 8, 8], outputs: specular}\n",
+              {"specular", "normal"});
   refuse_text("material: wood\nimage: {resolution: [8, 8, 8], normals: tangent}\n", {"volume"});
   refuse_text("material: wood\nimage: {udim: 1001}\n", {"udim", "mesh"});
   refuse_text("material: wood\nimage: {udim: 12}\n", {"udim", "1001"});
@@ -92,13 +96,15 @@ void meshes(void **) {
   refuse_text("material: wood\nsurface: {shape: mesh, mesh: bare.obj}\n", {"bare.obj", "UV"});
   refuse_text("material: wood\nsurface: {shape: mesh, mesh: square.obj}\nimage: {udim: 1002}\n",
               {"1002", "1001"});
-  refuse_text("material: wood\nsurface: {shape: mesh, mesh: square.obj}\nimage: {normals: tangent}\n",
-              {"tangent", "mesh"});
+  refuse_text(
+      "material: wood\nsurface: {shape: mesh, mesh: square.obj}\nimage: {normals: tangent}\n",
+      {"tangent", "mesh"});
   refuse_text("material: wood\nsurface: {shape: mesh, mesh: square.obj}\nimage: {size: 3}\n",
               {"size", "mesh"});
   refuse_text("material: wood\nsurface: {shape: mesh, mesh: square.obj, scale: 0}\n", {"scale"});
-  refuse_text("material: stone\nsurface: {shape: mesh, mesh: square.obj}\nimage: {wrap: periodic}\n",
-              {"periodic", "plane"});
+  refuse_text(
+      "material: stone\nsurface: {shape: mesh, mesh: square.obj}\nimage: {wrap: periodic}\n",
+      {"periodic", "plane"});
 }
 
 void includes(void **) {
@@ -151,7 +157,9 @@ void hostile(void **) {
   refuse_text("material: wood\nparams: {ring_width: \"1\n", {"bad.sozai:"}); // cut off
   refuse_text("material: wood\nimage: {resolution: [1, 2\n", {"bad.sozai:"});
   refuse_text("material: \"wo\\0od\"\n", {"bad.sozai:1:"});
-  refuse_text("\x7f" "ELF\x02\x01\x01\xff\xfe\x80\x90", {"bad.sozai"});
+  refuse_text("\x7f"
+              "ELF\x02\x01\x01\xff\xfe\x80\x90",
+              {"bad.sozai"});
   refuse_text("%YAML 9.9\n---\nmaterial: wood\n", {"bad.sozai"});
   refuse_text("material: wood\n---\nmaterial: stone\n", {"document"});
   refuse_text("material: " + std::string(70000, 'w') + "\n", {"too long"});
@@ -166,7 +174,8 @@ void hostile(void **) {
 
 // What was refused leaves a reader that opens the next, and reads refuse what is not there.
 void afterwards(void **) {
-  std::string good = direct_write("after.sozai", "material: wood\nimage: {resolution: 100, outputs: [albedo]}\n");
+  std::string good =
+      direct_write("after.sozai", "material: wood\nimage: {resolution: 100, outputs: [albedo]}\n");
   auto in = ImageInput::create("sozai");
   ImageSpec spec;
   assert_false(in->open(good + "?res=no", spec));
@@ -194,8 +203,8 @@ void afterwards(void **) {
 } // namespace
 
 int main() {
-  const CMUnitTest tests[] = {cmocka_unit_test(files),   cmocka_unit_test(meshes),
+  const CMUnitTest tests[] = {cmocka_unit_test(files),    cmocka_unit_test(meshes),
                               cmocka_unit_test(includes), cmocka_unit_test(queries),
-                              cmocka_unit_test(hostile), cmocka_unit_test(afterwards)};
+                              cmocka_unit_test(hostile),  cmocka_unit_test(afterwards)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

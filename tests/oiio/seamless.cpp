@@ -39,7 +39,8 @@ void steps(const Image &i, double *seam, double *inner) {
   int count = 0;
   for (int c = 0; c < 3; c++) {
     for (int y = 0; y < i.height; y++) {
-      double s = i.at(i.width - 1, y, c) - i.at(0, y, c), t = i.at(y, i.height - 1, c) - i.at(y, 0, c);
+      double s = i.at(i.width - 1, y, c) - i.at(0, y, c),
+             t = i.at(y, i.height - 1, c) - i.at(y, 0, c);
       *seam += s * s + t * t;
       for (int x = i.width / 2; x < i.width - 1; x += 8, count++) {
         double u = i.at(x, y, c) - i.at(x + 1, y, c), v = i.at(y, x, c) - i.at(y, x + 1, c);
@@ -79,8 +80,8 @@ void seams(void **) {
     const char *preset;
     int size;
     bool shows; // a seam would, as a step
-  } stones[] = {{"inada", 100, true},   {"terrazzo", 200, true}, {"sandstone", 100, false},
-                {"basalt", 60, false},  {"carrara", 400, true},  {"travertino", 400, true}};
+  } stones[] = {{"inada", 100, true},  {"terrazzo", 200, true}, {"sandstone", 100, false},
+                {"basalt", 60, false}, {"carrara", 400, true},  {"travertino", 400, true}};
   for (const auto &s : stones) {
     std::string name = file(s.preset, s.size);
     for (int level = 0; level < 3; level++) { // further on there are too few texels to tell
@@ -99,7 +100,8 @@ void seams(void **) {
       if (level == 0 && s.shows) assert_true(std::sqrt(plain_seam / plain_inner) > 1.3);
       for (int c = 0; c < 3; c++) {
         assert_true(std::fabs(mean[c] - plain_mean[c]) < 0.25 * plain_deviation[c]);
-        assert_true(deviation[c] > 0.75 * plain_deviation[c] && deviation[c] < 1.3 * plain_deviation[c]);
+        assert_true(deviation[c] > 0.75 * plain_deviation[c] &&
+                    deviation[c] < 1.3 * plain_deviation[c]);
       }
     }
   }

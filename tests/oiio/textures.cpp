@@ -68,16 +68,18 @@ void run(Job *j) {
   }
 }
 
-void compare(const char *what, TextureOpt::MipMode mode, double texels, double aspect, double bound) {
-  std::string file = direct_write("texture.sozai",
-                                  "material: wood\npreset: keyaki\nparams: {cut: flat}\n"
-                                  "image: {resolution: 8192, size: 512}\n");
+void compare(const char *what, TextureOpt::MipMode mode, double texels, double aspect,
+             double bound) {
+  std::string file =
+      direct_write("texture.sozai", "material: wood\npreset: keyaki\nparams: {cut: flat}\n"
+                                    "image: {resolution: 8192, size: 512}\n");
   direct *d = direct_open(file.c_str());
   TextureSystem *system = TextureSystem::create(false);
   system->attribute("max_memory_MB", 64.0f);
   std::vector<Job> jobs;
   for (int i = 0; i < threads; i++)
-    jobs.push_back({system, d, ustring(file), mode, texels, aspect, uint64_t(77 * i + 1), {0}, 0, false});
+    jobs.push_back(
+        {system, d, ustring(file), mode, texels, aspect, uint64_t(77 * i + 1), {0}, 0, false});
   std::vector<std::thread> running;
   for (Job &j : jobs) running.emplace_back(run, &j);
   for (std::thread &t : running) t.join();

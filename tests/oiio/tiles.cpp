@@ -80,8 +80,12 @@ void check_picture(const char *file, const Picture &p) {
   direct_close(d);
 }
 
-void wood_board(void **) { check_picture(direct_write("wood.sozai", wood), {"wood", {300, 200}, 15}); }
-void stone_plane(void **) { check_picture(direct_write("stone.sozai", stone), {"stone", {90, 40}, 0}); }
+void wood_board(void **) {
+  check_picture(direct_write("wood.sozai", wood), {"wood", {300, 200}, 15});
+}
+void stone_plane(void **) {
+  check_picture(direct_write("stone.sozai", stone), {"stone", {90, 40}, 0});
+}
 
 // The same texels whatever they are asked for as.
 void types(void **) {
@@ -115,8 +119,9 @@ void types(void **) {
 
 // One texel, one row, one column; many texels of a huge picture.
 void extremes(void **) {
-  std::string file = direct_write("extremes.sozai", "material: stone\npreset: aji\n"
-                                                    "image: {size: 500, outputs: [albedo, height]}");
+  std::string file =
+      direct_write("extremes.sozai", "material: stone\npreset: aji\n"
+                                     "image: {size: 500, outputs: [albedo, height]}");
   for (const char *size : {"1", "1x300", "300x1", "63x65"}) {
     auto in = opened(file + "?res=" + size);
     const ImageSpec spec = in->spec();
@@ -152,11 +157,43 @@ void tangent(void **) {
   }
 }
 
+// A square of 80 mm over two tiles of UVs: the texel's own point, whose grain goes on across.
+void mesh(void **) {
+  direct_write("square.obj", "v -4 -2 1\nv 4 -2 1\nv 4 2 1\nv -4 2 1\nvt 0 0\nvt 2 0\nvt 2 1\nvt 0 1\n"
+                             "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n");
+  std::string file = direct_write("mesh.sozai", "material: wood\npreset: buna\n"
+                                  "surface: {shape: mesh, mesh: square.obj, scale: 10}\n"
+                                  "image: {resolution: 128, format: float, outputs: albedo}\n");
+  direct *d = direct_open(file.c_str());
+  for (int udim : {1001, 1002}) {
+    auto in = opened(file + "?udim=" + std::to_string(udim));
+    assert_int_equal(in->spec().get_int_attribute("sozai:udim"), udim);
+    for (int level = 0; level < 8; level += 3) {
+      int n = 128 >> level;
+      std::vector<float> all(size_t(n * n * 3));
+      assert_true(in->read_image(0, level, 0, 3, TypeFloat, all.data()));
+      double worst = 0;
+      for (int y = 0; y < n; y++)
+        for (int x = 0; x < n; x++) {
+          float point[3] = {direct_middle(uint32_t(x), uint32_t(n), 40) + (udim == 1001 ? -20.0f : 20.0f),
+                            -direct_middle(uint32_t(y), uint32_t(n), 40), 10},
+                want[3];
+          direct_at(d, "albedo", point, up, 40.0f / float(n), want);
+          for (int c = 0; c < 3; c++)
+            worst = std::max(worst, double(std::fabs(want[c] - all[size_t((y * n + x) * 3 + c)])));
+        }
+      std::printf("udim %d level %d: at most %.2g off\n", udim, level, worst);
+      assert_true(worst < 1e-3); // points that differ by a rounding
+    }
+  }
+  direct_close(d);
+}
+
 } // namespace
 
 int main() {
   const CMUnitTest tests[] = {cmocka_unit_test(wood_board), cmocka_unit_test(stone_plane),
                               cmocka_unit_test(types), cmocka_unit_test(extremes),
-                              cmocka_unit_test(tangent)};
+                              cmocka_unit_test(tangent), cmocka_unit_test(mesh)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

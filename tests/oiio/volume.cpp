@@ -14,9 +14,10 @@ using namespace OIIO;
 namespace {
 
 void look_ups(void **) {
-  std::string file = direct_write("volume.sozai", "material: wood\npreset: keyaki\n"
-                                  "image: {resolution: [40, 50, 30], size: [20, 25, 60], format: float,"
-                                  " outputs: albedo}\n");
+  std::string file = direct_write(
+      "volume.sozai", "material: wood\npreset: keyaki\n"
+                      "image: {resolution: [40, 50, 30], size: [20, 25, 60], format: float,"
+                      " outputs: albedo}\n");
   direct *d = direct_open(file.c_str());
   TextureSystem *system = TextureSystem::create(false);
   TextureOpt options;
@@ -39,8 +40,9 @@ void look_ups(void **) {
     if (at[2] + 1 == n[2]) continue;
     float next[3], half_way[3], q[3] = {p[0], p[1], direct_middle(at[2] + 1, n[2], 60)};
     direct_at(d, "albedo", q, nullptr, texel, next);
-    assert_true(system->texture3d(ustring(file), options, Imath::V3f(p[0], p[1], 0.5f * (p[2] + q[2])),
-                                  Imath::V3f(0.0f), Imath::V3f(0.0f), Imath::V3f(0.0f), 3, half_way));
+    assert_true(system->texture3d(ustring(file), options,
+                                  Imath::V3f(p[0], p[1], 0.5f * (p[2] + q[2])), Imath::V3f(0.0f),
+                                  Imath::V3f(0.0f), Imath::V3f(0.0f), 3, half_way));
     for (int c = 0; c < 3; c++)
       between = std::max(between, double(std::fabs(half_way[c] - 0.5f * (want[c] + next[c]))));
   }
@@ -52,7 +54,8 @@ void look_ups(void **) {
 }
 
 void what_it_says(void **) {
-  std::string file = direct_write("said.sozai", "material: wood\nimage: {resolution: 20, size: [10, 10, 5]}\n");
+  std::string file =
+      direct_write("said.sozai", "material: wood\nimage: {resolution: 20, size: [10, 10, 5]}\n");
   auto in = ImageInput::open(file);
   assert_non_null(in.get());
   assert_int_equal(in->spec().depth, 10);
