@@ -50,6 +50,7 @@ static bool set_size(recipe *r, const char *text, failure *why) {
                 "--size: '%s' is not WxH or WxHxT in mm, each from 0.001 to 1000000, of a plane or "
                 "a board",
                 text);
+  if (r->surface.shape == RECIPE_NO_SHAPE) r->surface.shape = RECIPE_PLANE;
   memcpy(r->surface.size, size, sizeof size);
   memset(r->image.size, 0, sizeof r->image.size);
   return true;
