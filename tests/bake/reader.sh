@@ -28,9 +28,7 @@ material: stone
 image: {resolution: 128, size: [200, 200], wrap: periodic}
 YAML
 for name in mesh floor stone; do
-  tile=()
-  [[ $name == mesh ]] && tile=(--udim 1003)
-  works bake $name.sozai -o $name.exr --mip --outputs albedo "${tile[@]}"
+  works bake $name.sozai -o $name.exr --mip --outputs albedo
   for level in 0 1 3; do
     oiiotool $name.exr --selectmip $level -d half -o baked.exr
     oiiotool "$name.sozai?outputs=albedo" --selectmip $level -d half -o read.exr
