@@ -206,6 +206,14 @@ def names():
     check("and files", first and second and not first & second, (first, second))
 
 
+def previews():
+    from sozai_addon import previews as drawn
+    path = os.path.join(scratch, "preview.png")
+    subprocess.run(drawn.command("wood", "keyaki", path), check=True)
+    image = bpy.data.images.load(path)
+    check("a preset's picture", tuple(image.size) == (drawn.SIDE, drawn.SIDE), tuple(image.size))
+
+
 def refusals():
     refused("an unknown material", ["no material 'cheese'", "wood"], plane, kind="cheese")
     refused("an unknown preset", ["no preset 'cheddar'"], plane, kind="wood", preset="cheddar")
@@ -255,7 +263,7 @@ def unsaved():
 
 
 scene("addon")
-for part in (lists, numbers, edits, nodes, solid, bake, kept, names, refusals, unsaved):
+for part in (lists, numbers, edits, nodes, solid, bake, kept, names, previews, refusals, unsaved):
     part()
 sozai_addon.unregister()
 check("nothing is left when disabled", not hasattr(bpy.types.Material, "sozai") and
