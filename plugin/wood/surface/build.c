@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "../../core/scalar.h"
+#include "../../core/status.h"
 #include "finishes.h"
 
 #define PI 3.14159265358979323846
@@ -219,9 +220,16 @@ static void build_cracks(wood_constants *w, const surface_finish *f, const setti
   m->stains = 1;
 }
 
-void surface_build(wood_constants *w, const settings *s) {
+int32_t surface_build(wood_constants *w, const settings *s) {
   const surface_finish *f = &surface_finishes[choice_at(s, P_SURFACE)];
   wood_surface *m = &w->surface;
+  double pitch = number_at(s, P_MARK_PITCH);
+  if (pitch > 0.0 && pitch < 0.05) {
+    return fail(
+        SOZAI_ERROR_RANGE,
+        "mark_pitch: %.9g mm is finer than any tool's; 0 for what is usual, or 0.05 to 200 mm",
+        pitch);
+  }
   build_marks(m, f, s);
   build_wear(w, f, s);
   build_vessels(w, f, s);
@@ -230,4 +238,5 @@ void surface_build(wood_constants *w, const settings *s) {
   m->relief = m->marks || m->scratch[0].height > 0.0f || m->erosion > 0.0f ||
               m->fibre[0].height > 0.0f || m->pores.depth > 0.0f || m->rows.depth > 0.0f ||
               m->check_depth > 0.0f || m->crack_depth > 0.0f;
+  return SOZAI_OK;
 }
