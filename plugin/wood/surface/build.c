@@ -207,6 +207,8 @@ static void build_cracks(wood_constants *w, const surface_finish *f, const setti
   m->crack_frequency[1] = (float)along;
   m->crack_depth = (float)depth;
   m->crack_width = (float)width;
+  /* what is not yet black shows less of them */
+  m->crack_stain = (float)(0.8 * how * how);
   /* Cracks across are met `along` times a mm of the fibre, hairlines 2.6 times
    * as often; columns have 2 `across` of edge to a mm^2 of section. A crack is
    * narrower by a factor that is uniform from 1 to 2, 2 to 3.5 and 1.2 to 2.2:
