@@ -40,7 +40,7 @@ extern "C" {
 #endif
 
 #define SOZAI_ABI_MAJOR 1u /* another major: not compatible */
-#define SOZAI_ABI_MINOR 0u /* a higher minor only adds ids and struct members */
+#define SOZAI_ABI_MINOR 1u /* a higher minor only adds ids and struct members */
 
 /* ---- results ---------------------------------------------------------- */
 
@@ -315,11 +315,148 @@ typedef struct sozai_wood_1 {
                   float *out_z);
 } sozai_wood_1;
 
-/* ---- geometry (reserved) ---------------------------------------------- */
+/* ---- geometry --------------------------------------------------------- */
 
-/* Curves and meshes grown by fibre and tree. The id is reserved; no plugin of
- * ABI 1.0 answers it. */
+/* Curves, meshes and tables that are grown: tree; fibre is to follow. What
+ * goes in, hulls among it, comes as values, by pointer. Object space: mm, +y up
+ * the stem as in wood's log. */
 #define SOZAI_GEOMETRY_1 "sozai.geometry/1"
+
+/* A column of a table. */
+typedef struct sozai_column {
+  const char *id;
+  const char *unit;
+  const char *doc;
+} sozai_column;
+
+/* What a table of a kind of geometry holds, without its rows. */
+typedef struct sozai_table_info {
+  uint32_t size;
+  uint32_t column_count;
+  const char *id;
+  const char *doc;
+  const sozai_column *columns;
+} sozai_table_info;
+
+/* A kind of geometry. Lives until the last deinit. */
+typedef struct sozai_generator_info {
+  uint32_t size;
+  uint32_t revision; /* grows when the same values grow something else */
+  const char *id;    /* "tree" */
+  const char *label;
+  const char *doc;
+  const sozai_parameter *const *parameters;
+  const sozai_preset *const *presets;
+  const sozai_table_info *const *tables;
+  uint32_t parameter_count;
+  uint32_t preset_count;
+  uint32_t table_count;
+  uint32_t reserved;
+} sozai_generator_info;
+
+/* What a part of a mesh or of curves is made of, for a host to give it a
+ * material: items (triangles, or curves) from `first` on. */
+typedef struct sozai_part {
+  const char *id; /* "bark", "leaf", ... */
+  uint64_t first;
+  uint64_t count;
+  float colour[3]; /* sRGB, display-referred: to paint it with, for want of a texture */
+  uint32_t flags;  /* SOZAI_PART_* */
+} sozai_part;
+
+#define SOZAI_PART_CLOSED 0x1u /* closed surfaces; else sheets, seen from both sides */
+
+/* How it is wanted. */
+typedef struct sozai_detail {
+  uint32_t size;  /* sizeof(sozai_detail) */
+  uint32_t level; /* 0: all there is; each level more is about half of it; at most 8 */
+} sozai_detail;
+
+/* One indexed mesh. Owned by the plugin until release_mesh. */
+typedef struct sozai_mesh {
+  uint32_t size;
+  uint32_t part_count;
+  uint64_t point_count; /* below 2^32 */
+  uint64_t triangle_count;
+  const float *points;     /* x y z each, mm */
+  const float *normals;    /* x y z each, unit, outward; of sheets one of both sides */
+  const float *uv;         /* u v each: of tubes u round, 0 to 1, and v along, mm / 100; of
+                              leaves across and along, 0 to 1 */
+  const uint32_t *owner;   /* of each point: what it belongs to, as in sozai_curves.ids */
+  const uint32_t *indices; /* three to a triangle, counter-clockwise seen from outside */
+  const sozai_part *parts; /* of triangles, in order, without gaps */
+} sozai_mesh;
+
+/* Polylines with a radius at each point. Owned by the plugin until
+ * release_curves. */
+typedef struct sozai_curves {
+  uint32_t size;
+  uint32_t part_count;
+  uint64_t curve_count;
+  uint64_t point_count;
+  const float *points;     /* x y z each, mm */
+  const float *radii;      /* mm, of each point */
+  const uint64_t *first;   /* curve_count + 1: curve i has points first[i] up to first[i + 1] */
+  const uint32_t *ids;     /* of each curve. tree: the branch's number; a leaf's is its shoot's */
+  const sozai_part *parts; /* of curves, in order, without gaps */
+} sozai_curves;
+
+/* Rows of numbers, row by row: fit to be handed on as a SOZAI_BUFFER_TABLE.
+ * Lives as long as the geometry. */
+typedef struct sozai_table {
+  uint32_t size;
+  uint32_t reserved;
+  const sozai_table_info *info;
+  const float *data;
+  uint64_t rows;
+} sozai_table;
+
+typedef struct sozai_geometry sozai_geometry;
+
+typedef struct sozai_geometry_1 {
+  /* How many kinds of geometry there are. [thread-safe] */
+  uint32_t (*count)(void);
+  /* The index-th kind, or NULL. [thread-safe] */
+  const sozai_generator_info *(*info)(uint32_t index);
+  /* The kind of that id, or NULL. [thread-safe] */
+  const sozai_generator_info *(*find)(const char *generator_id);
+
+  /* Grow one, which never changes afterwards; arguments as of
+   * sozai_textures_1.create. The same values give the same bits on every
+   * machine, with or without the host's thread pool. Calls host.progress, from
+   * the pool's threads too. On failure *out is NULL and nothing is kept.
+   * Errors: ARGUMENT, UNKNOWN, KIND, RANGE, MEMORY, FILE (a malformed table),
+   * CANCELLED, STATE. [thread-safe] */
+  int32_t (*grow)(const struct sozai_host *host, const char *generator_id, const char *preset,
+                  const sozai_value *values, uint32_t value_count, sozai_geometry **out);
+  /* Meshes and curves made of it stay. NULL is allowed. [exclusive] */
+  void (*release)(sozai_geometry *geometry);
+
+  /* As a mesh; detail NULL: level 0. Calls host.progress. Errors: ARGUMENT,
+   * RANGE (the level), MEMORY, CANCELLED, UNSUPPORTED (beyond 2^32 points).
+   * [thread-safe] */
+  int32_t (*mesh)(const sozai_geometry *geometry, const sozai_detail *detail,
+                  const sozai_mesh **out);
+  /* NULL is allowed. [exclusive] */
+  void (*release_mesh)(const sozai_mesh *mesh);
+  /* As curves; the same errors. [thread-safe] */
+  int32_t (*curves)(const sozai_geometry *geometry, const sozai_detail *detail,
+                    const sozai_curves **out);
+  /* NULL is allowed. [exclusive] */
+  void (*release_curves)(const sozai_curves *curves);
+  /* One of its tables; out->size is to be set. ARGUMENT, UNKNOWN.
+   * [thread-safe] */
+  int32_t (*table)(const sozai_geometry *geometry, const char *table_id, sozai_table *out);
+
+  /* The value of one parameter as it was grown with. UNKNOWN. [thread-safe] */
+  int32_t (*value)(const sozai_geometry *geometry, const char *parameter_id, sozai_value *out);
+  /* Its kind. [thread-safe] */
+  const sozai_generator_info *(*info_of)(const sozai_geometry *geometry);
+  /* Bytes of memory it holds, without its meshes and curves. [thread-safe] */
+  uint64_t (*bytes)(const sozai_geometry *geometry);
+  /* As of sozai_textures_1. [thread-safe] */
+  const char *(*last_error)(void);
+} sozai_geometry_1;
 
 /* ---- the host's services ---------------------------------------------- */
 

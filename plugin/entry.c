@@ -9,6 +9,7 @@
 #include "core/colour.h"
 #include "core/services.h"
 #include "core/status.h"
+#include "generator.h"
 #include "material.h"
 #include "wood/material.h"
 
@@ -24,6 +25,7 @@ static int32_t init(const char *plugin_path) {
     if (!status_open()) r = SOZAI_ERROR_MEMORY;
     services_plugin_path(plugin_path);
     for (uint32_t i = 0; i < registry_count; i++) registry[i]->describe();
+    geometry_describe();
   }
   if (r == SOZAI_OK) atomic_fetch_add(&inits, 1);
   pthread_mutex_unlock(&lock);
@@ -44,6 +46,7 @@ static const void *get_factory(const char *id) {
   if (!id || !textures_ready()) return NULL;
   if (strcmp(id, SOZAI_TEXTURES_1) == 0) return &textures_table;
   if (strcmp(id, SOZAI_WOOD_1) == 0) return &wood_table;
+  if (strcmp(id, SOZAI_GEOMETRY_1) == 0) return &geometry_table;
   return NULL;
 }
 

@@ -7,7 +7,7 @@
 #include <sys/stat.h>
 #include "cancel.h"
 #include "describe_job.h"
-#include "evaluate.h"
+#include "units.h"
 #include "merge.h"
 #include "names.h"
 #include "pieces.h"
@@ -128,11 +128,17 @@ static bool open_pieces(const bake_job *job, const bake_plan *plan, pieces *p, f
   return ok;
 }
 
-/* Pieces that are worth nothing do not stay. */
-static bool any(const pieces *p) {
-  for (uint64_t i = 0; i < p->unit_count; i++)
-    if (pieces_has(p, i)) return true;
-  return false;
+static uint64_t count_there(const pieces *p) {
+  uint64_t count = 0;
+  for (uint64_t i = 0; i < p->unit_count; i++) count += pieces_has(p, i);
+  return count;
+}
+
+static void say_what_is_there(const pieces *p) {
+  uint64_t there = count_there(p);
+  if (there > 0)
+    fprintf(stderr, "sozai: %llu of %llu pieces are there already\n", (unsigned long long)there,
+            (unsigned long long)p->unit_count);
 }
 
 bool bake_run(const bake_job *job, failure *why) {
@@ -140,11 +146,14 @@ bool bake_run(const bake_job *job, failure *why) {
   pieces p;
   if (!check_names(job, why) || !open_pieces(job, &plan, &p, why)) return false;
   bool ok = true;
+  if (job->resume) say_what_is_there(&p);
   if (job->what == BAKE_ALL) ok = pieces_write_as(&p, 1, 1, why);
   if (job->what == BAKE_SHARD) ok = pieces_write_as(&p, job->shard, job->shards, why);
   if (job->what != BAKE_MERGE) ok = ok && evaluate_missing(job, &plan, &p, why);
   if (job->what != BAKE_SHARD) ok = ok && bake_merge(job, &plan, &p, why);
   progress_clear();
-  pieces_close(&p, ok ? job->what != BAKE_SHARD : job->what == BAKE_ALL && !any(&p));
+  /* Pieces that are worth nothing do not stay. */
+  bool remove = ok ? job->what != BAKE_SHARD : job->what == BAKE_ALL && count_there(&p) == 0;
+  pieces_close(&p, remove);
   return ok;
 }

@@ -60,13 +60,3 @@ void bake_ground_close(bake_ground *g) {
   free(g->tiles);
   memset(g, 0, sizeof *g);
 }
-
-bool bake_ground_texels(const bake_ground *g, uint32_t picture, uint32_t level, uint32_t x,
-                        uint32_t y, uint32_t w, uint32_t h, const surface_room *out, failure *why) {
-  uint32_t size[3];
-  surface_level(g->surface, level, size);
-  if (g->atlas ? atlas_texels(g->atlas, g->tiles[picture], size[0], size[1], x, y, w, h, out)
-               : surface_texels(g->surface, level, x, y, 0, w, h, out))
-    return true;
-  return fail(why, EXIT_FAILURE, "no texels at %u, %u of level %u", x, y, level);
-}

@@ -17,8 +17,4 @@ typedef struct bake_ground {
 bool bake_ground_open(bake_ground *g, const recipe *r, const char *tiles, failure *why);
 void bake_ground_close(bake_ground *g);
 
-/* The texels of a rectangle of a level of a picture. [thread-safe] */
-bool bake_ground_texels(const bake_ground *g, uint32_t picture, uint32_t level, uint32_t x,
-                        uint32_t y, uint32_t w, uint32_t h, const surface_room *out, failure *why);
-
 #endif

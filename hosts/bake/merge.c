@@ -12,7 +12,7 @@
 #include <unistd.h>
 #include "cancel.h"
 #include "describe_job.h"
-#include "evaluate.h"
+#include "units.h"
 #include "names.h"
 #include "progress.h"
 #include "writer.h"

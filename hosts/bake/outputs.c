@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include "evaluate.h"
 
 #define SEEN_BY (SOZAI_INPUT_LIGHT | SOZAI_INPUT_LIGHT_COLOUR | SOZAI_INPUT_VIEW)
 
@@ -86,6 +87,9 @@ static bool check(const sozai_channel *c, int type, failure *why) {
   if (c->needs & SEEN_BY)
     return fail(why, EXIT_BAD_INPUT,
                 "--outputs: '%s' depends on light or view, and cannot be baked", c->id);
+  if (c->first + c->components > SURFACE_COMPONENTS)
+    return fail(why, EXIT_FAILURE, "--outputs: '%s' is past the %d numbers that can be baked",
+                c->id, SURFACE_COMPONENTS);
   if (integers(type) && !fits_integers(c))
     return fail(why, EXIT_BAD_INPUT,
                 "--outputs: '%s'%s%s does not lie between 0 and 1; bake it to an EXR, or a TIFF of "

@@ -17,6 +17,8 @@
 #define STONE_ON(set) STONE("full.batch1024@" set, 1024, set), STONE("full.batch1@" set, 1, set)
 #define STONE_FOOTPRINT(mm) STONE("footprint_" #mm ".batch1024", 1024, NULL, .footprint = (float)(mm))
 #define STONE_OF(id) {.name = "stone." id ".batch1024", .batch = 1024, .wood = {.stone = id}}
+#define TILE(called, of, which, given, mm) \
+  {.name = "oiio.tile." called, .kind = ENTRY_TILE, .tile = {of, which, given, mm}}
 /* clang-format on */
 
 const entry entries[] = {
@@ -95,6 +97,17 @@ const entry entries[] = {
     {.name = "stone.create", .kind = ENTRY_CREATE, .wood = {.stone = "travertino"}},
     {.name = "wood.threads2.batch1024", .kind = ENTRY_THREADS, .batch = 1024},
     {.name = "wood.create", .kind = ENTRY_CREATE},
+    TILE("keyaki", "wood", "keyaki", "cut: flat", 0.0625),
+    TILE("keyaki_0.5mm", "wood", "keyaki", "cut: flat", 0.5),
+    TILE("mizunara", "wood", "mizunara", "cut: flat", 0.0625),
+    TILE("sugi", "wood", "sugi", "cut: flat", 0.0625),
+    TILE("buna", "wood", "buna", "cut: flat", 0.0625),
+    TILE("mizunara_strip", "wood", "mizunara", "layout: strip", 0.5),
+    TILE("inada", "stone", "inada", NULL, 0.0625),
+    TILE("inada_0.5mm", "stone", "inada", NULL, 0.5),
+    TILE("carrara", "stone", "carrara", NULL, 0.25),
+    TILE("travertino", "stone", "travertino", NULL, 0.25),
+    TILE("terrazzo", "stone", "terrazzo", NULL, 0.0625),
     {.name = "wood.load", .kind = ENTRY_LOAD},
 };
 const size_t entry_count = sizeof entries / sizeof entries[0];

@@ -6,12 +6,14 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include "tile.h"
 #include "wood.h"
 
 #define ENTRY_POINTS 0  /* evaluating the board's part */
 #define ENTRY_THREADS 1 /* the same on two threads */
 #define ENTRY_CREATE 2
 #define ENTRY_LOAD 3
+#define ENTRY_TILE 4 /* through OpenImageIO, beside the baked tile */
 
 typedef struct entry {
   const char *name;
@@ -20,6 +22,7 @@ typedef struct entry {
   float footprint;     /* mm; 0: a texel */
   const char *channel; /* NULL: all */
   wood wood;
+  tile_kind tile;
 } entry;
 
 extern const entry entries[];

@@ -11,6 +11,7 @@
 #include "parallel.h"
 #include "peak.h"
 #include "pin.h"
+#include "scratch.h"
 #include "walk.h"
 
 #define CREATES 20        /* a repetition */
@@ -184,6 +185,34 @@ static bool run_alone(job *j, result *out, failure *why) {
   return true;
 }
 
+static bool run_sozai_tiles(void *context, double *ns, failure *why) {
+  return tile_read_sozai(context, ns, why);
+}
+
+static bool run_baked_tiles(void *context, double *ns, failure *why) {
+  return tile_read_baked(context, ns, why);
+}
+
+/* A texel is a point, and the baked tile the yardstick. */
+static bool run_tiles(const bench *b, const entry *e, result *out, failure *why) {
+  scratch s = {0};
+  if (!scratch_open(&s, "unused", why)) return false;
+  tile *t = tile_open(&e->tile, s.folder, b->plugin.path, why);
+  contestant who[] = {{run_baked_tiles, t}, {run_sozai_tiles, t}};
+  timing times[2];
+  bool ok = t && measure(who, 2, b->repetitions, times, why);
+  tile_close(t);
+  scratch_close(&s);
+  if (!ok) return false;
+  const double texels = (double)TILE_COUNT * TILE_SIDE * TILE_SIDE;
+  out->ns = times[1].median / texels;
+  out->ns_min = times[1].min / texels;
+  out->yardstick_ns = times[0].median / texels;
+  out->yardstick_min = times[0].min / texels;
+  out->ratio = out->yardstick_ns / out->ns;
+  return true;
+}
+
 static bool run_job(job *j, result *out, failure *why) {
   switch (j->entry->kind) {
   case ENTRY_POINTS:
@@ -205,6 +234,8 @@ bool entry_run(const bench *b, const entry *e, result *out, bool *skipped, failu
                   .float_ops = NAN,
                   .peak_gops = NAN,
                   .limit_ns = NAN};
+  *skipped = false;
+  if (e->kind == ENTRY_TILE) return run_tiles(b, e, out, why);
   job j = {.bench = b, .entry = e};
   atomic_init(&j.failed, false);
   *skipped = e->kind == ENTRY_THREADS && pin_cpu_count() < 2;

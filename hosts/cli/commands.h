@@ -12,6 +12,7 @@ int run_bake(int argc, char **argv);
 int run_colour(int argc, char **argv);
 int run_figures(int argc, char **argv);
 int run_gallery(int argc, char **argv);
+int run_grow(int argc, char **argv);
 int run_match(int argc, char **argv);
 
 #endif

@@ -78,13 +78,13 @@ static bool evaluate_all(face *f, session *s, const sozai_texture *texture, fail
   return ok;
 }
 
-bool face_evaluate(face *f, session *s, const char *preset, const char *const *parameters,
-                   const face_view *view, failure *why) {
+bool face_evaluate(face *f, session *s, const char *material, const char *preset,
+                   const char *const *parameters, const face_view *view, failure *why) {
   memset(f, 0, sizeof *f);
   f->view = *view;
   recipe r;
   sozai_texture *texture = NULL;
-  if (!recipe_open(&r, "wood", why)) return false;
+  if (!recipe_open(&r, material, why)) return false;
   bool ok = !preset || recipe_set_preset(&r, preset, why);
   for (; ok && *parameters; parameters++) ok = recipe_set_pair(&r, *parameters, why);
   ok = ok && recipe_create(&r, s->plugin.textures, &s->host.abi, &texture, why);

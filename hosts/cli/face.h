@@ -24,10 +24,10 @@ typedef struct face {
   float **components; /* component_count of them, of width * height, top row first */
 } face;
 
-/* Make the texture that preset (or NULL) and parameters ("a=b", ended by NULL)
+/* Make the texture that the material, preset (or NULL) and parameters ("a=b", ended by NULL)
  * name, and evaluate every channel over the view, each pixel its own footprint. */
-bool face_evaluate(face *f, session *s, const char *preset, const char *const *parameters,
-                   const face_view *view, failure *why);
+bool face_evaluate(face *f, session *s, const char *material, const char *preset,
+                   const char *const *parameters, const face_view *view, failure *why);
 void face_free(face *f);
 
 /* The first component of a channel; a channel that is missing is a failure. */

@@ -91,7 +91,7 @@ static bool draw_vessels(session *s, const char *folder, const char *name, json 
     for (int k = 0; k < 5 && layer[k]; k++) parameters[n++] = layer[k];
     face_view view = tangential(64, 0.8);
     face f;
-    ok = face_evaluate(&f, s, NULL, parameters, &view, why);
+    ok = face_evaluate(&f, s, "wood", NULL, parameters, &view, why);
     if (!ok) break;
     const float *vessel = face_channel(&f, "vessel", why), *fibre = face_channel(&f, "fiber", why);
     ok = vessel && fibre;
@@ -161,7 +161,7 @@ static bool draw_7(session *s, const char *folder, const char *name, json *j, fa
   bool ok = true;
   for (uint32_t i = 0; ok && i < 2; i++) {
     face f;
-    ok = face_evaluate(&f, s, NULL, parameters, &views[i], why);
+    ok = face_evaluate(&f, s, "wood", NULL, parameters, &views[i], why);
     if (!ok) break;
     ok = plate_colour(&p, i, f.components, s, why);
     if (ok && i == 1) {
@@ -179,7 +179,7 @@ static bool draw_7(session *s, const char *folder, const char *name, json *j, fa
   if (ok) {
     face f;
     views[0].pixel = 0.01; /* near enough to see single fibres */
-    ok = face_evaluate(&f, s, NULL, bare, &views[0], why);
+    ok = face_evaluate(&f, s, "wood", NULL, bare, &views[0], why);
     if (ok) {
       double low = 9, high = -9;
       for (size_t i = 0; i < (size_t)SIDE * SIDE; i++) {
@@ -260,7 +260,7 @@ static bool draw_9(session *s, const char *folder, const char *name, json *j, fa
     view.light[1] = sin(delta);
     view.light[2] = cos(delta);
     face f;
-    ok = face_evaluate(&f, s, NULL, parameters, &view, why);
+    ok = face_evaluate(&f, s, "wood", NULL, parameters, &view, why);
     if (!ok) break;
     const float *radiance = face_channel(&f, "radiance", why),
                 *dive = face_channel(&f, "dive", why);
@@ -291,7 +291,7 @@ static bool draw_9(session *s, const char *folder, const char *name, json *j, fa
   return ok;
 }
 
-const wood_figure wood_figures[] = {
+const figure wood_figures[] = {
     {"wood-05", "Vessels of diffuse-porous wood under straight, spiral and wavy grain", draw_5},
     {"wood-06", "Vessels of ring-porous wood under straight, spiral and wavy grain", draw_6},
     {"wood-07", "A cross-section of rings and shifted brightness, and the face it gives", draw_7},

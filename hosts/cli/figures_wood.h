@@ -5,18 +5,10 @@
 #ifndef SOZAI_CLI_FIGURES_WOOD_H
 #define SOZAI_CLI_FIGURES_WOOD_H
 
-#include "json.h"
-#include "session.h"
+#include <stddef.h>
+#include "figure.h"
 
-typedef struct wood_figure {
-  const char *name;  /* of its files */
-  const char *title; /* what it shows */
-  /* Draw folder/name.png, and write the measured numbers as members of the
-   * object that is open in j. */
-  bool (*draw)(session *s, const char *folder, const char *name, json *j, failure *why);
-} wood_figure;
-
-extern const wood_figure wood_figures[];
+extern const figure wood_figures[];
 extern const size_t wood_figure_count;
 
 #endif

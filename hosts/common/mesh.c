@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include "mesh_ply.h"
 
 bool mesh_allocate(mesh *m, uint32_t points, uint32_t triangles, failure *why) {
   memset(m, 0, sizeof *m);
@@ -96,6 +97,7 @@ static bool convert(mesh *m, const struct aiScene *scene, const char *path, floa
 bool mesh_read(mesh *m, const char *path, double scale, failure *why) {
   memset(m, 0, sizeof *m);
   if (access(path, R_OK) != 0) return fail(why, EXIT_BAD_INPUT, "cannot read mesh '%s'", path);
+  if (!mesh_ply_plausible(path, why)) return false;
   struct aiPropertyStore *settings = aiCreatePropertyStore();
   if (settings) aiSetImportPropertyFloat(settings, AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 45);
   const struct aiScene *scene = aiImportFileExWithProperties(

@@ -145,7 +145,9 @@ bool SozaiInput::read_tiles(int subimage, int level, int x0, int x1, int y0, int
   }
   ImageSpec spec = spec_make_dimensions(picture_.get(), whole(subimage), whole(level));
   if (end < 0 || end > spec.nchannels) end = spec.nchannels;
-  if (first < 0 || first >= end || !spec.valid_tile_range(x0, x1, y0, y1, z0, z1)) {
+  bool there = x0 >= 0 && x0 < x1 && x0 < spec.width && y0 >= 0 && y0 < y1 && y0 < spec.height &&
+               z0 >= 0 && z0 < z1 && z0 < spec.depth;
+  if (first < 0 || first >= end || !there || !spec.valid_tile_range(x0, x1, y0, y1, z0, z1)) {
     errorfmt("a rectangle that is not of whole tiles, or channels that there are not");
     return false;
   }

@@ -16,6 +16,7 @@
 #define SHAPE_SPHERE 1 /* of diameter size[0], centred */
 #define SHAPE_PLANE 2  /* the face alone, at z = 0 */
 #define SHAPE_MESH 3   /* a file's */
+#define SHAPE_GIVEN 4  /* one in memory */
 
 #define CAMERA_VIEW 0  /* pinhole, from camera_azimuth and camera_elevation */
 #define CAMERA_FRONT 1 /* parallel rays, straight at the face: -z, with +y up */
@@ -26,12 +27,13 @@ typedef struct render_job {
   const sozai_textures_1 *textures;
   const sozai_texture *texture;
 
-  int shape;         /* SHAPE_* */
-  double size[3];    /* board: width, length, thickness; sphere: diameter; plane: width, length */
-  double bevel;      /* board: radius of its rounded edges */
-  const char *mesh;  /* mesh: path */
-  double mesh_scale; /* mesh: mm per unit of the file */
-  bool y_up;         /* +y points up from the floor instead of +z */
+  int shape;          /* SHAPE_* */
+  double size[3];     /* board: width, length, thickness; sphere: diameter; plane: width, length */
+  double bevel;       /* board: radius of its rounded edges */
+  const char *mesh;   /* mesh: path */
+  double mesh_scale;  /* mesh: mm per unit of the file */
+  struct mesh *given; /* given: the render takes its memory over */
+  bool y_up;          /* +y points up from the floor instead of +z */
 
   uint32_t width, height; /* pixels; 0: by the shape and camera */
   uint32_t spp;           /* samples per pixel */

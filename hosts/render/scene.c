@@ -19,6 +19,9 @@ static void grow(scene *s, vec p) {
 
 static bool make_mesh(scene *s, const render_job *job, failure *why) {
   switch (job->shape) {
+  case SHAPE_GIVEN:
+    s->mesh = *job->given;
+    return true;
   case SHAPE_PLANE:
     return shape_plane(&s->mesh, job->size, why);
   case SHAPE_MESH:
@@ -166,8 +169,10 @@ hit scene_trace(const scene *s, vec origin, vec direction) {
   h.geometric = vec_unit((vec){r.hit.Ng_x, r.hit.Ng_y, r.hit.Ng_z});
   if (s->sphere)
     refine_sphere(s, &h);
-  else
+  else {
+    h.triangle = r.hit.primID;
     refine_triangle(s, r.hit.primID, r.hit.u, r.hit.v, &h);
+  }
   h.geometric = facing(h.geometric, direction);
   /* The smooth normal goes with its face; where it turns away from the eye
    * even so, at silhouettes, the face's own is better than none. */

@@ -27,8 +27,9 @@ typedef struct hit {
   int what; /* HIT_* */
   float distance;
   vec point;
-  vec normal;    /* unit, towards the ray's origin */
-  vec geometric; /* likewise, of the flat triangle */
+  vec normal;        /* unit, towards the ray's origin */
+  vec geometric;     /* likewise, of the flat triangle */
+  uint32_t triangle; /* of the mesh */
 } hit;
 
 bool scene_open(scene *s, const render_job *job, failure *why);

@@ -2,9 +2,12 @@
 #include "surface.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include "atlas.h"
+#include "shared.h"
 
 #define USUAL_SIZE 1000.0  /* mm */
 #define USUAL_PIXELS 4096u /* the longer side */
@@ -12,7 +15,8 @@
 struct surface {
   surface_shape shape;
   double height; /* z of a plane, mm */
-  atlas *atlas;  /* of a mesh, else NULL */
+  shared *atlas_use; /* of a mesh, else NULL */
+  const atlas *atlas;
 };
 
 /* ---- opening ---------------------------------------------------------- */
@@ -66,10 +70,34 @@ static void set_pixels(surface *s, const recipe *r) {
   if (flat) pixels[2] = 1;
 }
 
+static void destroy_atlas(void *a) { atlas_close(a); }
+
+/* The same for all pictures of one mesh, until its file changes. */
+static bool use_atlas(surface *s, const char *path, double scale, failure *why) {
+  char key[4200];
+  struct stat file = {0};
+  if (stat(path, &file) != 0) return fail(why, EXIT_BAD_INPUT, "cannot read mesh %s", path);
+  int length = snprintf(key, sizeof key, "atlas %.17g %llu %llu %lld %lld.%09ld %s", scale,
+                        (unsigned long long)file.st_dev, (unsigned long long)file.st_ino,
+                        (long long)file.st_size, (long long)file.st_mtim.tv_sec,
+                        file.st_mtim.tv_nsec, path);
+  bool fits = length > 0 && (size_t)length < sizeof key;
+  if (!fits) return fail(why, EXIT_BAD_INPUT, "mesh: a path too long");
+  s->atlas_use = shared_find(key);
+  atlas *made = NULL;
+  if (!s->atlas_use && atlas_open(&made, path, scale, why)) {
+    s->atlas_use = shared_add(key, made, atlas_counts_of(made)->bytes, destroy_atlas);
+    if (!s->atlas_use) fail(why, EXIT_FAILURE, "out of memory");
+  }
+  if (!s->atlas_use) return false;
+  s->atlas = shared_object(s->atlas_use);
+  return true;
+}
+
 static bool open_mesh(surface *s, const recipe *r, failure *why) {
   if (r->image.size[0] > 0)
     return refuse(r, why, "image: size is not for a mesh, whose UVs say what is shown");
-  if (!atlas_open(&s->atlas, r->surface.mesh, r->surface.scale > 0 ? r->surface.scale : 1, why)) {
+  if (!use_atlas(s, r->surface.mesh, r->surface.scale > 0 ? r->surface.scale : 1, why)) {
     char text[sizeof why->text];
     memcpy(text, why->text, sizeof text);
     return fail(why, why->exit_code, "%s: %s", r->file ? r->file : "mesh", text);
@@ -135,7 +163,7 @@ bool surface_open(surface **out, const recipe *r, failure *why) {
 
 void surface_close(surface *s) {
   if (!s) return;
-  atlas_close(s->atlas);
+  shared_release(s->atlas_use);
   free(s);
 }
 

@@ -245,7 +245,8 @@ const char *layout_build(layout *l, const layout_choice *given, double *least, d
     if (c.kind == LAYOUT_CRAZY) across = 0.3 * c.length;
     if (c.kind == LAYOUT_FAN) {
       across *= 0.6;
-      l->numbers = 1024; /* 16 rings of 64 */
+      l->numbers = 256; /* ten rings; the fullest has not quite 18 widths */
+      while (l->numbers < 180.0 * c.width / c.length && l->numbers < 4096) l->numbers *= 2;
     }
     if (c.width < across) across = c.width;
     l->narrowest = (float)across;

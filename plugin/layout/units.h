@@ -318,7 +318,8 @@ INLINE void unit_of_fan(const layout *l, vf x, vf y, vf e, layout_unit *p, cover
   vf open = sel(lt(t, splat(0.76536686f)), splat(0.78539816f) + arcsin(half * t),
                 arcsin(splat(0.70710678f) / vmax(t, splat(0.70710678f))));
   vf count = vfloor((open + open) * rm * splat(l->inverse_length) + half, &unused);
-  count = clamp(count, one, splat(63.0f));
+  const int32_t most = l->numbers / 10; /* setts that a ring has numbers for */
+  count = clamp(count, one, splat((float)most));
   vf place = (arctan2(lx, ly) / open + one) * half * count;
   vf f = clamp(vfloor(place, &m), zero, count - one);
   m = to_int(f);
@@ -330,7 +331,7 @@ INLINE void unit_of_fan(const layout *l, vf x, vf y, vf e, layout_unit *p, cover
   cover_pair(c, sel(first, splat(1e9f), before), sel(last, splat(1e9f), after), cy, zero - cx,
              l->joint, e);
   vf length = (open + open) * rm / count;
-  vi n = k * splati(64) + m;
+  vi n = k * splati(most) + m;
   unit_frame(p, layout_id(l, i, j, n), f * length, low, length, width, cy, zero - cx);
 }
 

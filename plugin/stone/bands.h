@@ -12,7 +12,7 @@
 /* How far towards the other bed: 0..1, mean 1/2. A layer of sediment lies over
  * the last at the same height everywhere but for a slow wave: value noise
  * across the beds, at three sizes. flat2: how much of the footprint lies across. */
-INLINE vf bed_share(const stone_constants *w, const vf p[3], vf s, vf flat2) {
+STAGE vf bed_share(const stone_constants *w, const vf p[3], vf s, vf flat2) {
   static const float weight[3] = {0.4f, 0.36f, 0.24f}, finer[3] = {0.37f, 1.0f, 2.9f};
   vf g[3], y = p[1];
   if (w->bed_wave != 0.0f) {
@@ -38,7 +38,7 @@ INLINE vf bed_share(const stone_constants *w, const vf p[3], vf s, vf flat2) {
 /* One family of veins: fractures in a direction, bent; each by chance thick,
  * thin or not there, and swelling and pinching out along its way. The share of
  * the footprint within half a vein's width of its middle. */
-INLINE vf vein_sheet(const stone_constants *w, const vf p[3], const vf n[3], vf s, int family) {
+STAGE vf vein_sheet(const stone_constants *w, const vf p[3], const vf n[3], vf s, int family) {
   const float finer = family ? 2.4f : 1.0f, *m = w->vein_direction[family];
   float frequency = w->vein_frequency * finer;
   uint32_t seed = w->seed_vein + 16u * (uint32_t)family;

@@ -253,5 +253,6 @@ int32_t stone_build(stone_constants *w, const sozai_host *host, const settings *
   build_layers(w, s, kernel->measure);
   w->hole_depth = (float)(number_at(s, P_HOLE_SIZE) * number_at(s, P_HOLE_DEPTH));
   int32_t r = stone_build_paving(w, s, colours, kernel->measure_laid);
-  return r ? r : build_paper(w, host, s);
+  if (!r) r = build_paper(w, host, s);
+  return r ? r : paper_build_tile(w, s, kernel->scan);
 }

@@ -47,7 +47,7 @@ INLINE void cells_centre(vu h, const vf f[3], int dx, int dy, int dz, vf x[3]) {
 }
 
 /* The nearest two, by power distance, of the 27 cells about the point. */
-INLINE void cells_find(const stone_cells *c, const vf q[3], cells_near *first, cells_near *second) {
+STAGE void cells_find(const stone_cells *c, const vf q[3], cells_near *first, cells_near *second) {
   vf f[3];
   vi whole[3];
   for (int k = 0; k < 3; k++) f[k] = q[k] - vfloor(q[k], &whole[k]);
@@ -167,7 +167,7 @@ INLINE void cells_turn(const stone_cells *c, const vf v[3], vf out[3]) {
 
 /* A point in cells, its faces bent. The noise that bends them is as good for
  * what is uneven within a crystal: within +-1.5 or so, mean 0. */
-INLINE vf cells_place(const stone_cells *c, const vf p[3], vf q[3]) {
+STAGE vf cells_place(const stone_cells *c, const vf p[3], vf q[3]) {
   cells_turn(c, p, q);
   if (c->warp == 0.0f) return splat(0.0f);
   vf g[3], fine[3];
@@ -261,7 +261,7 @@ INLINE vf cells_length(const vf x[3]) { return vsqrt(x[0] * x[0] + x[1] * x[1] +
 
 /* Over a footprint: as many looks or sums as it takes, and past what those
  * reach the expected shares. t1, t2: the square's sides, unit; s: mm. */
-INLINE void cells_at(const stone_cells *c, const vf p[3], const vf t1[3], const vf t2[3], vf s,
+STAGE void cells_at(const stone_cells *c, const vf p[3], const vf t1[3], const vf t2[3], vf s,
                      cells_cover *out) {
   vf zero = splat(0.0f), one = splat(1.0f);
   cells_square all, part;

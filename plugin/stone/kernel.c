@@ -104,7 +104,7 @@ INLINE void lay_over(const stone_cells *c, const block *k, vf weight[STONE_COLOU
   weight[second] = weight[second] + q.toned[2];
 }
 
-INLINE void stage_fabric(const stone_constants *w, block *k) {
+STAGE void stage_fabric(const stone_constants *w, block *k) {
   vf zero = splat(0.0f), one = splat(1.0f), weight[STONE_COLOURS];
   for (int i = 0; i < STONE_COLOURS; i++) weight[i] = zero;
   weight[COLOUR_BASE] = one;
@@ -152,16 +152,20 @@ INLINE void stage_fabric(const stone_constants *w, block *k) {
   }
 }
 
-INLINE void stage_paper(const stone_constants *w, block *k) {
-  vf sum[4];
-  paper_at(w, k->p, k->t1, k->t2, k->s, sum);
+STAGE void stage_paper(const stone_constants *w, block *k) {
+  vf sum[4], zero = splat(0.0f), one = splat(1.0f);
+  const vf x[3] = {one, zero, zero}, y[3] = {zero, one, zero};
+  if (w->tile.on)
+    paper_at(w, k->at, x, y, k->s, sum);
+  else
+    paper_at(w, k->p, k->t1, k->t2, k->s, sum);
   for (int c = 0; c < 3; c++) k->albedo[c] = sum[c];
   k->speck = sum[3];
   k->hole = splat(0.0f);
 }
 
 /* The number of the crystal at the point itself. */
-INLINE void stage_grain(const stone_constants *w, const stone_io *io, block *k) {
+STAGE void stage_grain(const stone_constants *w, const stone_io *io, block *k) {
   const stone_cells *c = &w->layer[LAYER_GRAINS];
   vf q[3];
   cells_near near[2];
@@ -192,11 +196,25 @@ INLINE void from_bed(const stone_constants *w, int paved, const block *k, vf v[3
   if (paved) laid_turn_back(&k->laid, v);
 }
 
+INLINE void stage_height(const stone_io *io, block *k) {
+  const surface *q = &k->surface;
+  put(io, k, STONE_HEIGHT, q->height.v);
+  put(io, k, STONE_MOSS, q->moss);
+  put(io, k, STONE_WET, vmax(q->film, q->water));
+  put(io, k, STONE_OCCLUSION, q->occlusion);
+}
+
 INLINE void stage_surface(const stone_constants *w, int paved, const stone_io *io, block *k) {
   surface *q = &k->surface;
   *q = surface_none();
   field relief;
   vf square;
+  if (w->tile.on) {
+    relief = tile_relief(w, k->at, k->s, &q->lost);
+    surface_lay(w, 0, &k->laid, k->at, k->s, relief, q);
+    stage_height(io, k);
+    return;
+  }
   relief.v = relief_at(w, k->p, k->s, relief.g, &q->lost, &square);
   q->low = surface_below(relief.v * inverse_root(square));
   q->steep = vsqrt(vmax(splat(w->relief_steep) - q->lost, splat(0.0f)));
@@ -205,10 +223,7 @@ INLINE void stage_surface(const stone_constants *w, int paved, const stone_io *i
   }
   from_bed(w, paved, k, relief.g);
   surface_lay(w, paved, &k->laid, k->at, k->s, relief, q);
-  put(io, k, STONE_HEIGHT, q->height.v);
-  put(io, k, STONE_MOSS, q->moss);
-  put(io, k, STONE_WET, vmax(q->film, q->water));
-  put(io, k, STONE_OCCLUSION, q->occlusion);
+  stage_height(io, k);
 }
 
 /* What lies on the stone, and in its joints, over its colour. */
@@ -282,10 +297,15 @@ INLINE void stage_light(const stone_constants *w, int paved, const stone_io *io,
 }
 
 /* The stone's own channels. */
-INLINE void stage_laid(int paved, const stone_io *io, block *k) {
+INLINE void stage_laid(const stone_constants *w, int paved, const stone_io *io, block *k) {
   vf zero = splat(0.0f);
   const laid *q = &k->laid;
-  put(io, k, STONE_JOINT, paved ? q->joint : zero);
+  vf joint = paved ? q->joint : zero;
+  if (w->tile.on) {
+    vf f = splat(w->inverse_texel);
+    joint = tile_joint(&w->tile, k->at[0] * f, k->at[1] * f, k->s * f);
+  }
+  put(io, k, STONE_JOINT, joint);
   put(io, k, STONE_ID, paved ? layout_number(q->unit.id) : zero);
   put(io, k, STONE_U, paved ? q->unit.u : zero);
   put(io, k, STONE_V, paved ? q->unit.v : zero);
@@ -304,7 +324,7 @@ INLINE void evaluate_as(int paved, const stone_constants *w, const stone_io *io,
   for (uint32_t i = from; i < to; i += LANES) {
     block k = {.i = i, .n = to - i < LANES ? to - i : LANES};
     stage_load(w, paved, io, &k);
-    stage_laid(paved, io, &k);
+    stage_laid(w, paved, io, &k);
     if (colour) {
       if (w->mode == 0)
         stage_fabric(w, &k);
@@ -419,5 +439,33 @@ static void measure_laid(const stone_constants *w, uint32_t count, stone_laid_me
   out->moss /= count;
 }
 
+static void scan_tile(const stone_constants *w, paper_scanned *out) {
+  const stone_tile *t = &w->tile;
+  const vf one = splat(1.0f);
+  uint32_t count = (uint32_t)(t->tile[0] * t->tile[1]), stones = 0;
+  uint32_t across = (uint32_t)t->tile[0];
+  memset(out, 0, sizeof *out);
+  vu seed = splatu(w->seed ^ 0x27d4eb2fu);
+  for (uint32_t i = 0; i < count; i += LANES) {
+    vf x = splat(0.0f), y = x;
+    for (uint32_t k = 0; k < LANES; k++) {
+      set_lane(&x, k, (float)((i + k) % across));
+      set_lane(&y, k, (float)((i + k) / across));
+    }
+    tile_place q = tile_at(t, x, y);
+    vf h = tile_height(t, seed, x, y, one);
+    for (uint32_t k = 0; k < LANES && i + k < count; k++) {
+      if (lane(q.depth, k) <= 0.0f) continue;
+      stones++;
+      double z = (double)lane(h, k);
+      out->mean += z;
+      if (lane(q.depth, k) >= t->repair && z > out->highest) out->highest = z;
+    }
+  }
+  out->joint = 1.0 - (double)stones / count;
+  out->mean /= stones ? stones : 1;
+  if (out->highest <= 0.0) out->highest = 256.0;
+}
+
 const stone_kernel NAMED(stone_kernel_) = {STRING(SOZAI_ISA_NAME), LANES, evaluate, measure,
-                                           measure_laid};
+                                           measure_laid, scan_tile};

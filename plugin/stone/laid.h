@@ -66,7 +66,7 @@ INLINE void laid_corner(const stone_paving *v, const cover *c, vf *edge, vf *nx,
 }
 
 /* p: object space. */
-INLINE void laid_at(const stone_constants *w, const vf p[3], vf s, laid *q) {
+STAGE void laid_at(const stone_constants *w, const vf p[3], vf s, laid *q) {
   const stone_paving *v = &w->paving;
   const layout *l = &v->layout;
   vf one = splat(1.0f), zero = splat(0.0f), at[2] = {p[0], p[1]};
@@ -194,7 +194,7 @@ INLINE vf profile_square(const stone_paving *v, vf m) {
 INLINE vf odd_of(vf x, vf integral) { return sel(lt(x, splat(0.0f)), splat(0.0f) - integral, integral); }
 
 /* The mean over the footprint of 1 up to a and 0 from a + w on. */
-INLINE field laid_fall(const laid *q, float a, float w) {
+STAGE field laid_fall(const laid *q, float a, float w) {
   vf half = splat(0.5f) * q->e, low = q->m.v - half, high = q->m.v + half;
   vf l = vabs(low), inverse = splat(1.0f) / q->e;
   vf value = (fall_integral(high, a, w) - odd_of(low, fall_integral(l, a, w))) * inverse;
@@ -203,7 +203,7 @@ INLINE field laid_fall(const laid *q, float a, float w) {
 
 /* The edge's outline under the footprint; *lost: variance of slope along one
  * axis that the footprint averages out. */
-INLINE field laid_profile(const stone_paving *v, const laid *q, vf *lost) {
+STAGE field laid_profile(const stone_paving *v, const laid *q, vf *lost) {
   vf half = splat(0.5f) * q->e, low = q->m.v - half, high = q->m.v + half;
   vf l = vabs(low), inverse = splat(1.0f) / q->e, one = splat(1.0f);
   vf value = (profile_integral(v, high) - odd_of(low, profile_integral(v, l))) * inverse;

@@ -13,6 +13,7 @@
 
 #include "../core/hash.h"
 #include "../core/maths.h"
+#include "paper_tile.h"
 #include "stone.h"
 
 #define PAPER_STEPS 4
@@ -52,15 +53,20 @@ INLINE void paper_texel(const stone_constants *w, vu h, vf part, vf sum[4]) {
   sum[3] = sum[3] + sel(speck, part, zero);
 }
 
+INLINE void paper_joint_texel(const stone_constants *w, vf part, vf sum[4]) {
+  for (int k = 0; k < 3; k++) sum[k] = sum[k] + part * splat(w->tile.joint_colour[k]);
+}
+
 /* One square no wider than a texel: the two texels that it meets along each
  * axis, by their shares. */
-INLINE void paper_look(const stone_constants *w, const vf q[3], const vf e[3], vf part, vf sum[4]) {
+STAGE void paper_look(const stone_constants *w, const vf q[3], const vf e[3], vf part, vf sum[4]) {
   vu at[3][2];
-  vf share[3][2];
+  vf share[3][2], index[3];
   static const uint32_t axis[3] = {HASH_X, HASH_Y, HASH_Z};
   for (int k = 0; k < 3; k++) {
     vi i;
-    vf end = vfloor(q[k] - splat(0.5f) * e[k], &i) + splat(1.0f);
+    index[k] = vfloor(q[k] - splat(0.5f) * e[k], &i);
+    vf end = index[k] + splat(1.0f);
     vf beyond = (q[k] + splat(0.5f) * e[k] - end) / vmax(e[k], splat(1e-6f));
     share[k][1] = clamp01(beyond);
     share[k][0] = splat(1.0f) - share[k][1];
@@ -70,6 +76,16 @@ INLINE void paper_look(const stone_constants *w, const vf q[3], const vf e[3], v
   for (int c = 0; c < 8; c++) {
     vf of = share[0][c & 1] * share[1][c >> 1 & 1] * share[2][c >> 2];
     if (!any(gt(of, splat(0.0f)))) continue; /* it would add nothing */
+    if (w->tile.on) {
+      if (c >> 2) continue; /* a picture: the same at all depths */
+      of = share[0][c & 1] * share[1][c >> 1];
+      tile_place place = tile_at(&w->tile, index[0] + splat((float)(c & 1)),
+                                 index[1] + splat((float)(c >> 1)));
+      vf stone = sel(gt(place.depth, splat(0.0f)), of, splat(0.0f));
+      paper_texel(w, hash_mix(place.h + splatu(w->seed)), stone * part, sum);
+      paper_joint_texel(w, (of - stone) * part, sum);
+      continue;
+    }
     vu h = hash_mix(at[0][c & 1] + at[1][c >> 1 & 1] + at[2][c >> 2] + splatu(w->seed));
     paper_texel(w, h, of * part, sum);
   }
@@ -104,8 +120,12 @@ INLINE void paper_at(const stone_constants *w, const vf p[3], const vf t1[3], co
       paper_look(w, q, e, sel(there, part, zero), sum);
     }
   }
+  vf joint = w->tile.on ? tile_joint(&w->tile, p[0] * splat(w->inverse_texel),
+                                     p[1] * splat(w->inverse_texel), wide)
+                        : zero;
   for (int k = 0; k < 4; k++) {
     vf mean = splat(k < 3 ? w->texel_mean[k] : w->white);
+    if (w->tile.on) mean = mix(mean, splat(k < 3 ? w->tile.joint_colour[k] : 0.0f), joint);
     sum[k] = sel(seen, mix(mean, sum[k], keep), mean);
   }
 }

@@ -9,4 +9,7 @@
  * sRGB is no curve and matrix. w->mode, base and the like must be set. */
 int32_t paper_build(stone_constants *w, const sozai_host *host);
 
+/* The tile of paper_pattern, after paper_build. */
+int32_t paper_build_tile(stone_constants *w, const settings *s, paper_scan *scan);
+
 #endif

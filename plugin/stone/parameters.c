@@ -492,7 +492,19 @@ const sozai_parameter *const stone_parameters[STONE_PARAMETERS] = {
    [P_MOSS_HEIGHT] = &laid_moss_height,
    [P_MOSS_COLOUR] = &laid_moss_colour,
    [P_WET] = &laid_wet,
-   [P_WATER] = &laid_water_level};
+   [P_WATER] = &laid_water_level,
+   [P_PAPER_PATTERN] = &tile_pattern,
+   [P_PAPER_LENGTH] = &tile_length,
+   [P_PAPER_WIDTH] = &tile_width,
+   [P_PAPER_LEVELS] = &tile_levels,
+   [P_PAPER_DH] = &tile_dh,
+   [P_PAPER_RELIEF] = &tile_relief,
+   [P_PAPER_JOINT] = &tile_joint,
+   [P_PAPER_WANDER] = &tile_wander,
+   [P_PAPER_PARTS] = &tile_parts,
+   [P_PAPER_REPAIR] = &tile_repair,
+   [P_PAPER_JOINT_HEIGHT] = &tile_joint_height,
+   [P_PAPER_JOINT_COLOUR] = &tile_joint_colour};
 
 static const sozai_channel channel_albedo = {
    .size = sizeof(sozai_channel), .first = STONE_ALBEDO, .components = 3,

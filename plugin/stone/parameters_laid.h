@@ -96,6 +96,59 @@ NUMBER_(laid_wet, "wet", "Wetness", "weather", "", 0, 1, 0, 1, 0,
         "A film of water: darker, deeper in colour, glossier. 0 dry, 1 streaming.");
 NUMBER_(laid_water_level, "water_level", "Water level", "weather", "mm", -1000, 1000, -20, 10, -1000,
         "Height at which water stands, over the face of the stones; -1000: none.");
+
+/* ---- the paper's tile -------------------------------------------------- */
+
+static const char *const tile_pattern_choices[] = {"none", "cut", "igeta", "chidori"};
+static const char *const tile_pattern_docs[] = {
+   "colour alone, without end",
+   "kiriishi, cut stone: one stone to a tile",
+   "kumiishi or igeta: a stone in the middle, halves and quarters round it, four different stones to a tile",
+   "chidori: cut stones, every other course shifted by half, two to a tile"};
+static const sozai_parameter tile_pattern = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_CHOICE,
+   .id = "paper_pattern", .label = "Pattern", .group = "paper", .unit = "",
+   .doc = "colour_mode paper_rgb and paper_lightness: the paper's periodic tile of stones and joints "
+   "on the plane x, y, whose relief then takes the place of the finish's.",
+   .choices = tile_pattern_choices, .choice_docs = tile_pattern_docs, .choice_count = COUNT(tile_pattern_choices), .default_number = {0}};
+static const sozai_parameter tile_length = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_INT,
+   .id = "paper_length", .label = "Stone length", .group = "paper", .unit = "texel",
+   .doc = "Of a stone with its joint, along x; even.",
+   .hard_min = 16, .hard_max = 1024, .soft_min = 64, .soft_max = 512, .default_number = {200}};
+static const sozai_parameter tile_width = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_INT,
+   .id = "paper_width", .label = "Stone width", .group = "paper", .unit = "texel",
+   .doc = "Likewise, along y.",
+   .hard_min = 16, .hard_max = 1024, .soft_min = 64, .soft_max = 512, .default_number = {200}};
+static const sozai_parameter tile_levels = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_INT,
+   .id = "paper_levels", .label = "Levels", .group = "paper", .unit = "",
+   .doc = "How often the square's two triangles are divided by their edges' midpoints, each level "
+   "displaced with half the variance of the last: 3 gives 128 triangles, 4 gives 512.",
+   .hard_min = 1, .hard_max = 4, .soft_min = 3, .soft_max = 4, .default_number = {4}};
+NUMBER_(tile_dh, "paper_dh", "Fine roughness dh", "paper", "code", 0, 1024, 0, 128, 30,
+        "H' = alpha (H + e dh), e uniform on 0 to 1 for each texel, H within 0 to 128, alpha such that the highest is 256.");
+NUMBER_(tile_relief, "paper_relief", "Relief", "paper", "mm", 0, 1000, 0, 20, 8,
+        "Height of 256 codes.");
+NUMBER_(tile_joint, "paper_joint", "Joint", "paper", "texel", 0, 200, 0, 20, 6,
+        "Least width between neighbours.");
+NUMBER_(tile_wander, "paper_joint_wander", "Joint wander", "paper", "", 0, 0.2, 0, 0.1, 0.06,
+        "Range in which each division point of a stone's outline lies further in, of the stone's width.");
+static const sozai_parameter tile_parts = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_INT,
+   .id = "paper_joint_parts", .label = "Joint parts", .group = "paper", .unit = "",
+   .doc = "Equal parts into which each side's line is split.",
+   .hard_min = 1, .hard_max = 16, .soft_min = 3, .soft_max = 12, .default_number = {8}};
+NUMBER_(tile_repair, "paper_repair", "Repair", "paper", "texel", 1, 100, 1, 12, 4,
+        "Width in from the outline over which the stone's height comes down to the joint's.");
+NUMBER_(tile_joint_height, "paper_joint_height", "Joint height", "paper", "code", 0, 256, 0, 256, 0,
+        "Of all joints.");
+static const sozai_parameter tile_joint_colour = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT3,
+   .id = "paper_joint_colour", .label = "Joint colour", .group = "paper", .unit = "code",
+   .doc = "R, G and B of display-referred sRGB, 8 bits; rounded.",
+   .hard_min = 0, .hard_max = 255, .soft_min = 0, .soft_max = 255, .default_number = {110, 105, 98}};
 /* clang-format on */
 
 #endif

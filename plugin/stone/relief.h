@@ -11,7 +11,7 @@
 
 /* Height in mm, its gradient, the variance of slope along one axis that the
  * footprint averages out, and of the height what it leaves. */
-INLINE vf relief_at(const stone_constants *w, const vf p[3], vf s, vf slope[3], vf *lost,
+STAGE vf relief_at(const stone_constants *w, const vf p[3], vf s, vf slope[3], vf *lost,
                     vf *square) {
   vf height = splat(0.0f), one = splat(1.0f);
   *square = splat(1e-12f);

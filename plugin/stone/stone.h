@@ -20,6 +20,9 @@
 #include "../../api/sozai_colour.h"
 #include "../layout/layout.h"
 
+/* A stage that is large and called from several places: once in the code. */
+#define STAGE static __attribute__((noinline, unused))
+
 #define STONE_RELIEF 5  /* octaves of a finish's relief */
 #define STONE_CODES 256 /* of the paper's 8-bit RGB */
 
@@ -58,6 +61,28 @@ typedef struct {
   int32_t on, shaped;          /* shaped: eroded, or cut to a ball */
   uint32_t seed, seed_warp;
 } stone_cells;
+
+#define PAPER_STONES 4
+#define PAPER_GRID 17  /* vertices along a stone's side, at most: 2^4 + 1 */
+#define PAPER_PARTS 16 /* of a side, at most */
+
+/* The paper's periodic tile: stones in texels, heights in codes of 0 to 256. */
+typedef struct {
+  int32_t on;
+  int32_t across, down;          /* stones to a tile */
+  int32_t grid, parts;           /* vertices along a side less one; parts of an edge line */
+  float length, width;           /* of a stone's place, texels */
+  float tile[2], inverse_tile[2]; /* texels */
+  float shift, start;            /* of every other row; of the tile's origin */
+  float dh, alpha, joint_height; /* codes; the factor; code */
+  float repair;                  /* texels */
+  float mm;                      /* of a code */
+  float share;                   /* of the tile that is joint */
+  float mean, lost;              /* height, code; variance of slope of the fine roughness */
+  float joint_colour[3];         /* working space */
+  float height[PAPER_STONES * PAPER_GRID * PAPER_GRID];    /* codes, 0 to 128 */
+  float inset[PAPER_STONES * 4 * (PAPER_PARTS + 1)];       /* texels, from the place's side */
+} stone_tile;
 
 /* Paving, and what weather does to it: laid.h and weather.h. Lengths in mm; m is
  * the distance from the joint's middle. */
@@ -111,6 +136,8 @@ typedef struct {
   float black, white;              /* thresholds: below the first, below the second */
   float texel_mean[3];             /* working space, of all texels */
   float decode[3][STONE_CODES][3]; /* what each code of each channel adds, working space */
+
+  stone_tile tile;
 
   /* finish */
   float relief[STONE_RELIEF], relief_frequency[STONE_RELIEF]; /* mm; 1/mm */
@@ -169,6 +196,13 @@ typedef struct {
 typedef void stone_measure(const stone_constants *w, uint32_t count, stone_means *out);
 typedef void stone_measure_laid(const stone_constants *w, uint32_t count, stone_laid_means *out);
 
+/* Over every texel of the paper's tile: the highest and the mean of its stones,
+ * and the joints' share. */
+typedef struct {
+  double highest, mean, joint;
+} paper_scanned;
+typedef void paper_scan(const stone_constants *w, paper_scanned *out);
+
 /* One compilation of the kernel. */
 typedef struct {
   const char *name; /* of the instruction set */
@@ -176,6 +210,7 @@ typedef struct {
   stone_evaluate *evaluate;
   stone_measure *measure;
   stone_measure_laid *measure_laid;
+  paper_scan *scan;
 } stone_kernel;
 
 #endif

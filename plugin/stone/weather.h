@@ -12,7 +12,7 @@
 
 /* Gradient noise of a size as a field, faded out by the footprint; *lost gains
  * the variance that was (gradient noise's own is 0.05). */
-INLINE field weather_noise(const vf p[3], float frequency, uint32_t seed, float weight, vf e,
+STAGE field weather_noise(const vf p[3], float frequency, uint32_t seed, float weight, vf e,
                            vf *lost) {
   vf f = splat(frequency);
   field n;

@@ -81,9 +81,14 @@ INLINE void figure_quilt(const wood_constants *w, vu own, vf y, vf footprint, st
 INLINE void figure_eyes(const wood_constants *w, vu own, int layer, vf y, vf footprint,
                         stem_place *p, undulation_sum *u) {
   vf one = splat(1.0f), zero = splat(0.0f), k16 = splat(1.0f / 65536.0f);
-  vf turn = arctan2(p->s, p->c) * splat(0.15915494f);
+  /* the second's sectors are turned by atan(7/24) */
+  vf c = p->c, s = p->s;
+  if (layer) {
+    c = splat(0.96f) * p->c - splat(0.28f) * p->s;
+    s = splat(0.28f) * p->c + splat(0.96f) * p->s;
+  }
+  vf turn = arctan2(s, c) * splat(0.15915494f);
   vi unused, sector, shell, column, row;
-  turn = turn + splat(1.41f * (float)layer);
   turn = turn - vfloor(turn, &unused);
   vf round = turn * splat((float)EYE_SECTORS), x = round - vfloor(round, &sector);
   vu seed = wood_seed(w, own, SEED_EYES + (uint32_t)layer) + (vu)sector * splatu(HASH_Y);

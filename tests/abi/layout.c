@@ -131,6 +131,89 @@ SIZE(sozai_wood_1, 16);
 AT(sozai_wood_1, ring_radius, 0);
 AT(sozai_wood_1, pith, 8);
 
+SIZE(sozai_column, 24);
+AT(sozai_column, id, 0);
+AT(sozai_column, unit, 8);
+AT(sozai_column, doc, 16);
+
+SIZE(sozai_table_info, 32);
+AT(sozai_table_info, size, 0);
+AT(sozai_table_info, column_count, 4);
+AT(sozai_table_info, id, 8);
+AT(sozai_table_info, doc, 16);
+AT(sozai_table_info, columns, 24);
+
+SIZE(sozai_generator_info, 72);
+AT(sozai_generator_info, size, 0);
+AT(sozai_generator_info, revision, 4);
+AT(sozai_generator_info, id, 8);
+AT(sozai_generator_info, label, 16);
+AT(sozai_generator_info, doc, 24);
+AT(sozai_generator_info, parameters, 32);
+AT(sozai_generator_info, presets, 40);
+AT(sozai_generator_info, tables, 48);
+AT(sozai_generator_info, parameter_count, 56);
+AT(sozai_generator_info, preset_count, 60);
+AT(sozai_generator_info, table_count, 64);
+AT(sozai_generator_info, reserved, 68);
+
+SIZE(sozai_part, 40);
+AT(sozai_part, id, 0);
+AT(sozai_part, first, 8);
+AT(sozai_part, count, 16);
+AT(sozai_part, colour, 24);
+AT(sozai_part, flags, 36);
+
+SIZE(sozai_detail, 8);
+AT(sozai_detail, size, 0);
+AT(sozai_detail, level, 4);
+
+SIZE(sozai_mesh, 72);
+AT(sozai_mesh, size, 0);
+AT(sozai_mesh, part_count, 4);
+AT(sozai_mesh, point_count, 8);
+AT(sozai_mesh, triangle_count, 16);
+AT(sozai_mesh, points, 24);
+AT(sozai_mesh, normals, 32);
+AT(sozai_mesh, uv, 40);
+AT(sozai_mesh, owner, 48);
+AT(sozai_mesh, indices, 56);
+AT(sozai_mesh, parts, 64);
+
+SIZE(sozai_curves, 64);
+AT(sozai_curves, size, 0);
+AT(sozai_curves, part_count, 4);
+AT(sozai_curves, curve_count, 8);
+AT(sozai_curves, point_count, 16);
+AT(sozai_curves, points, 24);
+AT(sozai_curves, radii, 32);
+AT(sozai_curves, first, 40);
+AT(sozai_curves, ids, 48);
+AT(sozai_curves, parts, 56);
+
+SIZE(sozai_table, 32);
+AT(sozai_table, size, 0);
+AT(sozai_table, reserved, 4);
+AT(sozai_table, info, 8);
+AT(sozai_table, data, 16);
+AT(sozai_table, rows, 24);
+
+SIZE(sozai_geometry_1, 112);
+AT(sozai_geometry_1, count, 0);
+AT(sozai_geometry_1, info, 8);
+AT(sozai_geometry_1, find, 16);
+AT(sozai_geometry_1, grow, 24);
+AT(sozai_geometry_1, release, 32);
+AT(sozai_geometry_1, mesh, 40);
+AT(sozai_geometry_1, release_mesh, 48);
+AT(sozai_geometry_1, curves, 56);
+AT(sozai_geometry_1, release_curves, 64);
+AT(sozai_geometry_1, table, 72);
+AT(sozai_geometry_1, value, 80);
+AT(sozai_geometry_1, info_of, 88);
+AT(sozai_geometry_1, bytes, 96);
+AT(sozai_geometry_1, last_error, 104);
+
 SIZE(sozai_host, 80);
 AT(sozai_host, size, 0);
 AT(sozai_host, reserved, 4);

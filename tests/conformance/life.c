@@ -67,7 +67,7 @@ static void counted_init(void **unused) {
 static void unknown_ids(void **unused) {
   (void)unused;
   static const char *const ids[] = {"sozai.textures/2", "sozai.textures/", "", "SOZAI.TEXTURES/1",
-                                    SOZAI_GEOMETRY_1};
+                                    "sozai.geometry/2"};
   for (size_t i = 0; i < sizeof ids / sizeof *ids; i++) assert_null(p.entry->get_factory(ids[i]));
   assert_null(p.entry->get_factory(NULL));
   assert_null(textures->info(textures->count()));

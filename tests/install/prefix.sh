@@ -47,3 +47,9 @@ if [[ -x $prefix/bin/sozai ]]; then
   grep -qw wood "$scratch/list.txt"
   echo "bin/sozai list: $(grep -cw wood "$scratch/list.txt") line(s) with wood"
 fi
+
+# And so does the reader for OpenImageIO.
+if command -v iinfo >/dev/null && [[ -e $prefix/$libdir/sozai/sozai.imageio.so ]]; then
+  printf 'material: wood\n' >"$scratch/oak.sozai"
+  (cd / && env -u SOZAI_PLUGIN OIIO_LIBRARY_PATH="$prefix/$libdir/sozai" iinfo "$scratch/oak.sozai")
+fi

@@ -193,7 +193,7 @@ static void a_walk_stays_on_its_fibre(void **state) {
       char text[64];
       snprintf(text, sizeof text, "grain=%s", grains[g]);
       sozai_texture *t = wood_make(wood_preset(k), text);
-      double one = walk(t, has_small_figure(k) ? 0.1 : 0.5);
+      double one = walk(t, has_small_figure(k) ? 0.04 : 0.5);
       if (one >= 1e-3)
         print_message("grain=%s, %s: drifts %.2g mm\n", grains[g], wood_preset(k), one);
       worst = fmax(worst, one);

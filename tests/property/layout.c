@@ -188,10 +188,11 @@ static void edges_and_frames(void **state) {
       past = fmax(past, fabs(at(&q, BOARD_EDGE, i) + 0.5 * G));
       merged += at(&q, BOARD_ID, i + 1) == (double)q.point[2][i] && at(&q, BOARD_EDGE, i + 1) > 0;
     }
-    /* an angle round the origin, 70 m off, is a float's to 0.03 mm */
+    /* an angle round the origin, 70 m off, is a float's to 0.03 mm; by a corner of rings
+     * and borders the gradient may be that of two edges */
     CHECK(
         steep < (e->bent ? 0.08 : 0.03) && !torn && frame < 0.03 && crossed > N / 10 &&
-            past < 0.12 && !merged,
+            past < (e->bent ? 0.4 : 0.12) && !merged,
         "%s: %d places; edge changes by at most the step + %.3f mm; %d ids torn of %d steps within "
         "a unit, frames off by %.3f mm; %d joints crossed: their middles found to %.3f mm, %d ids "
         "merged\n",

@@ -35,7 +35,7 @@ int wood_teardown(void **state) {
   return 0;
 }
 
-static sozai_texture *make(const char *preset, const char *parameters) {
+static sozai_texture *make(const char *material, const char *preset, const char *parameters) {
   char text[1024];
   sozai_value values[32];
   unsigned n = 0;
@@ -51,20 +51,28 @@ static sozai_texture *make(const char *preset, const char *parameters) {
     values[n++].text = equals + 1;
   }
   sozai_texture *t;
-  return textures->create(NULL, "wood", preset, values, n, &t) ? NULL : t;
+  return textures->create(NULL, material, preset, values, n, &t) ? NULL : t;
 }
 
 sozai_texture *wood_make(const char *preset, const char *parameters) {
-  sozai_texture *t = make(preset, parameters);
+  sozai_texture *t = make("wood", preset, parameters);
   if (!t) stop("create", textures->last_error());
   return t;
 }
 
-const char *wood_refused(const char *parameters) {
-  sozai_texture *t = make(NULL, parameters);
+sozai_texture *stone_make(const char *preset, const char *parameters) {
+  sozai_texture *t = make("stone", preset, parameters);
+  if (!t) stop("create", textures->last_error());
+  return t;
+}
+
+static const char *refused(const char *material, const char *parameters) {
+  sozai_texture *t = make(material, NULL, parameters);
   textures->destroy(t);
   return t ? NULL : textures->last_error();
 }
+const char *wood_refused(const char *parameters) { return refused("wood", parameters); }
+const char *stone_refused(const char *parameters) { return refused("stone", parameters); }
 
 unsigned wood_presets(void) { return textures->find("wood")->preset_count; }
 const char *wood_preset(unsigned i) { return textures->find("wood")->presets[i]->id; }

@@ -18,8 +18,11 @@ int wood_teardown(void **state);
  * test when it cannot be made. */
 sozai_texture *wood_make(const char *preset, const char *parameters);
 
+sozai_texture *stone_make(const char *preset, const char *parameters);
+
 /* Why it cannot be made: the plugin's message, or NULL when it can. */
 const char *wood_refused(const char *parameters);
+const char *stone_refused(const char *parameters);
 
 /* How many presets there are, and the id of one. */
 unsigned wood_presets(void);

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "evaluate.h"
+#include "units.h"
 
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 #include "cancel.h"
+#include "evaluate.h"
 #include "parallel.h"
 
 #define CHUNK 4096u /* texels that a thread takes at a time, more or less */
@@ -93,8 +94,14 @@ static void scatter(const bench *b, float *numbers, uint32_t texels) {
   for (uint32_t i = texels; i-- > 0;) numbers[i] = numbers[b->place[i]];
 }
 
-static bool answer(const job *j, bench *b, failure *why) {
+static bool answer_mesh(const job *j, bench *b, const bake_unit *u, const chunk *c, failure *why) {
   const bake_source *s = j->source;
+  const bake_ground *g = s->ground;
+  uint32_t texels = c->columns * u->rows;
+  if (!atlas_texels(g->atlas, g->tiles[u->picture], u->width, u->height, c->column, u->row,
+                    c->columns, u->rows, &b->room))
+    return fail(why, EXIT_FAILURE, "no texels at %u, %u of level %u", c->column, u->row, u->level);
+  gather(b, texels);
   sozai_batch batch = {.size = sizeof batch,
                        .count = b->count,
                        .footprint = b->room.footprint,
@@ -106,6 +113,24 @@ static bool answer(const job *j, bench *b, failure *why) {
   }
   if (s->textures->evaluate(s->texture, &batch) == SOZAI_OK) return true;
   return fail(why, EXIT_FAILURE, "evaluate: %s", s->textures->last_error());
+}
+
+/* In the blocks that surface_evaluate takes: some whole rows of the chunk. */
+static bool answer_plane(const job *j, bench *b, const bake_unit *u, const chunk *c, failure *why) {
+  const bake_source *s = j->source;
+  surface_material material = {s->textures, s->texture};
+  uint32_t most = SURFACE_BLOCK / c->columns;
+  b->count = c->columns * u->rows;
+  for (uint32_t row = 0; row < u->rows; row += most) {
+    float *out[SURFACE_COMPONENTS] = {NULL};
+    for (uint32_t k = 0; k < j->info->component_count && k < SURFACE_COMPONENTS; k++)
+      if (b->out[k]) out[k] = b->out[k] + (size_t)row * c->columns;
+    uint32_t rows = u->rows - row < most ? u->rows - row : most;
+    if (!surface_evaluate(s->ground->surface, &material, u->level, c->column, u->row + row, 0,
+                          c->columns, rows, out, SURFACE_COMPONENTS, NULL, why))
+      return false;
+  }
+  return true;
 }
 
 /* Colours before anything is encoded: three layers at a time. A component may be
@@ -148,10 +173,9 @@ static bool work(const job *j, const chunk *c, failure *why) {
   uint32_t texels = c->columns * u->rows;
   bench b;
   bool ok = allocate(&b, j, texels) || fail(why, EXIT_FAILURE, "out of memory");
-  ok = ok && bake_ground_texels(j->source->ground, u->picture, u->level, c->column, u->row,
-                                c->columns, u->rows, &b.room, why);
-  if (ok) gather(&b, texels);
-  ok = ok && answer(j, &b, why) && convert(j, &b, why);
+  ok = ok &&
+       (j->source->ground->atlas ? answer_mesh(j, &b, u, c, why) : answer_plane(j, &b, u, c, why));
+  ok = ok && convert(j, &b, why);
   if (ok) encode(j, &b, c);
   release(&b);
   return ok;
@@ -168,7 +192,7 @@ static void run(void *context, uint32_t i) {
 
 static uint32_t chunk_columns(const bake_unit *u) {
   uint32_t columns = CHUNK / u->rows;
-  return columns < 1 ? 1 : columns;
+  return columns < 1 ? 1 : columns > SURFACE_BLOCK ? SURFACE_BLOCK : columns;
 }
 
 static bool cut(job *j, uint32_t count, uint32_t *chunks, failure *why) {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
  * The pixels of a unit. */
-#ifndef SOZAI_BAKE_EVALUATE_H
-#define SOZAI_BAKE_EVALUATE_H
+#ifndef SOZAI_BAKE_UNITS_H
+#define SOZAI_BAKE_UNITS_H
 
 #include "outputs.h"
 #include "plan.h"

@@ -1,0 +1,234 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * The shapes of needles, clothed shoots and leaves.
+ */
+#include "mesh.h"
+#include "parameters.h"
+#include "turn.h"
+
+#define SHAPE_AWL 0    /* three sides and a base, closed */
+#define SHAPE_SLIVER 1 /* one triangle */
+#define SHAPE_SPRIG 2  /* a core and awls about it */
+#define SHAPE_CORE 3   /* its core alone */
+#define SHAPE_BLADE 4
+#define SHAPE_DIAMOND 5
+#define SHAPE_ELLIPSE 6
+#define SHAPE_LOBED 7
+#define SPRIG_AWLS 12
+#define ELLIPSE_POINTS 12
+#define HAND_POINTS 14
+
+static const uint8_t sizes[][2] = {[SHAPE_AWL] = {4, 4},
+                                   [SHAPE_SLIVER] = {3, 1},
+                                   [SHAPE_SPRIG] = {5 + 3 * SPRIG_AWLS, 6 + SPRIG_AWLS},
+                                   [SHAPE_CORE] = {5, 6},
+                                   [SHAPE_BLADE] = {8, 8},
+                                   [SHAPE_DIAMOND] = {4, 2},
+                                   [SHAPE_ELLIPSE] = {ELLIPSE_POINTS, ELLIPSE_POINTS - 2},
+                                   [SHAPE_LOBED] = {HAND_POINTS, HAND_POINTS - 2}};
+
+static int shape_of(const tree *t, uint32_t level) {
+  if (t->sprigs) return level < 2 ? SHAPE_SPRIG : SHAPE_CORE;
+  if (t->plan.leaf == LEAF_NEEDLE) return level < 1 ? SHAPE_AWL : SHAPE_SLIVER;
+  if (level > 0) return SHAPE_DIAMOND;
+  return t->plan.leaf == LEAF_BLADE     ? SHAPE_BLADE
+         : t->plan.leaf == LEAF_ELLIPSE ? SHAPE_ELLIPSE
+                                        : SHAPE_LOBED;
+}
+
+void leaf_shape_of(const tree *t, uint32_t level, leaf_shape *out) {
+  out->shape = shape_of(t, level);
+  out->points = sizes[out->shape][0];
+  out->triangles = sizes[out->shape][1];
+  out->closed = out->shape == SHAPE_AWL || out->shape == SHAPE_CORE;
+  /* simpler shapes first, then half as many at each level, of the same area */
+  uint32_t halvings = level > 1 ? level - 1 : 0;
+  out->stride = 1u << halvings;
+  float grow = 1.0f;
+  for (uint32_t i = 0; i < halvings; i++) grow *= 1.1892071f; /* the fourth root of 2 */
+  out->longer = grow;
+  out->wider = grow * grow * grow;
+}
+
+static void cross(const float a[3], const float b[3], float out[3]) {
+  out[0] = a[1] * b[2] - a[2] * b[1];
+  out[1] = a[2] * b[0] - a[0] * b[2];
+  out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+static float unit(float v[3]) {
+  float sum = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+  float length = __builtin_sqrtf(sum), s = length > 0.0f ? 1.0f / length : 0.0f;
+  for (int c = 0; c < 3; c++) v[c] *= s;
+  return length;
+}
+
+/* A leaf's own frame: along it, to its side, out of its upper face. */
+typedef struct {
+  const float *base;
+  float along[3], side[3], up[3];
+  float length, half;
+  uint32_t owner;
+} frame;
+
+static frame frame_of(const tree_organ *o, const leaf_shape *s) {
+  frame f = {.base = o->base, .owner = o->branch};
+  for (int c = 0; c < 3; c++) {
+    f.along[c] = o->axis[c];
+    f.side[c] = o->side[c];
+  }
+  f.length = unit(f.along) * s->longer;
+  f.half = unit(f.side) * s->wider;
+  cross(f.side, f.along, f.up);
+  return f;
+}
+
+/* At (x, y, z) of the frame; normal likewise. */
+static uint32_t at(mesh_pen *pen, const frame *f, float x, float y, float z, float nx, float ny,
+                   float nz) {
+  float p[3], n[3];
+  for (int c = 0; c < 3; c++) {
+    p[c] = f->base[c] + y * f->along[c] + x * f->side[c] + z * f->up[c];
+    n[c] = ny * f->along[c] + nx * f->side[c] + nz * f->up[c];
+  }
+  return pen_point(pen, p, n, 0.5f + 0.5f * x / (f->half > 0.0f ? f->half : 1.0f),
+                   y / (f->length > 0.0f ? f->length : 1.0f), f->owner);
+}
+
+static void write_awl(mesh_pen *pen, const frame *f) {
+  float r = f->half;
+  uint32_t a = at(pen, f, r, 0, 0, 1, 0, 0),
+           b = at(pen, f, -0.5f * r, 0, 0.866f * r, -0.5f, 0, 0.8660254f),
+           c = at(pen, f, -0.5f * r, 0, -0.866f * r, -0.5f, 0, -0.8660254f),
+           tip = at(pen, f, 0, f->length, 0, 0, 1, 0);
+  pen_triangle(pen, a, b, c);
+  pen_triangle(pen, a, tip, b);
+  pen_triangle(pen, b, tip, c);
+  pen_triangle(pen, c, tip, a);
+}
+
+static void write_sliver(mesh_pen *pen, const frame *f) {
+  uint32_t a = at(pen, f, -f->half, 0, 0, 0, 0, 1), b = at(pen, f, f->half, 0, 0, 0, 0, 1),
+           c = at(pen, f, 0, f->length, 0, 0, 0, 1);
+  pen_triangle(pen, a, b, c);
+}
+
+static void write_core(mesh_pen *pen, const frame *f, float share) {
+  float r = share * f->half, m = 0.3f * f->length;
+  uint32_t base = at(pen, f, 0, 0, 0, 0, -1, 0), a = at(pen, f, r, m, 0, 1, 0, 0),
+           b = at(pen, f, -0.5f * r, m, 0.866f * r, -0.5f, 0, 0.8660254f),
+           c = at(pen, f, -0.5f * r, m, -0.866f * r, -0.5f, 0, -0.8660254f),
+           tip = at(pen, f, 0, f->length, 0, 0, 1, 0);
+  pen_triangle(pen, a, b, base);
+  pen_triangle(pen, b, c, base);
+  pen_triangle(pen, c, a, base);
+  pen_triangle(pen, a, tip, b);
+  pen_triangle(pen, b, tip, c);
+  pen_triangle(pen, c, tip, a);
+}
+
+/* cos and sin of i times 137.5 degrees */
+static const float golden[SPRIG_AWLS][2] = {{1.0f, 0.0f},
+                                            {-0.737277f, 0.675590f},
+                                            {0.087426f, -0.996171f},
+                                            {0.608439f, 0.793601f},
+                                            {-0.984713f, -0.174182f},
+                                            {0.843755f, -0.536728f},
+                                            {-0.259604f, 0.965715f},
+                                            {-0.460970f, -0.887416f},
+                                            {0.939321f, 0.343039f},
+                                            {-0.924116f, 0.382113f},
+                                            {0.423362f, -0.905961f},
+                                            {0.299745f, 0.954019f}};
+
+/* Needles stand out from the shoot and bend along it: some of them, larger. */
+static void write_sprig(mesh_pen *pen, const frame *f) {
+  write_core(pen, f, 0.55f);
+  for (int i = 0; i < SPRIG_AWLS; i++) {
+    float s = ((float)i + 0.5f) / SPRIG_AWLS, x = golden[i][0], z = golden[i][1];
+    float from = s * 0.86f * f->length, narrow = 1.0f - 0.45f * s, out = f->half * narrow;
+    float reach = 1.5f * f->half * narrow, w = 0.3f * f->half * narrow;
+    /* out and forward from the core; its width round the shoot */
+    uint32_t a = at(pen, f, -w * z, from, w * x, x, 0, z),
+             b = at(pen, f, w * z, from, -w * x, x, 0, z),
+             tip = at(pen, f, out * x, from + reach, out * z, 0.8f * x, -0.6f, 0.8f * z);
+    pen_triangle(pen, a, tip, b);
+  }
+}
+
+static void write_blade(mesh_pen *pen, const frame *f) {
+  float w = f->half, l = f->length, fold = 0.25f * w;
+  float m1 = -0.03f * l, m2 = -0.06f * l, m3 = -0.14f * l; /* it nods */
+  uint32_t base = at(pen, f, 0, 0, 0, 0, 0.1f, 0.995f),
+           l1 = at(pen, f, -0.92f * w, 0.32f * l, m1 + fold, 0.24f, 0, 0.97f),
+           l2 = at(pen, f, -0.8f * w, 0.62f * l, m2 + fold, 0.24f, 0, 0.97f),
+           r1 = at(pen, f, 0.92f * w, 0.32f * l, m1 + fold, -0.24f, 0, 0.97f),
+           r2 = at(pen, f, 0.8f * w, 0.62f * l, m2 + fold, -0.24f, 0, 0.97f),
+           c1 = at(pen, f, 0, 0.32f * l, m1, 0, 0, 1), c2 = at(pen, f, 0, 0.62f * l, m2, 0, 0, 1),
+           tip = at(pen, f, 0, l, m3, 0, 0.1f, 0.995f);
+  pen_triangle(pen, base, c1, l1);
+  pen_triangle(pen, l1, c1, c2);
+  pen_triangle(pen, l1, c2, l2);
+  pen_triangle(pen, l2, c2, tip);
+  pen_triangle(pen, base, r1, c1);
+  pen_triangle(pen, r1, c2, c1);
+  pen_triangle(pen, r1, r2, c2);
+  pen_triangle(pen, r2, tip, c2);
+}
+
+static void write_diamond(mesh_pen *pen, const frame *f) {
+  float w = f->half * 0.9f, l = f->length;
+  uint32_t base = at(pen, f, 0, 0, 0, 0, 0, 1), a = at(pen, f, -w, 0.45f * l, 0, 0, 0, 1),
+           b = at(pen, f, w, 0.45f * l, 0, 0, 0, 1), tip = at(pen, f, 0, l, 0, 0, 0, 1);
+  pen_triangle(pen, base, b, a);
+  pen_triangle(pen, a, b, tip);
+}
+
+static void write_fan(mesh_pen *pen, const frame *f, const float (*outline)[2], uint32_t count) {
+  uint32_t first = 0;
+  for (uint32_t i = 0; i < count; i++) {
+    uint32_t p = at(pen, f, outline[i][0] * f->half, outline[i][1] * f->length, 0, 0, 0, 1);
+    if (i == 0) first = p;
+  }
+  for (uint32_t i = 1; i + 1 < count; i++) pen_triangle(pen, first, first + i, first + i + 1);
+}
+
+/* Anticlockwise from the stalk's end. */
+static const float ellipse[ELLIPSE_POINTS][2] = {
+    {0.0f, 0.0f},        {0.5f, 0.066987f}, {0.866025f, 0.25f},  {1.0f, 0.5f},
+    {0.866025f, 0.75f},  {0.5f, 0.933013f}, {0.0f, 1.0f},        {-0.5f, 0.933013f},
+    {-0.866025f, 0.75f}, {-1.0f, 0.5f},     {-0.866025f, 0.25f}, {-0.5f, 0.066987f}};
+static const float hand[HAND_POINTS][2] = {
+    {0.0f, 0.08f},   {0.62f, -0.02f}, {0.40f, 0.20f},  {1.0f, 0.42f},   {0.42f, 0.42f},
+    {0.60f, 0.80f},  {0.20f, 0.56f},  {0.0f, 1.0f},    {-0.20f, 0.56f}, {-0.60f, 0.80f},
+    {-0.42f, 0.42f}, {-1.0f, 0.42f},  {-0.40f, 0.20f}, {-0.62f, -0.02f}};
+
+void leaf_write(mesh_pen *pen, const tree_organ *o, const leaf_shape *s) {
+  frame f = frame_of(o, s);
+  switch (s->shape) {
+  case SHAPE_AWL:
+    write_awl(pen, &f);
+    break;
+  case SHAPE_SLIVER:
+    write_sliver(pen, &f);
+    break;
+  case SHAPE_SPRIG:
+    write_sprig(pen, &f);
+    break;
+  case SHAPE_CORE:
+    write_core(pen, &f, 0.9f);
+    break;
+  case SHAPE_BLADE:
+    write_blade(pen, &f);
+    break;
+  case SHAPE_DIAMOND:
+    write_diamond(pen, &f);
+    break;
+  case SHAPE_ELLIPSE:
+    write_fan(pen, &f, ellipse, ELLIPSE_POINTS);
+    break;
+  default:
+    write_fan(pen, &f, hand, HAND_POINTS);
+    break;
+  }
+}

@@ -1,0 +1,138 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "entry.h"
+
+#define SATAKE                                                                                     \
+  "Satake et al. 1989, Wild Flowers of Japan: Woody Plants: habit, heights, leaves; divergence "   \
+  "by the golden angle where it is not measured"
+
+/* Alternate leaves and branches stand about the golden angle apart. */
+#define GOLDEN(turns, sd) TURNING(turns, 360.0 / 137.5, 0.4, sd, 60, 260)
+
+static const sozai_value cherry[] = {
+    HEIGHT(13, 0.06, 1.1),
+    DIAMETER(700, 0.025, 1.1),
+    STEM(1.0, 0.35, 0.03),
+    GOLDEN(1.1, 40),
+    NUMBER("flush", 1.2),
+    CROWN(0.72, 5, 0.03, 0.45, 0.3, 0.2),
+    CROWN_LIFE(0.66, 9, 2),
+    BRANCHES(64, 30, 14, 4000, 6, 11, 0.024),
+    NUMBER("thickest", 0.72),
+    SHOOTS("2", 210, 2600, 0.5, 0.75, 42, "random", 0.22, 0, 14, 0.5),
+    SHOOTS("3", 85, 620, 0.42, 0.6, 42, "random", 0.12, 0, 8, 0.45),
+    LEAVES("blade", 34, 1, 95, 50, 0, 60, "spiral", 20, 3, 420),
+    TRIPLE("bark_colour", 0.34, 0.27, 0.25),
+    TRIPLE("shoot_colour", 0.36, 0.27, 0.22),
+    TRIPLE("leaf_colour", 0.29, 0.43, 0.17)};
+SPECIES(cherry, "cherry", "Yamazakura (Prunus jamasakura)",
+        "Mountain cherry: low limbs spread wide and rise.", SATAKE "; leaves 80 to 120 mm");
+
+static const sozai_value cherry_paper[] = {
+    NUMBER("age", 12),
+    HEIGHT(13, 0.06, 1.1),
+    DIAMETER(700, 0.025, 1.1),
+    STEM(1.0, 0.2, 0.03),
+    GOLDEN(0.8, 40),
+    NUMBER("flush", 1.2),
+    CROWN(0.62, 5, 0.05, 0.5, 0.35, 0.22),
+    CROWN_LIFE(0.7, 9, 2),
+    BRANCHES(64, 30, 10, 4000, 4, 8, 0.024),
+    NUMBER("thickest", 0.72),
+    SHOOTS("2", 320, 2400, 0.45, 0.7, 45, "random", 0.2, 0, 0, 0.4),
+    SHOOTS("3", 200, 1, 0, 0, 45, "random", 0, 0, 0, 0),
+    LEAVES("ellipse", 60, 3, 100, 60, 0, 90, "flat", 50, 1, 0),
+    TRIPLE("bark_colour", 0.34, 0.27, 0.25),
+    TRIPLE("leaf_colour", 0.29, 0.43, 0.17)};
+SPECIES(cherry_paper, "cherry_paper", "Cherry, the paper's leaves",
+        "Section 5.1 of the paper: three ellipses of 10 x 6 cm at sites every 6 cm, left and right "
+        "in turn, 5 cm out, one square to the branch and two along it. For a field table.",
+        "Hayashi & Takahashi 1997, section 5; its measured table is not printed");
+
+static const sozai_value keyaki[] = {
+    HEIGHT(25, 0.035, 1.2),
+    DIAMETER(1100, 0.015, 1.1),
+    STEM(1.0, 0.4, 0.02),
+    GOLDEN(0.9, 30),
+    NUMBER("flush", 1.2),
+    CROWN(0.62, 6, 0.05, 0.55, 0.45, 0.18),
+    CROWN_LIFE(0.72, 18, 4),
+    BRANCHES(76, 50, -2, 5000, -14, 6, 0.02),
+    NUMBER("thickest", 0.75),
+    SHOOTS("2", 240, 2800, 0.5, 0.7, 34, "random", 0.3, 0, 6, 0.45),
+    SHOOTS("3", 85, 650, 0.42, 0.55, 44, "flat", 0.15, 0, -12, 0.4),
+    LEAVES("blade", 26, 1, 62, 26, 0, 58, "flat", 4, 3, 450),
+    TRIPLE("bark_colour", 0.46, 0.42, 0.38),
+    TRIPLE("leaf_colour", 0.27, 0.42, 0.17)};
+SPECIES(keyaki, "keyaki", "Keyaki (Zelkova serrata)",
+        "A vase: limbs fan upwards from a short stem into fine twigs.", SATAKE);
+
+static const sozai_value buna[] = {HEIGHT(28, 0.025, 1.3),
+                                   DIAMETER(900, 0.013, 1.2),
+                                   STEM(0.9, 0.35, 0.012),
+                                   GOLDEN(1.2, 30),
+                                   NUMBER("flush", 1.5),
+                                   CROWN(0.42, 6, 0.1, 0.55, 0.4, 0.18),
+                                   CROWN_LIFE(0.6, 30, 6),
+                                   BRANCHES(58, 18, 4, 4000, 14, 9, 0.019),
+                                   NUMBER("thickest", 0.62),
+                                   SHOOTS("2", 200, 2200, 0.5, 0.75, 48, "flat", 0.2, 0, 10, 0.4),
+                                   SHOOTS("3", 75, 520, 0.45, 0.6, 48, "flat", 0.12, 0, -4, 0.35),
+                                   LEAVES("blade", 26, 1, 75, 42, 0, 60, "flat", 8, 3, 360),
+                                   TRIPLE("bark_colour", 0.55, 0.55, 0.52),
+                                   TRIPLE("leaf_colour", 0.25, 0.42, 0.16)};
+SPECIES(buna, "buna", "Buna (Fagus crenata)", "Japanese beech: a broad dome in layered sprays.",
+        SATAKE);
+
+static const sozai_value mizunara[] = {
+    HEIGHT(26, 0.025, 1.25),
+    DIAMETER(1100, 0.012, 1.15),
+    STEM(0.95, 0.4, 0.03),
+    GOLDEN(1.0, 40),
+    NUMBER("flush", 3),
+    CROWN(0.46, 6, 0.06, 0.5, 0.32, 0.24),
+    CROWN_LIFE(0.62, 26, 9),
+    BRANCHES(58, 16, 6, 4000, 18, 20, 0.024),
+    NUMBER("thickest", 0.68),
+    SHOOTS("2", 220, 2200, 0.5, 0.7, 50, "random", 0.22, 0, 16, 0.55),
+    SHOOTS("3", 95, 480, 0.45, 0.5, 48, "random", 0.2, 0, 16, 0.5),
+    LEAVES("blade", 24, 1, 120, 68, 0, 55, "spiral", 3, 3, 240),
+    TRIPLE("bark_colour", 0.42, 0.39, 0.35),
+    TRIPLE("leaf_colour", 0.26, 0.39, 0.16)};
+SPECIES(mizunara, "mizunara", "Mizunara (Quercus crispula)",
+        "Japanese oak: stout crooked limbs, leaves bunched towards the shoots' ends.", SATAKE);
+
+static const sozai_value shirakaba[] = {
+    HEIGHT(22, 0.05, 1.15),
+    DIAMETER(420, 0.028, 1.1),
+    STEM(0.85, 0.15, 0.015),
+    GOLDEN(1.7, 35),
+    NUMBER("flush", 1.3),
+    CROWN(0.27, 5, 0.15, 0.55, 0.45, 0.2),
+    CROWN_LIFE(0.6, 22, 4),
+    BRANCHES(64, 38, 12, 2500, -10, 8, 0.014),
+    SHOOTS("2", 110, 1100, 0.45, 0.7, 42, "random", 0.15, 0, -18, 0.4),
+    SHOOTS("3", 60, 420, 0.5, 0.5, 45, "random", 0.1, 0, -35, 0.35),
+    LEAVES("blade", 24, 1, 58, 46, 0, 62, "spiral", 22, 3, 320),
+    TRIPLE("bark_colour", 0.86, 0.84, 0.79),
+    TRIPLE("shoot_colour", 0.33, 0.24, 0.20),
+    TRIPLE("leaf_colour", 0.34, 0.48, 0.18)};
+SPECIES(shirakaba, "shirakaba", "Shirakaba (Betula platyphylla)",
+        "Japanese white birch: a light white stem, ascending branches with hanging tips.", SATAKE);
+
+static const sozai_value momiji[] = {
+    HEIGHT(11, 0.05, 1.15),
+    DIAMETER(420, 0.02, 1.1),
+    STEM(1.0, 0.3, 0.05),
+    TURNING(1.4, 2, 0.2, 14, 120, 240),
+    NUMBER("flush", 1.3),
+    CROWN(0.55, 4, 0.05, 0.5, 0.3, 0.22),
+    CROWN_LIFE(0.75, 18, 4),
+    BRANCHES(58, 22, -4, 3000, -22, 12, 0.02),
+    NUMBER("thickest", 0.7),
+    SHOOTS("2", 210, 1700, 0.5, 0.7, 44, "opposite", 0.2, 0, -8, 0.4),
+    SHOOTS("3", 80, 420, 0.45, 0.55, 42, "opposite", 0.12, 0, -12, 0.35),
+    LEAVES("lobed", 40, 2, 55, 60, 0, 62, "opposite", 24, 3, 330),
+    TRIPLE("bark_colour", 0.42, 0.40, 0.34),
+    TRIPLE("leaf_colour", 0.36, 0.46, 0.17)};
+SPECIES(momiji, "momiji", "Iroha-momiji (Acer palmatum)",
+        "Japanese maple: arching tiers of opposite shoots, leaves of five lobes.", SATAKE);

@@ -1,0 +1,169 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * A branch as a tube: rings of points about its axis, their seam doubled for
+ * u, closed at both ends. Its first ring lies about a point of the parent's
+ * axis and is narrower than the parent: the joint is inside.
+ */
+#include "../core/hash1.h"
+#include "mesh.h"
+#include "parameters.h"
+#include "turn.h"
+
+#define SIDES_MOST 24u
+
+static uint32_t sides_of(float r, uint32_t level) {
+  uint32_t n = r < 1.5f ? 3 : r < 6.0f ? 4 : r < 20.0f ? 6 : r < 60.0f ? 9 : r < 150.0f ? 14 : 22;
+  n -= level * n / 5 < n ? level * n / 5 : n;
+  return n < 3 ? 3 : n;
+}
+
+int tube_shape_of(const tree *t, uint32_t branch, uint32_t level, tube_shape *out) {
+  const tree_branch *b = &t->branches[branch];
+  if (b->nodes < 2) return 0;
+  if (branch >= t->stems) {
+    /* of shoots, the last order first, then by halves */
+    if (level >= 1 && b->order == 3 && (t->sprigs || (branch & 1u))) return 0;
+    if (level >= 2 && b->order == 3) return 0;
+    if (level >= 3 && (hash1(b->key) >> 24) >= (256u >> (level - 2))) return 0;
+  }
+  out->stride = level < 2 ? 1 : level < 4 ? 2 : 4;
+  if (branch == 0 && level == 1) out->stride = 2;
+  out->sides = sides_of(b->radius, level);
+  out->collar = level < 2 && b->order == 1 && b->radius > 1.0f;
+  out->rings = (b->nodes - 2) / out->stride + 2 + (out->collar ? 2u : 0u);
+  return 1;
+}
+
+void tube_size(const tube_shape *s, uint64_t *points, uint64_t *triangles) {
+  *points = (uint64_t)s->rings * (s->sides + 1) + 2;
+  *triangles = (uint64_t)s->sides * (2ull * (s->rings - 1) + 2);
+}
+
+typedef struct {
+  float p[3], r;
+} ring;
+
+static void between(const tree_node *a, const tree_node *b, float share, float radius, ring *out) {
+  for (int c = 0; c < 3; c++) out->p[c] = a->p[c] + share * (b->p[c] - a->p[c]);
+  out->r = radius;
+}
+
+/* The rings' middles and radii. With a collar: where the branch leaves the
+ * parent it is wider, as branches are. */
+static uint32_t lay_rings(const tree *t, const tree_branch *b, const tube_shape *s, ring *out) {
+  const tree_node *nodes = &t->nodes[b->first];
+  uint32_t n = 0;
+  for (uint32_t i = 0; i < b->nodes;
+       i = i + 1 < b->nodes && i + s->stride >= b->nodes ? b->nodes - 1 : i + s->stride) {
+    for (int c = 0; c < 3; c++) out[n].p[c] = nodes[i].p[c];
+    out[n++].r = nodes[i].r;
+    if (i > 0 || !s->collar) continue;
+    /* the parent's radius is the most that the base may be, over thickest */
+    float parent = b->radius / (float)t->plan.thickest, first = 0.0f;
+    for (int c = 0; c < 3; c++) {
+      float d = nodes[1].p[c] - nodes[0].p[c];
+      first += d * d;
+    }
+    const tree_branch *stem = &t->branches[b->parent];
+    for (uint32_t k = 0; k + 1 < stem->nodes; k++) {
+      const tree_node *lower = &t->nodes[stem->first + k];
+      if (lower[1].p[1] < b->at && k + 2 < stem->nodes) continue;
+      parent = lower->r;
+      break;
+    }
+    first = __builtin_sqrtf(first);
+    float out_at = parent / first, end = (parent + 2.0f * b->radius) / first;
+    if (end > 0.8f) end = 0.8f, out_at = out_at < 0.4f ? out_at : 0.4f;
+    between(&nodes[0], &nodes[1], out_at, 1.3f * nodes[0].r, &out[n++]);
+    between(&nodes[0], &nodes[1], end, nodes[0].r + end * (nodes[1].r - nodes[0].r), &out[n++]);
+  }
+  return n;
+}
+
+static void direction(const ring *rings, uint32_t count, uint32_t i, float out[3]) {
+  uint32_t a = i ? i - 1 : 0, b = i + 1 < count ? i + 1 : i;
+  float sum = 0.0f;
+  for (int c = 0; c < 3; c++) out[c] = rings[b].p[c] - rings[a].p[c], sum += out[c] * out[c];
+  float s = sum > 0.0f ? 1.0f / __builtin_sqrtf(sum) : 0.0f;
+  for (int c = 0; c < 3; c++) out[c] *= s;
+  if (!(sum > 0.0f)) out[1] = 1.0f;
+}
+
+/* The last ring's frame carried on to a new direction without twisting. */
+static void carry(float level[3], const float along[3]) {
+  float d = level[0] * along[0] + level[1] * along[1] + level[2] * along[2], sum = 0.0f;
+  for (int c = 0; c < 3; c++) level[c] -= d * along[c], sum += level[c] * level[c];
+  if (sum < 1e-8f) {
+    turn_level(along, level);
+    return;
+  }
+  sum = 1.0f / __builtin_sqrtf(sum);
+  for (int c = 0; c < 3; c++) level[c] *= sum;
+}
+
+static void cross(const float a[3], const float b[3], float out[3]) {
+  out[0] = a[1] * b[2] - a[2] * b[1];
+  out[1] = a[2] * b[0] - a[0] * b[2];
+  out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+/* Stems of some size stand on roots: lobes, gone a diameter or two up. */
+static float lobed(const tree *t, const tree_branch *b, float height, const float round[2]) {
+  if (b->order || b->radius < 40.0f) return 1.0f;
+  float near_ground = 1.0f - height / (3.0f * b->radius);
+  if (near_ground <= 0.0f) return 1.0f;
+  uint32_t h = hash1(t->plan.seed ^ 0x0badcafeu);
+  const float *turn = t->plan.round[h >> 22];
+  float c = round[0] * turn[0] - round[1] * turn[1], d = round[1] * turn[0] + round[0] * turn[1];
+  /* cos 5x and cos 3x of one angle */
+  float c2 = c * c, five = c * (16.0f * c2 * c2 - 20.0f * c2 + 5.0f),
+        three = d * (3.0f - 4.0f * d * d);
+  return 1.0f + near_ground * near_ground * (0.16f * five + 0.1f * three + 0.1f);
+}
+
+void tube_write(mesh_pen *pen, const tree *t, uint32_t branch, const tube_shape *s) {
+  const tree_branch *b = &t->branches[branch];
+  ring rings[RINGS_MOST];
+  uint32_t count = lay_rings(t, b, s, rings), across = s->sides + 1, base = 0;
+  float along[3], level[3], side[3], v = 0.0f, back[3];
+  for (uint32_t i = 0; i < count; i++) {
+    direction(rings, count, i, along);
+    if (i == 0) {
+      turn_level(along, level);
+    } else {
+      carry(level, along);
+    }
+    cross(along, level, side);
+    if (i == 0) {
+      for (int c = 0; c < 3; c++) back[c] = -along[c];
+      base = pen_point(pen, rings[0].p, back, 0.5f, 0.0f, branch);
+    } else {
+      float d = 0.0f;
+      for (int c = 0; c < 3; c++) {
+        float x = rings[i].p[c] - rings[i - 1].p[c];
+        d += x * x;
+      }
+      v += 0.01f * __builtin_sqrtf(d);
+    }
+    for (uint32_t k = 0; k <= s->sides; k++) {
+      const float *round = t->plan.round[k % s->sides * 1024u / s->sides];
+      float n[3], p[3], r = rings[i].r * lobed(t, b, rings[i].p[1], round);
+      for (int c = 0; c < 3; c++) {
+        n[c] = round[0] * level[c] + round[1] * side[c];
+        p[c] = rings[i].p[c] + r * n[c];
+      }
+      pen_point(pen, p, n, (float)k / (float)s->sides, v, branch);
+    }
+  }
+  uint32_t tip = pen_point(pen, rings[count - 1].p, along, 0.5f, v, branch);
+  uint32_t last = base + 1 + (count - 1) * across;
+  for (uint32_t k = 0; k < s->sides; k++) {
+    pen_triangle(pen, base, base + 2 + k, base + 1 + k);
+    for (uint32_t i = 0; i + 1 < count; i++) {
+      uint32_t a = base + 1 + i * across + k, c = a + across;
+      pen_triangle(pen, a, a + 1, c + 1);
+      pen_triangle(pen, a, c + 1, c);
+    }
+    pen_triangle(pen, tip, last + k, last + k + 1);
+  }
+}

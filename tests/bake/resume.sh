@@ -1,0 +1,134 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# sozai bake: the same bytes in one run, in shares, after a kill, a full disk
+# and a damaged piece; and no half-made file under the final name.
+# shellcheck source=tests/cli/lib.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/../cli/lib.sh" "$@"
+readonly make_mesh=$4
+cd "$scratch" || exit 1
+"$make_mesh" udim 6 >udim.obj
+
+there() { # the number of pieces that the last command found
+  sed -nE 's/^sozai: ([0-9]+) of [0-9]+ pieces are there already$/\1/p' <<<"$err"
+}
+
+# ---- one run, whatever the threads ---------------------------------------------------
+readonly exr=(bake wood --res 512x384 --size 60x40 --mip)
+readonly set=(bake wood --shape udim.obj --res 128 --outputs 'albedo,roughness')
+works "${exr[@]}" -o one.exr --threads 1
+works "${exr[@]}" -o three.exr --threads 3
+check "one thread and three" cmp one.exr three.exr
+works "${set[@]}" -o 'one_<output>.<UDIM>.tif'
+
+# ---- shares, in any order, and merged ---------------------------------------------------
+works "${exr[@]}" -o shares.exr --shard 3/3
+check "no picture yet" test ! -e shares.exr
+refuses 1 "pieces are not in shares.exr.bake" "${exr[@]}" -o shares.exr --merge
+works "${exr[@]}" -o shares.exr --shard 1/3
+"$sozai" "${exr[@]}" -o shares.exr --shard 2/3 & # two at once, one of them again
+works "${exr[@]}" -o shares.exr --shard 1/3
+wait $!
+works "${exr[@]}" -o shares.exr --merge
+check "three shares merged are the one run's bytes" cmp one.exr shares.exr
+check "the pieces are gone" test ! -e shares.exr.bake
+for i in 2 1 4 3; do works "${set[@]}" -o 'four_<output>.<UDIM>.tif' --shard $i/4; done
+works "${set[@]}" -o 'four_<output>.<UDIM>.tif' --merge
+for file in one_*.tif; do check "$file" cmp "$file" "four_${file#one_}"; done
+same "a set of six tiles and two outputs" 12 "$(find . -name 'four_*.tif' | wc -l)"
+
+# ---- killed, and taken up ------------------------------------------------------------------
+# Cancelled before its end however fast the machine: the journal is watched.
+stop_with() { # signal, name, argument... : once some pieces are there
+  local signal=$1 folder=$2.bake
+  shift 2
+  rm -rf "$folder"
+  "$sozai" "$@" 2>stopped.txt &
+  local process=$!
+  # a piece is 1.3 MB
+  until (($(stat -c %s "$folder/1-of-1.pieces" 2>/dev/null || echo 0) > 3000000)) || ! kill -0 $process 2>/dev/null; do :; done
+  kill "-$signal" $process 2>/dev/null
+  wait $process 2>/dev/null
+  code=$?
+}
+readonly long=(bake wood --res 2048 --size 60x60 --outputs 'albedo,time' --threads 1)
+works "${long[@]}" -o whole.exr
+stop_with KILL killed.exr "${long[@]}" -o killed.exr
+same "it was killed" 137 "$code"
+check "no picture" test ! -e killed.exr
+works "${long[@]}" -o killed.exr --resume
+check "some pieces were taken up: $(there)" test "$(there)" -gt 0
+check "a killed bake resumed is the one run's bytes" cmp whole.exr killed.exr
+
+stop_with INT cancelled.exr "${long[@]}" -o cancelled.exr
+same "it was cancelled" 1 "$code"
+check "in one line that says how to go on: $(cat stopped.txt)" \
+  grep -q 'cancelled.*cancelled.exr.bake.*--resume' stopped.txt
+check "no picture" test ! -e cancelled.exr
+refuses 2 "bake.txt|of another bake|2048 x 2048|1024 x 1024" "${long[@]}" --res 1024 -o cancelled.exr --resume
+refuses 2 "of another bake|pitch: 10|pitch: 12" "${long[@]}" -p pitch=12 -o cancelled.exr --resume
+works "${long[@]}" -o cancelled.exr --resume
+check "resumed" cmp whole.exr cancelled.exr
+
+# ---- damage ----------------------------------------------------------------------------------
+works "${exr[@]}" -o damaged.exr --shard 1/1
+readonly journal=damaged.exr.bake/1-of-1.pieces
+cp -r damaged.exr.bake good.bake
+bytes=$(stat -c %s $journal)
+truncate -s $((bytes - 5)) $journal # as by a machine that went down
+refuses 1 "pieces are not in" "${exr[@]}" -o damaged.exr --merge
+head -c 100000 /dev/urandom >>$journal
+works "${exr[@]}" -o damaged.exr --resume
+check "a journal cut short" cmp one.exr damaged.exr
+cp -r good.bake damaged.exr.bake
+printf 'x' | dd of=$journal bs=1 seek=$((bytes / 2)) conv=notrunc status=none
+works "${exr[@]}" -o damaged.exr --resume
+check "what follows a damaged piece is done again: $(there)" test "$(there)" -gt 0
+check "a damaged journal" cmp one.exr damaged.exr
+
+# ---- a full disk: here a limit on the size of files -----------------------------------------------
+(
+  ulimit -f 100
+  exec "$sozai" "${exr[@]}" -o full.exr 2>full.txt
+)
+same "a full disk" 1 $?
+same "in one line" 1 "$(grep -c '' full.txt)"
+check "that says so: $(cat full.txt)" grep -q 'cannot write.*full.exr.bake.*too large.*--resume' full.txt
+check "no picture" test ! -e full.exr
+works "${exr[@]}" -o full.exr --resume
+check "and on" cmp one.exr full.exr
+works "${exr[@]}" -o end.exr --shard 1/1
+(
+  ulimit -f $(($(stat -c %s one.exr) / 2048))
+  exec "$sozai" "${exr[@]}" -o end.exr --merge 2>full.txt
+)
+same "a full disk at the end" 1 $?
+same "in one line" 1 "$(grep -c '' full.txt)"
+check "that says so: $(cat full.txt)" grep -q 'cannot write' full.txt
+check "no picture" test ! -e end.exr
+check "nor half of one in the folder" test ! -e end.exr.bake/file-0.exr
+works "${exr[@]}" -o end.exr --merge
+check "and on" cmp one.exr end.exr
+
+# ---- one writer to a journal, and one job to a folder ------------------------------------------------
+works "${exr[@]}" -o locked.exr --shard 1/2
+if command -v flock >/dev/null; then
+  flock -x -o locked.exr.bake/1-of-2.pieces sleep 30 &
+  sleeper=$!
+  until ! flock -n locked.exr.bake/1-of-2.pieces true; do :; done
+  refuses 2 "1-of-2.pieces|another bake" "${exr[@]}" -o locked.exr --shard 1/2
+  kill $sleeper
+  wait $sleeper 2>/dev/null
+fi
+refuses 2 "of another bake" "${exr[@]}" -o locked.exr -p rings=7 --shard 2/2
+touch locked.exr.bake/mine.txt
+works "${exr[@]}" -o locked.exr
+check "one run starts over" cmp one.exr locked.exr
+check "and takes away what is a bake's alone" test -e locked.exr.bake/mine.txt
+
+# ---- the file that is replaced -------------------------------------------------------------------------
+cp one.exr old.exr
+ln -s old.exr link.exr
+works "${exr[@]}" --outputs time -o link.exr
+check "a link stays one" test -L link.exr
+check "what it points to is the new picture" test "$(stat -c %s old.exr)" -ne "$(stat -c %s one.exr)"
+finish
