@@ -580,7 +580,8 @@ int32_t wood_build(wood_constants *w, const sozai_host *host, const settings *s,
   build_fibres(w, s);
   r = build_colour(w, host, s, colours);
   if (r) return r;
-  surface_build(w, s);
+  r = surface_build(w, s);
+  if (r) return r;
   age_build(w, s, colours);
   surface_build_colour(w, s, colours);
   build_cone(w, s);

@@ -535,10 +535,12 @@ INLINE void stage_lobe(const wood_constants *w, int boards, const wood_io *io, b
     roughness = vmin(vsqrt(splat(2.0f) / (k->exponent + splat(2.0f))), one);
   }
   if (w->surface.relief) {
-    /* slopes of the surface, alike in all directions: alpha^2 + 2 variance */
+    /* slopes of the surface, alike in all directions: alpha^2 + 2 variance. The
+     * lobe itself stays one of n >= 1, which is 0 where light comes from below */
     vf narrow = splat(2.0f) / (k->exponent + splat(2.0f)), wide = vmin(narrow + k->lost, one);
-    k->exponent = splat(2.0f) / wide - splat(2.0f);
-    k->strength = k->strength * (narrow / wide);
+    vf lobe = vmin(wide, splat(2.0f / 3.0f));
+    k->exponent = splat(2.0f) / lobe - splat(2.0f);
+    k->strength = k->strength * (narrow / lobe);
     roughness = vsqrt(wide);
   }
   store_lanes(io, WOOD_SPECULAR, k, k->strength);

@@ -635,7 +635,7 @@ static const sozai_parameter finish = {
 static const sozai_parameter mark_pitch = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "mark_pitch", .label = "Mark pitch", .group = "surface", .unit = "mm",
-   .doc = "Of a tool's marks, one to the next; 0: the usual of the surface.",
+   .doc = "Of a tool's marks, one to the next, 0.05 or more; 0: the usual of the surface.",
    .hard_min = 0, .hard_max = 200, .soft_min = 0, .soft_max = 50, .default_number = {0}};
 
 static const sozai_parameter mark_depth = {

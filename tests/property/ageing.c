@@ -34,6 +34,7 @@ static void tissue_after(const char *preset, double years, const char *part, dou
 static void colour_of(const char *preset, const char *id, double out[3]) {
   const sozai_texture_info *info = textures->find("wood");
   const sozai_preset *found = NULL;
+  out[0] = out[1] = out[2] = 0;
   for (uint32_t i = 0; i < info->preset_count; i++) {
     if (strcmp(info->presets[i]->id, preset) == 0) found = info->presets[i];
   }

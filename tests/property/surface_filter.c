@@ -78,7 +78,50 @@ static void albedo_and_height(void **state) {
   points_free(&p);
 }
 
+/* Mean albedo of a board, and how far its channels are apart, over it. */
+static double mean_of(const char *preset, const char *parameters, double *saturation) {
+  char text[120];
+  snprintf(text, sizeof text, "cut=quarter;cut_distance=90;%s", parameters);
+  sozai_texture *t = wood_make(preset, text);
+  points p = {0};
+  uniform_seed(99);
+  for (int i = 0; i < 20000; i++) points_add(&p, 80 * uniform(), 800 * uniform(), 0, 0);
+  points_ask(&p, t);
+  double mean[3] = {0};
+  for (int c = 0; c < 3; c++) {
+    for (unsigned i = 0; i < p.count; i++) mean[c] += (double)p.out[ALBEDO + c][i] / p.count;
+  }
+  points_free(&p);
+  textures->destroy(t);
+  double high = fmax(mean[0], fmax(mean[1], mean[2])), low = fmin(mean[0], fmin(mean[1], mean[2]));
+  *saturation = (high - low) / high;
+  return (mean[0] + mean[1] + mean[2]) / 3;
+}
+
+static void finishes_change_the_colour(void **state) {
+  (void)state;
+  for (unsigned k = 0; k < sizeof species / sizeof *species; k++) {
+    double raw_s, oil_s, film_s, black_s, toast_s, grey_s, planed_s;
+    double raw = mean_of(species[k], "", &raw_s);
+    double planed = mean_of(species[k], "surface=planed", &planed_s);
+    double oil = mean_of(species[k], "finish=oiled", &oil_s);
+    double film = mean_of(species[k], "finish=lacquered", &film_s);
+    double black = mean_of(species[k], "surface=charred", &black_s);
+    double toast = mean_of(species[k], "surface=charred;charring=0.4", &toast_s);
+    double grey = mean_of(species[k], "surface=weathered", &grey_s);
+    CHECK(planed == raw && planed_s == raw_s && oil < 0.92 * raw && oil < film && film < raw &&
+              oil_s > film_s && film_s > raw_s && black < 0.05 && black > 0.01 && black_s < 0.35 &&
+              toast < 0.75 * raw && toast > 1.5 * black && toast_s > raw_s && grey > 0.2 &&
+              grey < 0.4 && grey_s < 0.25,
+          "%-11s albedo %.3f, saturation %.2f; oiled %.3f, %.2f; lacquered %.3f, %.2f; charred "
+          "%.3f, %.2f; toasted %.3f, %.2f; weathered %.3f, %.2f\n",
+          species[k], raw, raw_s, oil, oil_s, film, film_s, black, black_s, toast, toast_s, grey,
+          grey_s);
+  }
+}
+
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(albedo_and_height)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(albedo_and_height),
+                                     cmocka_unit_test(finishes_change_the_colour)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

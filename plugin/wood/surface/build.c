@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "../../core/scalar.h"
+#include "../../core/status.h"
 #include "finishes.h"
 
 #define PI 3.14159265358979323846
@@ -191,7 +192,7 @@ static void build_checks(wood_surface *m, const surface_finish *f, const setting
   /* of many sizes, most of them small */
   tubes_met(&m->checks, r, number_at(s, P_CHECK_LENGTH), 0.3, count);
   m->check_depth = (float)(f->check_depth > 0.0 ? f->check_depth : 0.5);
-  m->check_dark = 0.5f;
+  m->check_dark = 0.45f;
   m->stains = 1;
 }
 
@@ -206,6 +207,8 @@ static void build_cracks(wood_constants *w, const surface_finish *f, const setti
   m->crack_frequency[1] = (float)along;
   m->crack_depth = (float)depth;
   m->crack_width = (float)width;
+  /* what is not yet black shows less of them */
+  m->crack_stain = (float)(0.8 * how * how);
   /* Cracks across are met `along` times a mm of the fibre, hairlines 2.6 times
    * as often; columns have 2 `across` of edge to a mm^2 of section. A crack is
    * narrower by a factor that is uniform from 1 to 2, 2 to 3.5 and 1.2 to 2.2:
@@ -219,9 +222,16 @@ static void build_cracks(wood_constants *w, const surface_finish *f, const setti
   m->stains = 1;
 }
 
-void surface_build(wood_constants *w, const settings *s) {
+int32_t surface_build(wood_constants *w, const settings *s) {
   const surface_finish *f = &surface_finishes[choice_at(s, P_SURFACE)];
   wood_surface *m = &w->surface;
+  double pitch = number_at(s, P_MARK_PITCH);
+  if (pitch > 0.0 && pitch < 0.05) {
+    return fail(
+        SOZAI_ERROR_RANGE,
+        "mark_pitch: %.9g mm is finer than any tool's; 0 for what is usual, or 0.05 to 200 mm",
+        pitch);
+  }
   build_marks(m, f, s);
   build_wear(w, f, s);
   build_vessels(w, f, s);
@@ -230,4 +240,5 @@ void surface_build(wood_constants *w, const settings *s) {
   m->relief = m->marks || m->scratch[0].height > 0.0f || m->erosion > 0.0f ||
               m->fibre[0].height > 0.0f || m->pores.depth > 0.0f || m->rows.depth > 0.0f ||
               m->check_depth > 0.0f || m->crack_depth > 0.0f;
+  return SOZAI_OK;
 }

@@ -6,7 +6,7 @@
 #include "../wood.h"
 
 /* The surface from the settings; rings and vessels are built. */
-void surface_build(wood_constants *w, const settings *s);
+int32_t surface_build(wood_constants *w, const settings *s);
 
 /* What surface and finish make of colours and gloss; both are built. */
 void surface_build_colour(wood_constants *w, const settings *s, const float (*colours)[3]);

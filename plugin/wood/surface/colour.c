@@ -24,11 +24,14 @@ static double wetted(double r, double f) {
   return 1.0 + x - scalar_root(x * x + 2.0 * x);
 }
 
+/* Toasted, which deepens what colour there is; then soot over it. */
 static double charred(double c, double how) {
   const double black = 0.022;
-  if (c < black) return c;
-  double deep = black * scalar_exp(how * how * how * 0.2 * scalar_log(c / black));
-  return deep * scalar_exp((1.0 - how) * scalar_log(c / deep));
+  if (c < black || how <= 0.0) return c;
+  double toasted = scalar_exp((1.0 + 2.2 * how) * scalar_log(c));
+  double soot = black * scalar_exp(0.2 * scalar_log(c / black));
+  double x = toasted + how * how * (soot - toasted);
+  return x < c ? x : c;
 }
 
 static double grey_of(const float c[3]) {

@@ -137,7 +137,7 @@ INLINE void relief_cracks(const wood_constants *w, const surface_place *p, surfa
   }
   r->height = r->height - k * depth;
   r->lost = r->lost + splat(m->crack_slope2) * (one - left);
-  r->dark = vmin(r->dark + splat(0.8f) * dark, one);
+  r->dark = vmin(r->dark + splat(m->crack_stain) * dark, one);
 }
 
 /* All but the tool's marks, which are not in log space. */

@@ -72,6 +72,7 @@ typedef struct {
   float crack_frequency[2]; /* 1/mm: of the cells, across and along the fibre */
   float crack_depth;        /* mm; 0: there are none */
   float crack_width;        /* mm: half of a crack with its rounded shoulders */
+  float crack_stain;        /* share of the albedo that a crack's core takes */
   float crack_dark, crack_mean, crack_slope2;
 } wood_surface;
 
