@@ -277,7 +277,7 @@ STAGE void cells_at(const stone_cells *c, const vf p[3], const vf t1[3], const v
   vm summed = c->shaped ? gt(most, splat(1.3f)) : lt(one, zero);
   for (int k = 0; k < 2; k++) {
     vi whole;
-    vf looks = vfloor(wide[k] * splat(c->shaped ? 4.5f : 3.0f) + splat(1.4f), &whole);
+    vf looks = vfloor(wide[k] * splat(c->looks) + splat(1.4f), &whole);
     vf sums = vfloor(wide[k] + splat(0.9f), &whole);
     n[k] = clamp(sel(summed, sums, looks), one, splat(CELLS_STEPS));
     inverse[k] = one / n[k];

@@ -225,16 +225,17 @@ INLINE field laid_lie(const stone_paving *v, const laid *q) {
   vu h = hash_mix(q->own ^ splatu(0x2c1b3c6du));
   const layout_unit *u = &q->unit;
   vf iu = splat(2.0f) / u->length, iv = splat(2.0f) / u->width;
-  vf a = clamp(u->u * iu - one, splat(-1.0f), one), b = clamp(u->v * iv - one, splat(-1.0f), one);
+  vf a = u->u * iu - one, b = u->v * iv - one;
   vf ta = splat(0.7f * v->tilt) * (laid_random(&h) * splat(2.0f) - one);
   vf tb = splat(0.7f * v->tilt) * (laid_random(&h) * splat(2.0f) - one);
   vf r = laid_random(&h), sunk = splat(v->settle) * r * r;
   vf da = ta, db = tb, value = ta * a + tb * b - sunk;
   if (v->crown != 0.0f) {
-    vf k = splat(v->crown), ca = one - a * a, cb = one - b * b;
+    /* a polygon may reach beyond its box: no crown there */
+    vf k = splat(v->crown), ca = vmax(one - a * a, zero), cb = vmax(one - b * b, zero);
     value = value + k * ca * cb;
-    da = da - splat(2.0f) * k * a * cb;
-    db = db - splat(2.0f) * k * b * ca;
+    da = da - sel(gt(ca, zero), splat(2.0f) * k * a * cb, zero);
+    db = db - sel(gt(cb, zero), splat(2.0f) * k * b * ca, zero);
   }
   vf du = da * iu * q->near, dv = db * iv * q->near;
   f.v = mix(splat(-0.333f * v->settle + 0.444f * v->crown), value, q->near);

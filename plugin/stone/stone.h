@@ -58,6 +58,7 @@ typedef struct {
   float even;                  /* area of the bodies over that of the balls in their place */
   float size;                  /* mm */
   float fade;                  /* footprint, in cells, from which the mean stands in */
+  float looks;                 /* parts to a cell that a footprint is looked at in */
   int32_t on, shaped;          /* shaped: eroded, or cut to a ball */
   uint32_t seed, seed_warp;
 } stone_cells;

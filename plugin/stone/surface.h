@@ -178,7 +178,7 @@ INLINE vf surface_lit(const stone_constants *w, int paved, const laid *q, const 
   vf crest = splat(-0.42f * v->drop - 0.5f * v->slope * v->chamfer);
   vf way = sel(lt(across, zero), shoulder + q->m.v, shoulder - q->m.v);
   vf rise = c / vmax(vabs(across), splat(1e-3f));
-  vf over = f->edge + way * rise - crest;
+  vf over = f->edge * (one - splat(0.65f) * f->moss) + way * rise - crest;
   vf soft = splat(0.1f) + splat(0.01f) * vabs(way) + splat(0.6f) * s * (rise + splat(0.3f));
   vf past = clamp01(splat(0.5f) + over / soft);
   past = sel(gt(way, zero), past, one);
