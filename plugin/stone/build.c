@@ -141,13 +141,12 @@ static void build_layers(stone_constants *w, const settings *s, stone_measure *m
 /* How far a cell's colour strays from the layer's mean, the worst channel; of
  * what little does, less has to be looked at: what a footprint of n cells keeps
  * of it is about a third of 1 / n, which below 0.004 is let go. */
-static void build_effort(stone_constants *w, const settings *s) {
+static void build_effort(stone_constants *w) {
   static const int colours[STONE_LAYERS][3] = {
       [LAYER_GRAINS] = {COLOUR_BASE, COLOUR_SECOND, COLOUR_THIRD},
       [LAYER_INCLUSIONS] = {COLOUR_BASE, COLOUR_INCLUSION, COLOUR_INCLUSION_SECOND},
       [LAYER_SPECKS] = {COLOUR_BASE, COLOUR_BLACK, COLOUR_WHITE},
       [LAYER_HOLES] = {COLOUR_BASE, COLOUR_HOLE, COLOUR_HOLE}};
-  (void)s;
   for (int l = 0; l < STONE_LAYERS; l++) {
     stone_cells *c = &w->layer[l];
     double p[3] = {1.0 - (double)c->mean[0] - (double)c->mean[1], (double)c->mean[0],
@@ -283,7 +282,7 @@ int32_t stone_build(stone_constants *w, const sozai_host *host, const settings *
   build_bands(w, s);
   build_finish(w, s);
   build_layers(w, s, kernel->measure);
-  build_effort(w, s);
+  build_effort(w);
   w->hole_depth = (float)(number_at(s, P_HOLE_SIZE) * number_at(s, P_HOLE_DEPTH));
   int32_t r = stone_build_paving(w, s, colours, kernel->measure_laid);
   if (!r) r = build_paper(w, host, s);

@@ -586,9 +586,10 @@ static const sozai_value values_nihonmatsu[] = {
     NUMBER("hole_depth", 0.5),
     CHOICE("finish", "sawn"),
 };
-STONE(nihonmatsu, "Nihonmatsu stone (Nihonmatsu-ishi, Fukushima)",
-      "Grey to buff welded tuff, fine and even, with dark glass and pumice drawn out along the bed.",
-      FISHER "; " GSJ);
+STONE(
+    nihonmatsu, "Nihonmatsu stone (Nihonmatsu-ishi, Fukushima)",
+    "Grey to buff welded tuff, fine and even, with dark glass and pumice drawn out along the bed.",
+    FISHER "; " GSJ);
 
 static const sozai_value values_tako[] = {
     NUMBER("grain_size", 0.7),
@@ -651,8 +652,7 @@ static const sozai_value values_isahaya[] = {
     CHOICE("finish", "bush_hammered"),
 };
 STONE(isahaya, "Isahaya stone (Isahaya-ishi, Nagasaki)",
-      "Grey-brown sandstone of medium grain, faintly bedded.",
-      PETTIJOHN "; " GSJ);
+      "Grey-brown sandstone of medium grain, faintly bedded.", PETTIJOHN "; " GSJ);
 
 static const sozai_value values_towada[] = {
     NUMBER("grain_size", 0.45),
@@ -684,8 +684,7 @@ static const sozai_value values_towada[] = {
     CHOICE("finish", "sawn"),
 };
 STONE(towada, "Towada stone (Towada-ishi, Akita)",
-      "Blue-green tuff, fine, darker and greener when wet; baths.",
-      FISHER "; " GSJ);
+      "Blue-green tuff, fine, darker and greener when wet; baths.", FISHER "; " GSJ);
 
 static const sozai_value values_rosa_beta[] = {
     NUMBER("grain_size", 3.6),
@@ -741,8 +740,7 @@ static const sozai_value values_rosso_verona[] = {
     CHOICE("finish", "honed"),
 };
 STONE(rosso_verona, "Rosso Verona (Ammonitico Rosso, Italy)",
-      "Red nodular limestone: pale nodules in darker clay seams.",
-      FLUGEL "; " EN12440);
+      "Red nodular limestone: pale nodules in darker clay seams.", FLUGEL "; " EN12440);
 
 static const sozai_value values_solnhofen[] = {
     NUMBER("grain_size", 0.3),
@@ -769,7 +767,8 @@ static const sozai_value values_solnhofen[] = {
     CHOICE("finish", "honed"),
 };
 STONE(solnhofen, "Solnhofen limestone (Bavaria)",
-      "Cream plate limestone, so fine that no grain is seen; floors of natural cleft, with brown dendrites.",
+      "Cream plate limestone, so fine that no grain is seen; floors of natural cleft, with brown "
+      "dendrites.",
       FLUGEL "; " EN12440);
 
 static const sozai_value values_portland[] = {
@@ -799,8 +798,7 @@ static const sozai_value values_portland[] = {
     CHOICE("finish", "sawn"),
 };
 STONE(portland, "Portland stone (Whit Bed, Dorset)",
-      "White oolitic limestone with scattered shell.",
-      FLUGEL "; " EN12440);
+      "White oolitic limestone with scattered shell.", FLUGEL "; " EN12440);
 
 static const sozai_value values_york[] = {
     NUMBER("grain_size", 0.3),
@@ -889,7 +887,8 @@ static const sozai_value values_teppei[] = {
     SRGB("joint_colour", 128, 122, 112),
 };
 STONE(teppei, "Teppei stone (Teppei-seki, Nagano)",
-      "Andesite that splits in plates along its flow, grey with rust on the cleft face; laid as crazy paving.",
+      "Andesite that splits in plates along its flow, grey with rust on the cleft face; laid as "
+      "crazy paving.",
       GSJ "; " MACKENZIE);
 
 static const sozai_value values_porphyry[] = {
@@ -925,7 +924,8 @@ static const sozai_value values_porphyry[] = {
     SRGB("joint_colour", 112, 104, 94),
 };
 STONE(porphyry, "Porphyry setts (Porfido del Trentino)",
-      "Red-brown to violet-grey quartz porphyry, white feldspar in a dense ground; split setts in segmental arcs.",
+      "Red-brown to violet-grey quartz porphyry, white feldspar in a dense ground; split setts in "
+      "segmental arcs.",
       IUGS "; " EN1342 "; " CALLWEY);
 
 static const sozai_value values_belgian_block[] = {
@@ -995,8 +995,7 @@ static const sozai_value values_granite_fan[] = {
     SRGB("joint_colour", 104, 99, 91),
 };
 STONE(granite_fan, "Granite setts in European fans",
-      "Small split setts of grey granite, in fans that overlap as scales do.",
-      IUGS "; " EN1342);
+      "Small split setts of grey granite, in fans that overlap as scales do.", IUGS "; " EN1342);
 
 static const sozai_value values_basalt_setts[] = {
     NUMBER("grain_size", 0.3),
@@ -1061,7 +1060,8 @@ static const sozai_value values_ishidatami[] = {
     SRGB("joint_colour", 120, 112, 100),
 };
 STONE(ishidatami, "Ishidatami (granite slabs)",
-      "Broad slabs of pale granite, bush hammered, staggered by half: the paths of shrines and lanes.",
+      "Broad slabs of pale granite, bush hammered, staggered by half: the paths of shrines and "
+      "lanes.",
       IUGS "; " GSJ);
 
 static const sozai_value values_brick_paver[] = {
@@ -1108,8 +1108,7 @@ static const sozai_value values_brick_paver[] = {
     SRGB("joint_colour", 168, 154, 132),
 };
 STONE(brick_paver, "Brick pavers (clay, red)",
-      "Hard-burnt clay pavers in herringbone, red to brown, with dark marks of the fire.",
-      EN1344);
+      "Hard-burnt clay pavers in herringbone, red to brown, with dark marks of the fire.", EN1344);
 
 static const sozai_value values_concrete_paver[] = {
     NUMBER("grain_size", 0.9),
@@ -1186,9 +1185,10 @@ static const sozai_value values_cast_concrete[] = {
     NUMBER("roughness_scale", 1.6),
     NUMBER("ior", 1.5),
 };
-STONE(cast_concrete, "Cast concrete (fair-faced)",
-      "Smooth grey concrete as it comes from the form: clouded cement paste and scattered blowholes.",
-      CONCRETE);
+STONE(
+    cast_concrete, "Cast concrete (fair-faced)",
+    "Smooth grey concrete as it comes from the form: clouded cement paste and scattered blowholes.",
+    CONCRETE);
 
 static const sozai_value values_exposed_aggregate[] = {
     NUMBER("grain_size", 0.7),

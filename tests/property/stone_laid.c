@@ -161,8 +161,7 @@ static void no_visible_repeat(void **state) {
   }
   CHECK(variance > 1e-5 && worst < 0.15,
         "autocorrelation along 24 lines of 200 m, lags of 1.2 to 100 m: %.3f at most, at %.1f m\n",
-        worst,
-        where * 0.02);
+        worst, where * 0.02);
   points_free(&p);
   textures->destroy(t);
 }
@@ -375,10 +374,14 @@ static void refused(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(joints_are_as_wide),    cmocka_unit_test(joints_wander),
-      cmocka_unit_test(each_stone_is_its_own), cmocka_unit_test(no_visible_repeat),
-      cmocka_unit_test(normals_are_slopes),    cmocka_unit_test(moss_and_water),
-      cmocka_unit_test(joints_lie_in_shadow),  cmocka_unit_test(none_without_a_layout),
+      cmocka_unit_test(joints_are_as_wide),
+      cmocka_unit_test(joints_wander),
+      cmocka_unit_test(each_stone_is_its_own),
+      cmocka_unit_test(no_visible_repeat),
+      cmocka_unit_test(normals_are_slopes),
+      cmocka_unit_test(moss_and_water),
+      cmocka_unit_test(joints_lie_in_shadow),
+      cmocka_unit_test(none_without_a_layout),
       cmocka_unit_test(refused),
   };
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);

@@ -78,8 +78,8 @@ static void four_stones_differ(void **state) {
     for (unsigned a = 0; a < 4; a++) {
       for (unsigned b = 0; b < a; b++) {
         outline[a][b] += (p.out[S_JOINT][i + a] > 0.5f) != (p.out[S_JOINT][i + b] > 0.5f);
-        alike[a][b] += p.out[S_HEIGHT][i + a] == p.out[S_HEIGHT][i + b] &&
-                       p.out[S_JOINT][i + a] < 0.5f;
+        alike[a][b] +=
+            p.out[S_HEIGHT][i + a] == p.out[S_HEIGHT][i + b] && p.out[S_JOINT][i + a] < 0.5f;
       }
     }
   }
@@ -122,7 +122,8 @@ static void variance_halves(void **state) {
       for (int y = half; y < GRID; y += half) {
         for (int x = half; x < GRID; x += half) {
           int dx = x / half % 2 ? half : 0, dy = y / half % 2 ? half : 0;
-          if ((!dx && !dy) || x - dx < 1 || y - dy < 1 || x + dx >= GRID || y + dy >= GRID) continue;
+          if ((!dx && !dy) || x - dx < 1 || y - dy < 1 || x + dx >= GRID || y + dy >= GRID)
+            continue;
           double d = H(x, y) - 0.5 * (H(x - dx, y - dy) + H(x + dx, y + dy));
           square[level] += d * d;
           n[level]++;
@@ -133,8 +134,9 @@ static void variance_halves(void **state) {
     textures->destroy(t);
   }
   double ratio = square[0] / n[0] / (square[1] / n[1]);
-  CHECK(fabs(ratio - 2) < 0.25, "variance of the third level's displacements over the fourth's: "
-                                "%.3f (2), of %d and %d\n",
+  CHECK(fabs(ratio - 2) < 0.25,
+        "variance of the third level's displacements over the fourth's: "
+        "%.3f (2), of %d and %d\n",
         ratio, n[0], n[1]);
 }
 
@@ -251,9 +253,9 @@ static void refused(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(repeats_exactly),        cmocka_unit_test(four_stones_differ),
-      cmocka_unit_test(variance_halves),        cmocka_unit_test(heights_are_normalised),
-      cmocka_unit_test(joints_are_joints),      cmocka_unit_test(refused),
+      cmocka_unit_test(repeats_exactly),   cmocka_unit_test(four_stones_differ),
+      cmocka_unit_test(variance_halves),   cmocka_unit_test(heights_are_normalised),
+      cmocka_unit_test(joints_are_joints), cmocka_unit_test(refused),
   };
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }
