@@ -138,36 +138,6 @@ static void build_layers(stone_constants *w, const settings *s, stone_measure *m
   }
 }
 
-/* How far a cell's colour strays from the layer's mean, the worst channel; of
- * what little does, less has to be looked at: what a footprint of n cells keeps
- * of it is about a third of 1 / n, which below 0.004 is let go. */
-static void build_effort(stone_constants *w) {
-  static const int colours[STONE_LAYERS][3] = {
-      [LAYER_GRAINS] = {COLOUR_BASE, COLOUR_SECOND, COLOUR_THIRD},
-      [LAYER_INCLUSIONS] = {COLOUR_BASE, COLOUR_INCLUSION, COLOUR_INCLUSION_SECOND},
-      [LAYER_SPECKS] = {COLOUR_BASE, COLOUR_BLACK, COLOUR_WHITE},
-      [LAYER_HOLES] = {COLOUR_BASE, COLOUR_HOLE, COLOUR_HOLE}};
-  for (int l = 0; l < STONE_LAYERS; l++) {
-    stone_cells *c = &w->layer[l];
-    double p[3] = {1.0 - (double)c->mean[0] - (double)c->mean[1], (double)c->mean[0],
-                   (double)c->mean[1]};
-    double most = 0.0;
-    for (int k = 0; k < 3; k++) {
-      double mean = 0.0, square = 0.0;
-      for (int i = 0; i < 3; i++) {
-        double x = (double)w->colour[colours[l][i]][k], v = (double)c->variation * x;
-        mean += p[i] * x;
-        square += p[i] * (x * x + v * v);
-      }
-      if (square - mean * mean > most) most = square - mean * mean;
-    }
-    double sd = scalar_root(most);
-    c->fade = (float)(sd * 58.0 < 1.2 ? 1.2 : sd * 58.0 > 6.0 ? 6.0 : sd * 58.0);
-    double looks = sd * 25.0 < 1.0 ? 1.0 : sd * 25.0 > 3.0 ? 3.0 : sd * 25.0;
-    c->looks = (float)(looks * (c->shaped ? 1.5 : 1.0));
-  }
-}
-
 /* ---- what varies slowly ----------------------------------------------- */
 
 static void build_bands(stone_constants *w, const settings *s) {
@@ -282,7 +252,6 @@ int32_t stone_build(stone_constants *w, const sozai_host *host, const settings *
   build_bands(w, s);
   build_finish(w, s);
   build_layers(w, s, kernel->measure);
-  build_effort(w);
   w->hole_depth = (float)(number_at(s, P_HOLE_SIZE) * number_at(s, P_HOLE_DEPTH));
   int32_t r = stone_build_paving(w, s, colours, kernel->measure_laid);
   if (!r) r = build_paper(w, host, s);
