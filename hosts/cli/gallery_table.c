@@ -201,7 +201,7 @@ const shot gallery_shots[] = {
     PAVED("porphyry", "Porphyry setts in arcs", "porphyry", "grime=0.2", NULL, NULL, NULL, "70,32"),
     PAVED("block", "Belgian block", "belgian_block", "moss=0.3", NULL, NULL, NULL, "110,30"),
     PAVED("basalt", "Basalt setts after rain", "basalt_setts", "wet=0.7", "water_level=-6",
-          "undulation=6", NULL, "80,24"),
+          "undulation=6", NULL, "35,32"),
     PAVED("brick", "Brick pavers in herringbone", "brick_paver", "grime=0.15", NULL, NULL, NULL,
           "60,35"),
     {.name = "paving-near",
