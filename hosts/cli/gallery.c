@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * Renders the pictures of gallery_table.c, an index.html that shows them, and
- * gallery.png, stones.png and layouts.png, which show some of them small on one sheet each. A
+ * sheets (gallery, stones, layouts, macro, figured) that show some of them small. A
  * picture whose parameters the plugin does not know is left out with a line that says so. */
 #include "commands.h"
 
@@ -22,13 +22,15 @@
 #define SHEET_COLUMNS 15 /* five species, three cuts of each */
 #define LAYOUT_COLUMNS 6
 #define STONE_COLUMNS 5
+#define MACRO_COLUMNS 3 /* of a species its three faces */
+#define FIGURED_COLUMNS 2
 
 typedef struct gallery {
   session session;
   const char *folder;
   uint32_t spp;
   FILE *index;
-  sheet sheet, stones, layouts;
+  sheet sheet, stones, layouts, macro, figured;
   uint32_t made, left_out;
 } gallery;
 
@@ -100,6 +102,8 @@ static bool keep_picture(gallery *g, const shot *s, const film *f, const char *n
   if (s->on_sheet && !sheet_add(&g->sheet, f, why)) return false;
   if (s->on_stones && !sheet_add(&g->stones, f, why)) return false;
   if (s->on_layouts && !sheet_add(&g->layouts, f, why)) return false;
+  if (s->on_macro && !sheet_add(&g->macro, f, why)) return false;
+  if (s->on_figured && !sheet_add(&g->figured, f, why)) return false;
   write_caption(g, s, file, title, preset);
   g->made++;
   return true;
@@ -177,7 +181,10 @@ static bool make_pictures(gallery *g, failure *why) {
   }
   return make_sheet(g, &g->sheet, SHEET_COLUMNS, "gallery.png", why) &&
          (g->stones.count == 0 || make_sheet(g, &g->stones, STONE_COLUMNS, "stones.png", why)) &&
-         (g->layouts.count == 0 || make_sheet(g, &g->layouts, LAYOUT_COLUMNS, "layouts.png", why));
+         (g->layouts.count == 0 ||
+          make_sheet(g, &g->layouts, LAYOUT_COLUMNS, "layouts.png", why)) &&
+         (g->macro.count == 0 || make_sheet(g, &g->macro, MACRO_COLUMNS, "macro.png", why)) &&
+         (g->figured.count == 0 || make_sheet(g, &g->figured, FIGURED_COLUMNS, "figured.png", why));
 }
 
 static bool make_index(gallery *g, failure *why) {
@@ -214,6 +221,8 @@ static bool make_gallery(const session_options *shared, const char *folder, uint
   sheet_free(&g.sheet);
   sheet_free(&g.stones);
   sheet_free(&g.layouts);
+  sheet_free(&g.macro);
+  sheet_free(&g.figured);
   session_close(&g.session);
   if (!ok) return false;
   printf("%s/index.html: %u pictures", folder, g.made);

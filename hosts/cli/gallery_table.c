@@ -13,6 +13,25 @@
     .width = 400, .height = 400                                                                    \
   }
 
+/* 8 mm across, 0.02 mm to a pixel */
+#define MACRO(species, face, words)                                                                \
+  {                                                                                                \
+    .name = "macro-" species "-" face, .title = words, .preset = species, .on_macro = true,        \
+    .params = {"cut=" face, "cut_distance=90"}, .shape = "plane", .camera = "front",               \
+    .size = "8x5.6", .width = 400, .height = 280                                                   \
+  }
+#define MACROS(species, words)                                                                     \
+  MACRO(species, "end", words ", end grain, 8 mm across"),                                         \
+      MACRO(species, "quarter", words ", radial face"),                                            \
+      MACRO(species, "flat", words ", tangential face")
+
+#define FIGURED(id, species, face, words, az)                                                      \
+  {                                                                                                \
+    .name = "figured-" id, .title = words, .preset = species, .on_figured = true,                  \
+    .params = {"cut=" face, "cut_distance=140", "reflection=fibre_cone"}, .shape = "plane",        \
+    .camera = "front", .light = az, .sky = 0.3, .size = "210x140", .width = 600, .height = 400     \
+  }
+
 const shot gallery_shots[] = {
     {.name = "flat",
      .title = "flat-sawn, 120 mm across",
@@ -143,6 +162,19 @@ const shot gallery_shots[] = {
     LAID("arcs", "Segmental arcs of end-grain setts", "mizunara", "1600x1600", "cut=end", NULL,
          NULL),
     LAID("circles", "Rings of end-grain setts", "mizunara", "1600x1600", "cut=end", NULL, NULL),
+    MACROS("white_oak", "White oak"),
+    MACROS("keyaki", "Keyaki"),
+    MACROS("sugi", "Sugi"),
+    MACROS("black_walnut", "Black walnut"),
+    MACROS("akamatsu", "Akamatsu"),
+    FIGURED("curly", "curly_maple", "quarter", "Curly maple, quarter-sawn", "90,66"),
+    FIGURED("fiddleback", "sycamore", "quarter", "Fiddleback sycamore, quarter-sawn", "90,66"),
+    FIGURED("quilted", "quilted_maple", "flat", "Quilted maple, flat-sawn", "80,60"),
+    FIGURED("birdseye", "birdseye_maple", "flat", "Bird's-eye maple, flat-sawn", "70,55"),
+    FIGURED("ribbon", "sapele", "quarter", "Sapele, quarter-sawn: ribbon stripe", "90,60"),
+    FIGURED("pommele", "pommele_sapele", "flat", "Pommele sapele, flat-sawn", "80,60"),
+    FIGURED("spalted", "spalted_beech", "flat", "Spalted beech, flat-sawn", "75,48"),
+    FIGURED("spalted-end", "spalted_beech", "end", "Spalted beech, end grain", "75,48"),
     {.name = "stone",
      .title = "300 mm across",
      .material = "stone",

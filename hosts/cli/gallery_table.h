@@ -17,6 +17,8 @@ typedef struct shot {
   bool on_sheet;                   /* among the small pictures of gallery.png */
   bool on_stones;                  /* or of stones.png */
   bool on_layouts;                 /* or of layouts.png */
+  bool on_macro;                   /* or of macro.png */
+  bool on_figured;                 /* or of figured.png */
   const char *params[SHOT_PARAMS]; /* name=value, the last ones NULL */
   /* As options of `sozai render` are written; NULL: their defaults. */
   const char *shape, *size, *camera, *light;

@@ -14,8 +14,9 @@ const match_material match_materials[] = {
      .second_part = "sapwood",
      .boundary = "heartwood_years",
      .boundary_channel = "time",
-     /* rays have a colour of their own, and are left out unless given */
-     .board = {{"cut", "flat"}, {"ray_density", "0"}}},
+     /* rays and resin canals have colours of their own, and fungi change them: left
+      * out unless given */
+     .board = {{"cut", "flat"}, {"ray_density", "0"}, {"canal_density", "0"}, {"spalt", "0"}}},
     /* the base and its variation, the minerals that vary it, and the specks */
     {.id = "stone",
      .roles = {{"base_colour", NULL},

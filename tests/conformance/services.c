@@ -172,19 +172,23 @@ static void the_hosts_own(void **state) {
   (void)state;
   loaded l = load(SOZAI_TEST_PLUGIN);
   sozai_host host = {.size = sizeof host, .get_service = give_own};
-  static const char *const others[] = {"vessel_colour", "sapwood_earlywood_colour",
-                                       "sapwood_latewood_colour", "ray_colour", "joint_colour"};
-  sozai_value values[PLAIN + 5];
+  static const char *const others[] = {"vessel_colour",
+                                       "sapwood_earlywood_colour",
+                                       "sapwood_latewood_colour",
+                                       "ray_colour",
+                                       "canal_colour",
+                                       "joint_colour"};
+  sozai_value values[PLAIN + 6];
   memcpy(values, plain, sizeof plain);
   values[2].text = values[3].text = "swapped";
-  for (int i = 0; i < 5; i++) {
+  for (int i = 0; i < 6; i++) {
     values[PLAIN + i] = (sozai_value){
         .id = others[i], .kind = SOZAI_KIND_COLOUR, .number = {0.1, 0.1, 0.1}, .text = "swapped"};
   }
   sozai_texture *t;
   calls = 0;
-  assert_int_equal(l.textures->create(&host, "wood", NULL, values, PLAIN + 5, &t), SOZAI_OK);
-  assert_int_equal(calls, 8); /* seven colours, and the hue of one */
+  assert_int_equal(l.textures->create(&host, "wood", NULL, values, PLAIN + 6, &t), SOZAI_OK);
+  assert_int_equal(calls, 9); /* eight colours, and the hue of one */
   const float p[3] = {40, 50, 3};
   float rgb[3], *const channels[3] = {&rgb[0], &rgb[1], &rgb[2]};
   sozai_batch b = {.size = sizeof b,

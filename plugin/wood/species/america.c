@@ -19,6 +19,8 @@ static const sozai_value values_white_oak[] = {
     NUMBER("specular", 0.06),
     RAYS(0.011, 26.0, 320.0, 40.0),
     SRGB("ray_colour", 211, 180, 139),
+    FIBRES(18.0, 600.0),
+    NUMBER("tyloses", 1.0),
 };
 SPECIES(white_oak, "White oak (Quercus alba)",
         "Light greyish brown; latewood's vessels small and many, rays tall and bright.",
@@ -41,6 +43,7 @@ static const sozai_value values_red_oak[] = {
     NUMBER("specular", 0.06),
     RAYS(0.022, 12.0, 280.0, 36.0),
     SRGB("ray_colour", 214, 174, 136),
+    FIBRES(18.0, 560.0),
 };
 SPECIES(red_oak, "Northern red oak (Quercus rubra)",
         "Pinkish brown and coarse; open early vessels, shorter rays than white oak's.",
@@ -63,6 +66,8 @@ static const sozai_value values_hickory[] = {
     NUMBER("specular", 0.07),
     RAYS(4.0, 0.35, 30.0, 28.0),
     SRGB("ray_colour", 204, 164, 126),
+    FIBRES(20.0, 640.0),
+    NUMBER("tyloses", 0.6),
 };
 SPECIES(
     hickory, "Shagbark hickory (Carya ovata)",
@@ -85,6 +90,7 @@ static const sozai_value values_black_walnut[] = {
     NUMBER("specular", 0.07),
     RAYS(4.0, 0.4, 35.0, 28.0),
     SRGB("ray_colour", 128, 96, 73),
+    FIBRES(22.0, 510.0),
 };
 SPECIES(
     black_walnut, "Black walnut (Juglans nigra)",
@@ -107,6 +113,7 @@ static const sozai_value values_cherry[] = {
     NUMBER("specular", 0.09),
     RAYS(3.0, 0.5, 50.0, 28.0),
     SRGB("ray_colour", 208, 152, 111),
+    FIBRES(20.0, 470.0),
 };
 SPECIES(cherry, "Black cherry (Prunus serotina)",
         "Reddish brown and satin-smooth, deepening with light; fine bright rays.",
@@ -128,6 +135,7 @@ static const sozai_value values_hard_maple[] = {
     NUMBER("specular", 0.16),
     RAYS(2.2, 0.6, 75.0, 28.0),
     SRGB("ray_colour", 219, 187, 148),
+    FIBRES(20.0, 560.0),
 };
 SPECIES(hard_maple, "Hard maple, sugar maple (Acer saccharum)",
         "Creamy white with a reddish cast, hard and even; thin brown line at each ring.",
@@ -149,6 +157,7 @@ static const sozai_value values_yellow_birch[] = {
     NUMBER("specular", 0.1),
     RAYS(4.0, 0.4, 40.0, 25.0),
     SRGB("ray_colour", 197, 154, 115),
+    FIBRES(20.0, 550.0),
 };
 SPECIES(yellow_birch, "Yellow birch (Betula alleghaniensis)",
         "Light reddish brown heart, pale sapwood; even, with short fine vessel lines.",
@@ -170,6 +179,7 @@ static const sozai_value values_tulipwood[] = {
     NUMBER("specular", 0.06),
     RAYS(3.0, 0.55, 45.0, 28.0),
     SRGB("ray_colour", 189, 173, 124),
+    FIBRES(27.0, 400.0),
 };
 SPECIES(tulipwood, "Tulip tree, yellow poplar (Liriodendron tulipifera)",
         "Greenish to olive brown heart in creamy sapwood; even, a pale line at each ring.",
@@ -191,6 +201,7 @@ static const sozai_value values_basswood[] = {
     NUMBER("specular", 0.06),
     RAYS(2.4, 0.7, 42.0, 26.0),
     SRGB("ray_colour", 220, 195, 158),
+    FIBRES(26.0, 320.0),
 };
 SPECIES(basswood, "American basswood (Tilia americana)",
         "Creamy white to pale brown, plain and soft.", HANDBOOK "; " PANSHIN);
@@ -212,6 +223,7 @@ static const sozai_value values_mahogany[] = {
     NUMBER("specular", 0.14),
     RAYS(3.4, 0.45, 60.0, 30.0),
     SRGB("ray_colour", 158, 97, 65),
+    FIBRES(20.0, 480.0),
 };
 SPECIES(mahogany, "Big-leaf mahogany (Swietenia macrophylla)",
         "Reddish brown, golden in the light; a pale line at each ring, grain slightly interlocked.",
@@ -233,6 +245,7 @@ static const sozai_value values_balsa[] = {
     NUMBER("specular", 0.1),
     RAYS(0.9, 1.3, 90.0, 30.0),
     SRGB("ray_colour", 221, 200, 171),
+    FIBRES(38.0, 140.0),
 };
 SPECIES(balsa, "Balsa (Ochroma pyramidale)",
         "White to pale oatmeal, feather-light; few large vessels in soft silky tissue.",
@@ -256,6 +269,7 @@ static const sozai_value values_rosewood[] = {
     NUMBER("specular", 0.1),
     RAYS(8.0, 0.15, 18.0, 20.0),
     SRGB("ray_colour", 122, 78, 55),
+    FIBRES(16.0, 740.0),
 };
 SPECIES(rosewood, "Brazilian rosewood (Dalbergia nigra)",
         "Chocolate to purplish brown, drawn with black streaks that wander like landscapes.",
@@ -279,6 +293,7 @@ static const sozai_value values_cocobolo[] = {
     NUMBER("specular", 0.12),
     RAYS(8.0, 0.15, 18.0, 20.0),
     SRGB("ray_colour", 164, 94, 59),
+    FIBRES(15.0, 890.0),
 };
 SPECIES(cocobolo, "Cocobolo (Dalbergia retusa)",
         "Orange-red with black lines; dense, oily and bright.", RICHTER "; " WAGENFUEHR);
@@ -300,6 +315,7 @@ static const sozai_value values_purpleheart[] = {
     NUMBER("specular", 0.1),
     RAYS(4.0, 0.4, 40.0, 28.0),
     SRGB("ray_colour", 122, 79, 90),
+    FIBRES(20.0, 710.0),
 };
 SPECIES(purpleheart, "Purpleheart (Peltogyne paniculata)",
         "Vivid purple-brown, straight and even, its vessels filled.", RICHTER "; " WAGENFUEHR);

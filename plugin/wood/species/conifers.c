@@ -16,6 +16,7 @@ static const sozai_value values_sugi[] = {
     SRGB("sapwood_latewood_colour", 198, 158, 116),
     NUMBER("heartwood_years", 110.0),
     NUMBER("specular", 0.05),
+    TRACHEIDS(32.0, 38.0, 12.0, 320.0),
 };
 SPECIES(sugi, "Sugi, Japanese cedar (Cryptomeria japonica)",
         "A conifer: pinkish earlywood and dark, abrupt latewood.", FFPRI "; " INSIDEWOOD);
@@ -34,6 +35,7 @@ static const sozai_value values_hinoki[] = {
     SRGB("sapwood_latewood_colour", 214, 184, 142),
     NUMBER("heartwood_years", 130.0),
     NUMBER("specular", 0.09),
+    TRACHEIDS(28.0, 32.0, 12.0, 360.0),
 };
 SPECIES(hinoki, "Hinoki, Japanese cypress (Chamaecyparis obtusa)",
         "A conifer: pale, fine and lustrous, with narrow, gradual latewood.",
@@ -54,6 +56,9 @@ static const sozai_value values_karamatsu[] = {
     SRGB("sapwood_latewood_colour", 196, 154, 104),
     NUMBER("heartwood_years", 110.0),
     NUMBER("specular", 0.06),
+    TRACHEIDS(40.0, 50.0, 16.0, 420.0),
+    CANALS(0.4, 75.0),
+    SRGB("canal_colour", 192, 138, 88),
 };
 SPECIES(karamatsu, "Karamatsu, Japanese larch (Larix kaempferi)",
         "A conifer: orange-brown heart, with wide dark latewood abrupt in both directions.",
@@ -73,6 +78,9 @@ static const sozai_value values_akamatsu[] = {
     SRGB("sapwood_latewood_colour", 202, 158, 106),
     NUMBER("heartwood_years", 100.0),
     NUMBER("specular", 0.06),
+    TRACHEIDS(34.0, 42.0, 16.0, 430.0),
+    CANALS(0.7, 150.0),
+    SRGB("canal_colour", 206, 152, 96),
 };
 SPECIES(akamatsu, "Akamatsu, Japanese red pine (Pinus densiflora)",
         "A conifer: yellowish, with a broad resinous latewood.", FFPRI "; " GYMNOSPERMS);
@@ -91,6 +99,9 @@ static const sozai_value values_scots_pine[] = {
     SRGB("sapwood_latewood_colour", 200, 156, 104),
     NUMBER("heartwood_years", 90.0),
     NUMBER("specular", 0.06),
+    TRACHEIDS(32.0, 40.0, 15.0, 420.0),
+    CANALS(0.6, 130.0),
+    SRGB("canal_colour", 204, 152, 98),
 };
 SPECIES(scots_pine, "Scots pine (Pinus sylvestris)",
         "A conifer: reddish heart, pale sapwood, latewood clear and brown.",
@@ -110,6 +121,9 @@ static const sozai_value values_douglas_fir[] = {
     SRGB("sapwood_latewood_colour", 198, 152, 104),
     NUMBER("heartwood_years", 140.0),
     NUMBER("specular", 0.06),
+    TRACHEIDS(38.0, 48.0, 16.0, 450.0),
+    CANALS(0.4, 80.0),
+    SRGB("canal_colour", 198, 142, 96),
 };
 SPECIES(douglas_fir, "Douglas fir (Pseudotsuga menziesii)",
         "A conifer: orange-brown, with strong, abrupt latewood and even lines.",
@@ -129,6 +143,9 @@ static const sozai_value values_spruce[] = {
     SRGB("sapwood_latewood_colour", 208, 166, 114),
     NUMBER("heartwood_years", 60.0),
     NUMBER("specular", 0.1),
+    TRACHEIDS(32.0, 38.0, 14.0, 380.0),
+    CANALS(0.35, 75.0),
+    SRGB("canal_colour", 224, 190, 138),
 };
 SPECIES(spruce, "Norway spruce (Picea abies)",
         "A conifer: nearly white and lustrous, with gradual yellowish latewood.",
@@ -148,6 +165,7 @@ static const sozai_value values_momi[] = {
     SRGB("sapwood_latewood_colour", 198, 160, 122),
     NUMBER("heartwood_years", 60.0),
     NUMBER("specular", 0.07),
+    TRACHEIDS(38.0, 45.0, 16.0, 360.0),
 };
 SPECIES(momi, "Momi, Japanese fir (Abies firma)",
         "A conifer: white with a grey cast, coarse, latewood distinct and pinkish brown.",
@@ -167,6 +185,7 @@ static const sozai_value values_silver_fir[] = {
     SRGB("sapwood_latewood_colour", 200, 164, 126),
     NUMBER("heartwood_years", 60.0),
     NUMBER("specular", 0.07),
+    TRACHEIDS(36.0, 44.0, 15.0, 350.0),
 };
 SPECIES(silver_fir, "European silver fir (Abies alba)",
         "A conifer: whitish, without resin, with a greyish latewood.", SCHOCH "; " GYMNOSPERMS);
@@ -185,6 +204,7 @@ static const sozai_value values_western_red_cedar[] = {
     SRGB("sapwood_latewood_colour", 202, 166, 126),
     NUMBER("heartwood_years", 160.0),
     NUMBER("specular", 0.05),
+    TRACHEIDS(34.0, 40.0, 12.0, 310.0),
 };
 SPECIES(western_red_cedar, "Western red cedar (Thuja plicata)",
         "A conifer: from pinkish to chocolate brown, drifting; thin dark latewood.",
@@ -204,6 +224,9 @@ static const sozai_value values_larch[] = {
     SRGB("sapwood_latewood_colour", 192, 148, 100),
     NUMBER("heartwood_years", 100.0),
     NUMBER("specular", 0.06),
+    TRACHEIDS(38.0, 48.0, 16.0, 480.0),
+    CANALS(0.4, 80.0),
+    SRGB("canal_colour", 188, 132, 86),
 };
 SPECIES(larch, "European larch (Larix decidua)",
         "A conifer: reddish brown heart; sharp dark latewood in narrow rings.",
@@ -226,6 +249,7 @@ static const sozai_value values_yew[] = {
     NUMBER("heartwood_years", 200.0),
     NUMBER("heartwood_edge", 0.3),
     NUMBER("specular", 0.1),
+    TRACHEIDS(20.0, 22.0, 10.0, 600.0),
 };
 SPECIES(yew, "Yew (Taxus baccata)",
         "A conifer: orange-brown within thin white sapwood, with wavy, close rings.",
@@ -246,6 +270,7 @@ static const sozai_value values_hiba[] = {
     SRGB("sapwood_latewood_colour", 216, 184, 138),
     NUMBER("heartwood_years", 120.0),
     NUMBER("specular", 0.07),
+    TRACHEIDS(28.0, 32.0, 12.0, 370.0),
 };
 SPECIES(hiba, "Hiba, hiba arborvitae (Thujopsis dolabrata)",
         "A conifer: pale yellow, fine and even, with thin gradual latewood.",
@@ -265,6 +290,7 @@ static const sozai_value values_sawara[] = {
     SRGB("sapwood_latewood_colour", 208, 176, 132),
     NUMBER("heartwood_years", 120.0),
     NUMBER("specular", 0.05),
+    TRACHEIDS(28.0, 34.0, 12.0, 300.0),
 };
 SPECIES(sawara, "Sawara, Sawara cypress (Chamaecyparis pisifera)",
         "A conifer: dull yellowish brown, soft, its latewood narrow and brown.",
@@ -284,6 +310,7 @@ static const sozai_value values_kaya[] = {
     SRGB("sapwood_latewood_colour", 214, 178, 118),
     NUMBER("heartwood_years", 160.0),
     NUMBER("specular", 0.09),
+    TRACHEIDS(26.0, 30.0, 12.0, 440.0),
 };
 SPECIES(kaya, "Kaya, Japanese nutmeg yew (Torreya nucifera)",
         "A conifer: honey yellow and resilient, the board of go; close, faint rings.",
@@ -303,6 +330,7 @@ static const sozai_value values_tsuga[] = {
     SRGB("sapwood_latewood_colour", 192, 150, 118),
     NUMBER("heartwood_years", 150.0),
     NUMBER("specular", 0.06),
+    TRACHEIDS(32.0, 38.0, 14.0, 420.0),
 };
 SPECIES(tsuga, "Tsuga, southern Japanese hemlock (Tsuga sieboldii)",
         "A conifer: pale purplish brown, hard; latewood dark and close.", FFPRI "; " GYMNOSPERMS);
@@ -323,6 +351,7 @@ static const sozai_value values_ichii[] = {
     NUMBER("heartwood_years", 180.0),
     NUMBER("heartwood_edge", 0.3),
     NUMBER("specular", 0.1),
+    TRACHEIDS(22.0, 25.0, 11.0, 440.0),
 };
 SPECIES(ichii, "Ichii, Japanese yew (Taxus cuspidata)",
         "A conifer: reddish orange, fine and smooth, in a thin white sapwood.",
@@ -342,6 +371,7 @@ static const sozai_value values_redwood[] = {
     SRGB("sapwood_latewood_colour", 206, 168, 128),
     NUMBER("heartwood_years", 200.0),
     NUMBER("specular", 0.05),
+    TRACHEIDS(52.0, 58.0, 18.0, 360.0),
 };
 SPECIES(redwood, "Coast redwood (Sequoia sempervirens)",
         "A conifer: deep reddish brown, coarse and straight, with abrupt dark latewood.",
@@ -361,6 +391,9 @@ static const sozai_value values_southern_pine[] = {
     SRGB("sapwood_latewood_colour", 207, 160, 105),
     NUMBER("heartwood_years", 90.0),
     NUMBER("specular", 0.06),
+    TRACHEIDS(38.0, 46.0, 18.0, 510.0),
+    CANALS(0.7, 160.0),
+    SRGB("canal_colour", 206, 148, 90),
 };
 SPECIES(southern_pine, "Longleaf pine (Pinus palustris)",
         "A conifer: orange-yellow with latewood half of the ring, dark and abrupt.",

@@ -18,6 +18,7 @@ static const sozai_value values_beech[] = {
     NUMBER("specular", 0.06),
     RAYS(0.55, 1.4, 120.0, 30.0),
     SRGB("ray_colour", 184, 133, 97),
+    FIBRES(20.0, 570.0),
 };
 SPECIES(beech, "European beech (Fagus sylvatica)",
         "Pinkish brown from steaming, flecked with short dark rays; even and fine.",
@@ -40,6 +41,8 @@ static const sozai_value values_oak[] = {
     NUMBER("specular", 0.06),
     RAYS(0.012, 22.0, 320.0, 40.0),
     SRGB("ray_colour", 204, 171, 126),
+    FIBRES(18.0, 570.0),
+    NUMBER("tyloses", 1.0),
 };
 SPECIES(oak, "European oak (Quercus robur)",
         "Yellowish brown; large early vessels, and silver grain on the quartered face.",
@@ -62,6 +65,7 @@ static const sozai_value values_ash[] = {
     NUMBER("specular", 0.08),
     RAYS(4.0, 0.35, 32.0, 25.0),
     SRGB("ray_colour", 224, 201, 162),
+    FIBRES(20.0, 560.0),
 };
 SPECIES(ash, "European ash (Fraxinus excelsior)",
         "Nearly white, clear of line; rows of large vessels, dense latewood.",
@@ -84,6 +88,8 @@ static const sozai_value values_elm[] = {
     NUMBER("specular", 0.06),
     RAYS(2.0, 0.5, 55.0, 30.0),
     SRGB("ray_colour", 196, 158, 116),
+    FIBRES(20.0, 530.0),
+    NUMBER("tyloses", 0.3),
 };
 SPECIES(elm, "Wych elm (Ulmus glabra)",
         "Brown with a green cast; the latewood's vessels lie in wavy bands.",
@@ -106,6 +112,8 @@ static const sozai_value values_chestnut[] = {
     NUMBER("specular", 0.05),
     RAYS(4.0, 0.25, 16.0, 25.0),
     SRGB("ray_colour", 205, 169, 121),
+    FIBRES(20.0, 480.0),
+    NUMBER("tyloses", 0.7),
 };
 SPECIES(chestnut, "Sweet chestnut (Castanea sativa)",
         "Golden brown like oak, with several rows of vessels and no broad rays.",
@@ -129,6 +137,8 @@ static const sozai_value values_robinia[] = {
     NUMBER("specular", 0.1),
     RAYS(2.0, 0.5, 55.0, 28.0),
     SRGB("ray_colour", 190, 160, 96),
+    FIBRES(17.0, 650.0),
+    NUMBER("tyloses", 1.0),
 };
 SPECIES(robinia, "Black locust, robinia (Robinia pseudoacacia)",
         "Greenish gold, hard and glossy, its vessels stopped; bold flames.",
@@ -150,6 +160,7 @@ static const sozai_value values_walnut[] = {
     NUMBER("specular", 0.08),
     RAYS(4.0, 0.4, 35.0, 28.0),
     SRGB("ray_colour", 158, 126, 94),
+    FIBRES(22.0, 540.0),
 };
 SPECIES(walnut, "European walnut (Juglans regia)",
         "Grey-brown with dark drifting streaks; vessels show as fine dark lines.",
@@ -171,6 +182,7 @@ static const sozai_value values_pear[] = {
     NUMBER("specular", 0.06),
     RAYS(5.0, 0.3, 24.0, 25.0),
     SRGB("ray_colour", 196, 150, 116),
+    FIBRES(20.0, 590.0),
 };
 SPECIES(pear, "Pear (Pyrus communis)", "Pinkish brown, the most even of woods; rings barely drawn.",
         SCHOCH "; " WAGENFUEHR);
@@ -179,6 +191,7 @@ static const sozai_value values_sycamore[] = {
     RINGS(2.2, 0.22, 0.7),
     LATEWOOD(0.06, 0.7),
     WAVY(0.18, 8.0, 0.45),
+    CURL(0.08, 8.0, 0.45),
     NUMBER("slope_noise", 0.035),
     NUMBER("slope_noise_length", 45.0),
     DIFFUSE_POROUS(48.0, 62.0, 0.2),
@@ -194,6 +207,7 @@ static const sozai_value values_sycamore[] = {
     NUMBER("shininess", 12.0),
     RAYS(2.6, 0.55, 60.0, 28.0),
     SRGB("ray_colour", 226, 200, 162),
+    FIBRES(21.0, 510.0),
 };
 SPECIES(sycamore, "Sycamore maple, fiddleback (Acer pseudoplatanus)",
         "Creamy white; regular waves of the grain give the fiddleback's bars.",
@@ -215,6 +229,7 @@ static const sozai_value values_birch[] = {
     NUMBER("specular", 0.1),
     RAYS(5.0, 0.35, 26.0, 25.0),
     SRGB("ray_colour", 222, 192, 152),
+    FIBRES(20.0, 510.0),
 };
 SPECIES(birch, "Silver birch (Betula pendula)",
         "Whitish to pale yellow, silky, with a faint line at each ring.", SCHOCH "; " WAGENFUEHR);
@@ -235,6 +250,7 @@ static const sozai_value values_alder[] = {
     NUMBER("specular", 0.05),
     RAYS(0.006, 20.0, 220.0, 30.0),
     SRGB("ray_colour", 190, 138, 95),
+    FIBRES(20.0, 430.0),
 };
 SPECIES(alder, "Black alder (Alnus glutinosa)",
         "Orange to reddish brown, dull and even, with a few aggregate rays as long dark lines.",
@@ -256,6 +272,7 @@ static const sozai_value values_lime[] = {
     NUMBER("specular", 0.06),
     RAYS(2.5, 0.6, 40.0, 26.0),
     SRGB("ray_colour", 222, 197, 154),
+    FIBRES(25.0, 420.0),
 };
 SPECIES(lime, "Small-leaved lime, linden (Tilia cordata)",
         "Yellowish white, soft and plain; the carver's even wood.", SCHOCH "; " WAGENFUEHR);
@@ -276,6 +293,7 @@ static const sozai_value values_poplar[] = {
     NUMBER("specular", 0.07),
     RAYS(6.0, 0.25, 12.0, 25.0),
     SRGB("ray_colour", 230, 212, 181),
+    FIBRES(26.0, 360.0),
 };
 SPECIES(poplar, "European aspen (Populus tremula)", "Whitish and woolly; nearly no figure.",
         SCHOCH "; " WAGENFUEHR);
@@ -296,6 +314,7 @@ static const sozai_value values_willow[] = {
     NUMBER("specular", 0.08),
     RAYS(6.0, 0.25, 12.0, 25.0),
     SRGB("ray_colour", 211, 180, 147),
+    FIBRES(25.0, 360.0),
 };
 SPECIES(willow, "White willow (Salix alba)",
         "Pale pinkish brown heartwood under white sapwood; soft, with a faint sheen.",
@@ -317,6 +336,7 @@ static const sozai_value values_plane[] = {
     NUMBER("specular", 0.07),
     RAYS(0.2, 2.6, 250.0, 30.0),
     SRGB("ray_colour", 182, 132, 93),
+    FIBRES(20.0, 520.0),
 };
 SPECIES(plane, "London plane, lacewood (Platanus x hispanica)",
         "Pinkish brown; quartered, the broad rays make a lace of darker flecks.",
@@ -338,6 +358,7 @@ static const sozai_value values_hornbeam[] = {
     NUMBER("specular", 0.05),
     RAYS(0.008, 20.0, 260.0, 30.0),
     SRGB("ray_colour", 216, 195, 161),
+    FIBRES(20.0, 630.0),
 };
 SPECIES(hornbeam, "European hornbeam (Carpinus betulus)",
         "Greyish white and bony, on wavy rings, with pale aggregate rays.", SCHOCH "; " WAGENFUEHR);
@@ -360,6 +381,7 @@ static const sozai_value values_olive[] = {
     NUMBER("specular", 0.1),
     RAYS(5.0, 0.3, 24.0, 22.0),
     SRGB("ray_colour", 192, 157, 104),
+    FIBRES(15.0, 760.0),
 };
 SPECIES(olive, "Olive (Olea europaea)",
         "Yellow-brown, marbled with dark brown; fine, oily and smooth.", WAGENFUEHR "; " RICHTER);
@@ -380,6 +402,7 @@ static const sozai_value values_box[] = {
     NUMBER("specular", 0.1),
     RAYS(6.0, 0.2, 18.0, 18.0),
     SRGB("ray_colour", 218, 192, 130),
+    FIBRES(14.0, 800.0),
 };
 SPECIES(box, "European box (Buxus sempervirens)",
         "Light yellow, dense as horn; nothing to see but faint close rings.",
@@ -401,6 +424,7 @@ static const sozai_value values_holly[] = {
     NUMBER("specular", 0.07),
     RAYS(1.8, 0.7, 70.0, 25.0),
     SRGB("ray_colour", 230, 219, 193),
+    FIBRES(20.0, 620.0),
 };
 SPECIES(holly, "European holly (Ilex aquifolium)",
         "Ivory white, fine and even; the rings hardly show.", SCHOCH "; " WAGENFUEHR);
@@ -421,6 +445,7 @@ static const sozai_value values_apple[] = {
     NUMBER("specular", 0.06),
     RAYS(5.0, 0.3, 26.0, 22.0),
     SRGB("ray_colour", 180, 124, 90),
+    FIBRES(20.0, 600.0),
 };
 SPECIES(apple, "Apple (Malus domestica)", "Reddish brown, fine and even, often with darker drifts.",
         SCHOCH "; " WAGENFUEHR);
@@ -442,6 +467,7 @@ static const sozai_value values_plum[] = {
     NUMBER("specular", 0.08),
     RAYS(2.4, 0.6, 60.0, 25.0),
     SRGB("ray_colour", 200, 146, 108),
+    FIBRES(20.0, 620.0),
 };
 SPECIES(plum, "Plum (Prunus domestica)",
         "Purplish to orange brown, banded from ring to ring; small bright rays.",
@@ -465,6 +491,7 @@ static const sozai_value values_laburnum[] = {
     NUMBER("specular", 0.09),
     RAYS(1.8, 0.6, 60.0, 24.0),
     SRGB("ray_colour", 152, 116, 72),
+    FIBRES(20.0, 680.0),
 };
 SPECIES(laburnum, "Laburnum (Laburnum anagyroides)",
         "Dark olive brown in thin yellow sapwood; fine bright rays, strong rings.",

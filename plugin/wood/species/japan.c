@@ -16,6 +16,7 @@ static const sozai_value values_onigurumi[] = {
     SRGB("sapwood_latewood_colour", 180, 156, 120),
     NUMBER("heartwood_years", 120.0),
     NUMBER("specular", 0.06),
+    FIBRES(22.0, 450.0),
 };
 SPECIES(onigurumi, "Onigurumi, Japanese walnut (Juglans mandshurica var. sachalinensis)",
         "Brown, with vessels that shrink across the ring and show as fine dark streaks.",
@@ -37,6 +38,7 @@ static const sozai_value values_makaba[] = {
     NUMBER("specular", 0.09),
     RAYS(4.0, 0.4, 45.0, 25.0),
     SRGB("ray_colour", 202, 156, 114),
+    FIBRES(20.0, 560.0),
 };
 SPECIES(makaba, "Makaba, monarch birch (Betula maximowicziana)",
         "Pale reddish brown, even, with small vessels alike across the ring.",
@@ -58,6 +60,7 @@ static const sozai_value values_yamazakura[] = {
     NUMBER("specular", 0.08),
     RAYS(3.0, 0.5, 55.0, 30.0),
     SRGB("ray_colour", 209, 160, 118),
+    FIBRES(20.0, 520.0),
 };
 SPECIES(yamazakura, "Yamazakura, Japanese cherry (Cerasus jamasakura)",
         "Warm brown, close-textured; vessels too small to see but for a silky streak.",
@@ -80,6 +83,8 @@ static const sozai_value values_mizunara[] = {
     NUMBER("specular", 0.06),
     RAYS(0.014, 20.0, 300.0, 36.0),
     SRGB("ray_colour", 207, 176, 134),
+    FIBRES(18.0, 560.0),
+    NUMBER("tyloses", 0.9),
 };
 SPECIES(mizunara, "Mizunara, Japanese oak (Quercus crispula)",
         "Light brown; one to three rows of very large earlywood vessels.", ITOH "; " INSIDEWOOD);
@@ -101,6 +106,8 @@ static const sozai_value values_harunire[] = {
     NUMBER("specular", 0.06),
     RAYS(2.0, 0.5, 60.0, 30.0),
     SRGB("ray_colour", 199, 162, 120),
+    FIBRES(20.0, 500.0),
+    NUMBER("tyloses", 0.3),
 };
 SPECIES(harunire, "Harunire, Japanese elm (Ulmus davidiana var. japonica)",
         "Brown and lively; large earlywood vessels, many small ones in the latewood.",
@@ -123,6 +130,8 @@ static const sozai_value values_keyaki[] = {
     NUMBER("specular", 0.08),
     RAYS(1.6, 0.6, 75.0, 30.0),
     SRGB("ray_colour", 188, 136, 80),
+    FIBRES(17.0, 560.0),
+    NUMBER("tyloses", 0.5),
 };
 SPECIES(keyaki, "Keyaki, Japanese zelkova (Zelkova serrata)",
         "Golden brown, strongly figured; one row of large earlywood vessels.",
@@ -145,6 +154,7 @@ static const sozai_value values_itayakaede[] = {
     NUMBER("shininess", 12.0),
     RAYS(2.4, 0.6, 80.0, 30.0),
     SRGB("ray_colour", 221, 186, 144),
+    FIBRES(20.0, 560.0),
 };
 SPECIES(itayakaede, "Itayakaede, painted maple with wavy grain (Acer pictum)",
         "Nearly white, close-textured; wavy grain gives a cross figure that moves with the light.",
@@ -166,6 +176,7 @@ static const sozai_value values_buna[] = {
     NUMBER("specular", 0.06),
     RAYS(0.5, 1.6, 110.0, 28.0),
     SRGB("ray_colour", 188, 143, 107),
+    FIBRES(20.0, 540.0),
 };
 SPECIES(buna, "Buna, Japanese beech (Fagus crenata)",
         "Pale pinkish brown, flecked with the broad rays' dark spindles; fine even vessels.",
@@ -188,6 +199,7 @@ static const sozai_value values_tamo[] = {
     NUMBER("specular", 0.07),
     RAYS(4.0, 0.3, 30.0, 25.0),
     SRGB("ray_colour", 206, 178, 138),
+    FIBRES(20.0, 540.0),
 };
 SPECIES(tamo, "Tamo, Manchurian ash (Fraxinus mandshurica)",
         "Pale greyish brown; rows of large vessels draw broad, clear flames.",
@@ -210,6 +222,8 @@ static const sozai_value values_kuri[] = {
     NUMBER("specular", 0.05),
     RAYS(4.0, 0.25, 18.0, 25.0),
     SRGB("ray_colour", 196, 158, 114),
+    FIBRES(20.0, 480.0),
+    NUMBER("tyloses", 0.8),
 };
 SPECIES(kuri, "Kuri, Japanese chestnut (Castanea crenata)",
         "Brown, coarse; many rows of large vessels and flame-shaped latewood, no broad rays.",
@@ -231,6 +245,7 @@ static const sozai_value values_katsura[] = {
     NUMBER("specular", 0.07),
     RAYS(4.0, 0.5, 28.0, 25.0),
     SRGB("ray_colour", 178, 138, 106),
+    FIBRES(28.0, 420.0),
 };
 SPECIES(katsura, "Katsura, Japanese Judas tree (Cercidiphyllum japonicum)",
         "Soft reddish brown, very even; vessels crowded and too fine to see.", ITOH "; " FFPRI);
@@ -251,6 +266,7 @@ static const sozai_value values_honoki[] = {
     NUMBER("specular", 0.06),
     RAYS(3.0, 0.55, 35.0, 30.0),
     SRGB("ray_colour", 184, 169, 138),
+    FIBRES(26.0, 400.0),
 };
 SPECIES(honoki, "Ho-no-ki, Japanese whitebark magnolia (Magnolia obovata)",
         "Greenish grey heartwood, smooth and dull, with a thin pale line at each ring.",
@@ -272,6 +288,7 @@ static const sozai_value values_kiri[] = {
     NUMBER("specular", 0.1),
     RAYS(2.5, 0.4, 50.0, 30.0),
     SRGB("ray_colour", 212, 189, 156),
+    FIBRES(32.0, 240.0),
 };
 SPECIES(kiri, "Kiri, paulownia (Paulownia tomentosa)",
         "Silvery pale brown and light; wide rings, vessels that open in loose rows.",
@@ -294,6 +311,7 @@ static const sozai_value values_kusunoki[] = {
     NUMBER("specular", 0.09),
     RAYS(3.0, 0.45, 40.0, 28.0),
     SRGB("ray_colour", 196, 154, 108),
+    FIBRES(20.0, 430.0),
 };
 SPECIES(kusunoki, "Kusunoki, camphor tree (Camphora officinarum)",
         "Yellowish to reddish brown, streaked; grain interlocks and vessels show as short lines.",
@@ -316,6 +334,7 @@ static const sozai_value values_tochinoki[] = {
     NUMBER("specular", 0.28),
     RAYS(5.0, 0.28, 18.0, 22.0),
     SRGB("ray_colour", 224, 198, 156),
+    FIBRES(26.0, 430.0),
 };
 SPECIES(tochinoki, "Tochinoki, Japanese horse chestnut (Aesculus turbinata)",
         "Pale yellowish white, silky, with ripple marks and a wavy, shimmering grain.",
@@ -337,6 +356,7 @@ static const sozai_value values_isunoki[] = {
     NUMBER("specular", 0.09),
     RAYS(4.0, 0.4, 25.0, 25.0),
     SRGB("ray_colour", 152, 110, 86),
+    FIBRES(15.0, 740.0),
 };
 SPECIES(isunoki, "Isunoki, winter hazel wood (Distylium racemosum)",
         "Purplish brown, heavy and dense; vessels too fine to see.", ITOH "; " FFPRI);
@@ -357,6 +377,7 @@ static const sozai_value values_mizume[] = {
     NUMBER("specular", 0.09),
     RAYS(4.0, 0.4, 35.0, 25.0),
     SRGB("ray_colour", 184, 138, 105),
+    FIBRES(20.0, 600.0),
 };
 SPECIES(mizume, "Mizume, Japanese cherry birch (Betula grossa)",
         "Reddish brown, hard and even, sold as cherry; rings drawn by thin darker lines.",
@@ -379,6 +400,7 @@ static const sozai_value values_kihada[] = {
     NUMBER("specular", 0.06),
     RAYS(3.0, 0.35, 38.0, 25.0),
     SRGB("ray_colour", 194, 164, 108),
+    FIBRES(20.0, 400.0),
 };
 SPECIES(kihada, "Kihada, Amur cork tree (Phellodendron amurense)",
         "Greenish yellow-brown; a band of large vessels and wavy clusters in the latewood.",
@@ -402,6 +424,7 @@ static const sozai_value values_enju[] = {
     NUMBER("specular", 0.07),
     RAYS(2.0, 0.6, 60.0, 28.0),
     SRGB("ray_colour", 160, 130, 88),
+    FIBRES(20.0, 560.0),
 };
 SPECIES(enju, "Enju, Amur maackia (Maackia amurensis)",
         "Dark olive brown with a thin pale sapwood; bold flames of coarse latewood.",
@@ -425,6 +448,8 @@ static const sozai_value values_kuwa[] = {
     NUMBER("specular", 0.11),
     RAYS(1.8, 0.6, 60.0, 28.0),
     SRGB("ray_colour", 194, 148, 86),
+    FIBRES(20.0, 520.0),
+    NUMBER("tyloses", 0.8),
 };
 SPECIES(kuwa, "Kuwa, Japanese mulberry (Morus bombycis)",
         "Golden brown that darkens with age; strong flames and a lively gloss.",

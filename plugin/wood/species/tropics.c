@@ -20,6 +20,7 @@ static const sozai_value values_teak[] = {
     NUMBER("specular", 0.06),
     RAYS(2.4, 0.7, 75.0, 30.0),
     SRGB("ray_colour", 190, 144, 90),
+    FIBRES(20.0, 560.0),
 };
 SPECIES(teak, "Teak (Tectona grandis)",
         "Golden brown with dark streaks, oily; rows of vessels open each ring.",
@@ -42,6 +43,7 @@ static const sozai_value values_sapele[] = {
     NUMBER("specular", 0.22),
     RAYS(3.6, 0.45, 55.0, 28.0),
     SRGB("ray_colour", 142, 85, 57),
+    FIBRES(19.0, 550.0),
 };
 SPECIES(sapele, "Sapele (Entandrophragma cylindricum)",
         "Reddish brown; interlocked grain gives a narrow, regular ribbon on the quarter.",
@@ -64,6 +66,7 @@ static const sozai_value values_iroko[] = {
     NUMBER("specular", 0.12),
     RAYS(2.6, 0.45, 65.0, 28.0),
     SRGB("ray_colour", 182, 139, 85),
+    FIBRES(20.0, 540.0),
 };
 SPECIES(iroko, "Iroko (Milicia excelsa)",
         "Yellow to golden brown; large vessels in pale flecks of soft tissue, interlocked.",
@@ -86,6 +89,7 @@ static const sozai_value values_wenge[] = {
     NUMBER("specular", 0.05),
     RAYS(4.0, 0.35, 40.0, 24.0),
     SRGB("ray_colour", 70, 49, 35),
+    FIBRES(20.0, 700.0),
 };
 SPECIES(wenge, "Wenge (Millettia laurentii)",
         "Dark brown to black, in close straight bands of paler tissue.", RICHTER "; " WAGENFUEHR);
@@ -108,6 +112,7 @@ static const sozai_value values_zebrano[] = {
     NUMBER("specular", 0.1),
     RAYS(5.0, 0.3, 30.0, 26.0),
     SRGB("ray_colour", 198, 158, 106),
+    FIBRES(20.0, 650.0),
 };
 SPECIES(zebrano, "Zebrano (Microberlinia brazzavillensis)",
         "Pale golden brown, striped with dark brown veins; interlocked.", RICHTER "; " WAGENFUEHR);
@@ -130,6 +135,7 @@ static const sozai_value values_padauk[] = {
     NUMBER("specular", 0.1),
     RAYS(9.0, 0.15, 14.0, 20.0),
     SRGB("ray_colour", 162, 81, 54),
+    FIBRES(20.0, 620.0),
 };
 SPECIES(padauk, "African padauk (Pterocarpus soyauxii)",
         "Bright orange-red going to purplish brown; few large vessels.", RICHTER "; " WAGENFUEHR);
@@ -151,6 +157,7 @@ static const sozai_value values_ebony[] = {
     NUMBER("specular", 0.1),
     RAYS(8.0, 0.3, 14.0, 22.0),
     SRGB("ray_colour", 46, 36, 31),
+    FIBRES(14.0, 880.0),
 };
 SPECIES(ebony, "African ebony (Diospyros crassiflora)",
         "Black, with here and there a brown streak; dense and fine.", RICHTER "; " WAGENFUEHR);
@@ -172,6 +179,7 @@ static const sozai_value values_macassar_ebony[] = {
     NUMBER("specular", 0.11),
     RAYS(8.0, 0.3, 14.0, 22.0),
     SRGB("ray_colour", 112, 77, 54),
+    FIBRES(14.0, 900.0),
 };
 SPECIES(macassar_ebony, "Macassar ebony (Diospyros celebica)",
         "Dark, striped from brown to black in bands as wide as a finger's nail.",
@@ -195,6 +203,7 @@ static const sozai_value values_bubinga[] = {
     NUMBER("specular", 0.12),
     RAYS(4.0, 0.4, 45.0, 26.0),
     SRGB("ray_colour", 154, 89, 64),
+    FIBRES(20.0, 710.0),
 };
 SPECIES(bubinga, "Bubinga (Guibourtia tessmannii)",
         "Red-brown veined with purple; dense and glossy.", RICHTER "; " WAGENFUEHR);
@@ -216,6 +225,7 @@ static const sozai_value values_afrormosia[] = {
     NUMBER("specular", 0.12),
     RAYS(4.5, 0.28, 40.0, 24.0),
     SRGB("ray_colour", 174, 128, 80),
+    FIBRES(20.0, 590.0),
 };
 SPECIES(afrormosia, "Afrormosia (Pericopsis elata)",
         "Yellow-brown going to teak's tone; fine, with a narrow interlocked ribbon.",
@@ -238,6 +248,7 @@ static const sozai_value values_okoume[] = {
     NUMBER("specular", 0.14),
     RAYS(6.0, 0.28, 22.0, 24.0),
     SRGB("ray_colour", 196, 148, 124),
+    FIBRES(24.0, 370.0),
 };
 SPECIES(okoume, "Okoume (Aucoumea klaineana)",
         "Salmon pink, silky and plain; vessels fine, grain shallowly interlocked.",
@@ -260,6 +271,7 @@ static const sozai_value values_jarrah[] = {
     NUMBER("specular", 0.09),
     RAYS(8.0, 0.25, 16.0, 22.0),
     SRGB("ray_colour", 136, 74, 55),
+    FIBRES(20.0, 680.0),
 };
 SPECIES(jarrah, "Jarrah (Eucalyptus marginata)",
         "Deep red-brown, even; vessels in slanting lines, filled with red gum.",
@@ -281,6 +293,7 @@ static const sozai_value values_silky_oak[] = {
     NUMBER("specular", 0.1),
     RAYS(0.045, 8.0, 360.0, 36.0),
     SRGB("ray_colour", 206, 161, 128),
+    FIBRES(20.0, 510.0),
 };
 SPECIES(silky_oak, "Southern silky oak (Grevillea robusta)",
         "Pinkish brown; very broad rays make bold silvery flakes on the quarter.",
@@ -303,6 +316,7 @@ static const sozai_value values_lignum_vitae[] = {
     NUMBER("specular", 0.12),
     RAYS(12.0, 0.09, 12.0, 14.0),
     SRGB("ray_colour", 108, 94, 61),
+    FIBRES(12.0, 1050.0),
 };
 SPECIES(lignum_vitae, "Lignum vitae (Guaiacum officinale)",
         "Dark olive to greenish black, waxy; the hardest, grain closely interlocked.",
@@ -324,6 +338,7 @@ static const sozai_value values_rubberwood[] = {
     NUMBER("specular", 0.06),
     RAYS(4.0, 0.5, 40.0, 26.0),
     SRGB("ray_colour", 220, 188, 144),
+    FIBRES(20.0, 500.0),
 };
 SPECIES(rubberwood, "Rubberwood (Hevea brasiliensis)",
         "Pale cream to straw, plain; vessels large and scattered.", RICHTER "; " WAGENFUEHR);
