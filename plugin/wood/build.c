@@ -532,8 +532,8 @@ static void build_cells(wood_constants *w, const settings *s) {
   double most = 1.0 / (1.0 - (double)w->wall_early);
   w->cell_white = (float)(0.97 * most / (1.0 + number_at(s, P_FIBRE_BRIGHTNESS)));
   w->cell_open = (float)most;
-  w->cell_end = (float)(0.75 * contrast);
-  w->cell_side = (float)(0.4 * contrast);
+  w->cell_end = (float)(0.65 * contrast);
+  w->cell_side = (float)(0.26 * contrast);
   w->tyloses = (float)(1.1 * number_at(s, P_TYLOSES) * contrast);
   w->inverse_tylose = (float)(1.0 / (0.45e-3 * number_at(s, P_ROW_DIAMETER)));
   w->inverse_element = (float)(1.0 / number_at(s, P_ELEMENT_LENGTH));

@@ -7,9 +7,8 @@
  *
  * What they add to a colour has mean zero: a lumen is darker than its tissue's
  * mean by the share of walls, a wall brighter by the share of lumina. Over a box
- * the pattern of a file is integrated exactly along the arc and along the
- * radius; where the box spans files, whose cells do not line up, what they
- * differ in fades, and from a few cells on nothing is left and nothing computed.
+ * the pattern of each file is integrated exactly, and those of five files at most are
+ * summed; from four cells on nothing is left and nothing computed.
  */
 #ifndef SOZAI_WOOD_CELLS_H
 #define SOZAI_WOOD_CELLS_H
@@ -44,7 +43,7 @@ INLINE vf cells_tissue(const wood_constants *w, const vessel_place *p, vf y, vf 
   vf e2 = p->f.aa + p->f.bb;
   if (!any(lt(e2, splat(w->cell_gone * w->cell_gone)))) return zero;
   const ring_place *ring = &p->ring;
-  vi unused, file, n;
+  vi file, n;
   vf width = one / ring->inverse_width;
   vf middle = ring->start + ring->turns * splat(w->ring_period) + half * width;
   vf count = vfloor(middle * splat(6.2831853f * w->inverse_cell_width) + half, &n);
@@ -52,15 +51,13 @@ INLINE vf cells_tissue(const wood_constants *w, const vessel_place *p, vf y, vf 
   vf turn = arctan2(p->s, p->c) * splat(0.15915494f) + half;
   vf x = turn * count, in = x - vfloor(x, &file);
   vf arc = splat(6.2831853f) * vmax(p->rho, splat(0.05f)) / count;
-  vu seed = (vu)ring->ring * splatu(HASH_Z) + wood_seed(w, p->own, SEED_CELLS);
-  vu h = hash_mix((vu)file * splatu(HASH_X) + seed);
+  vu seed = hash_mix((vu)ring->ring * splatu(HASH_Z) + wood_seed(w, p->own, SEED_CELLS));
 
   /* the number of cells from the ring's start, and how deep one is */
-  vf early = splat(w->inverse_cell_early),
-     more = splat(w->inverse_cell_late - w->inverse_cell_early);
+  vf early = splat(w->inverse_cell_early);
+  vf more = splat(w->inverse_cell_late - w->inverse_cell_early);
   vf cells = width * (ring->phase * early + late_integral(w, ring->phase) * more);
   vf deep = one / (early + late * more);
-  cells = cells + to_float((vi)(h >> 16)) * splat(1.0f / 65536.0f);
 
   /* walls of the thickness that leaves the lumina their share */
   vf share = mix(splat(w->wall_early), splat(w->wall_late), late);
@@ -69,24 +66,43 @@ INLINE vf cells_tissue(const wood_constants *w, const vessel_place *p, vf y, vf 
   vf wall = (sum - vsqrt(vmax(sum * sum - four, zero))) * splat(0.25f);
   vf across = one - (wall + wall) / arc, along = one - (wall + wall) / deep;
 
-  vf er = vmax(vsqrt(p->f.bb) / deep, splat(CELL_SHARP));
-  /* ends taper; neighbours' do not lie side by side */
-  vi cell;
-  vfloor(cells, &cell);
-  vf offset = to_float((vi)(hash_upper(h + (vu)cell * splatu(HASH_Y)) >> 8));
-  vf rows = y * splat(w->inverse_cell_length) + offset * splat(1.0f / 16777216.0f);
-  vf at = rows - vfloor(rows, &unused);
-  vf taper = clamp01(vmin(at, one - at) * splat(1.0f / CELL_TAPER));
-  taper = splat(CELL_TIP) + splat(1.0f - CELL_TIP) * taper;
-  taper = mix(taper, splat(CELL_MEAN), clamp01(er - half));
-
+  /* how a square lies that the footprint stands for is not known: from a cell's
+   * size on, regular detail is gone */
   vf ex = vmax(vsqrt(p->f.aa) / arc, splat(CELL_SHARP));
-  vf lx = cell_pulse(in, ex, across * taper), lr = cell_pulse(cells, er, along);
-  lr = mix(lr, along, clamp01(ex - half)); /* across files */
-  vf keep = one - smooth_step(splat(0.25f * w->cell_gone * w->cell_gone),
-                              splat(w->cell_gone * w->cell_gone), e2);
+  vf er = vmax(vsqrt(p->f.bb) / deep, splat(CELL_SHARP));
+  vf plain_x = smooth_step(splat(0.7f), splat(1.3f), ex);
+  vf plain_r = smooth_step(splat(0.7f), splat(1.3f), er), wide = clamp01(er - half);
+  vf low = in - half * ex, high = in + half * ex, lumen = zero;
+  for (int d = -2; d <= 2; d++) {
+    /* what of the file lies within the footprint */
+    vf left = splat((float)d), right = splat((float)d + 1.0f);
+    vf whole = vmax(vmin(high, right) - vmax(low, left), zero);
+    if (d && !any(gt(whole, zero))) continue;
+    vi which = file + splati(d);
+    vu h = hash_mix((vu)which * splatu(HASH_X) + seed);
+    /* files are offset by golden parts of a cell, so that few of them are alike;
+     * and a little at random */
+    vf golden = to_float((vi)((vu)which * splatu(0x9e3779b9u) >> 8)) * splat(1.0f / 16777216.0f);
+    vf c = cells + golden + to_float((vi)(h >> 16)) * splat(0.2f / 65536.0f);
+    vi cell, unused2;
+    vfloor(c, &cell);
+    /* ends taper; neighbours' do not lie side by side */
+    vf offset = to_float((vi)(hash_upper(h + (vu)cell * splatu(HASH_Y)) >> 8));
+    vf rows = y * splat(w->inverse_cell_length) + offset * splat(1.0f / 16777216.0f);
+    vf at = rows - vfloor(rows, &unused2);
+    vf taper = clamp01(vmin(at, one - at) * splat(1.0f / CELL_TAPER));
+    taper = splat(CELL_TIP) + splat(1.0f - CELL_TIP) * taper;
+    vf on = across * mix(taper, splat(CELL_MEAN), wide);
+    vf edge = half * (one - on);
+    vf x1 = vmax(vmin(high, right - edge) - vmax(low, left + edge), zero);
+    x1 = mix(x1, whole * on, plain_x);
+    lumen = lumen + x1 * mix(cell_pulse(c, er, along), along, plain_r);
+  }
+  lumen = lumen / ex;
+  vf gone2 = splat(w->cell_gone * w->cell_gone);
+  vf keep = one - smooth_step(splat(0.25f) * gone2, gone2, e2);
   *contrast = mix(splat(w->cell_side), splat(w->cell_end), end);
-  return keep * (one - share - lx * lr);
+  return keep * (one - share - lumen);
 }
 
 /* The contrast that a colour has room for: no wall is brighter than white. */
@@ -97,34 +113,36 @@ INLINE vf cells_room(const wood_constants *w, vf colour) {
 
 #define TYLOSE_EDGE 0.08f   /* of its size, half a membrane's width */
 #define TYLOSE_MEAN 0.1324f /* of the membranes' cover, measured */
-#define RIM_WIDTH 0.1f      /* of an element's length */
+#define RIM_WIDTH 0.12f     /* of an element's length */
 
 /* What is seen within the earlywood's vessels, and within all: relative to
  * their colour, mean zero. (x, z), y: the fibre's place and height. s: footprint. */
 INLINE vf cells_tyloses(const wood_constants *w, vu own, vf x, vf y, vf z, vf s) {
   vf one = splat(1.0f), zero = splat(0.0f), k = splat(w->inverse_tylose);
-  vf keep = one - smooth_step(splat(0.3f), splat(1.2f), s * k);
+  vf keep = one - smooth_step(splat(0.5f), splat(1.6f), s * k);
   if (w->tyloses <= 0.0f || !any(gt(keep, zero))) return zero;
   vf g[3],
       n = noise_gradient3(x * k, y * splat(0.6f) * k, z * k, wood_seed(w, own, SEED_TYLOSES), g);
   vf steep = vsqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]) + splat(1e-3f);
-  vf cover = clamp01(one - vabs(n) / (steep * splat(TYLOSE_EDGE)));
+  /* blurred: wider, and lower by as much */
+  vf blur = splat(0.5f) * s * k;
+  vf thin = splat(TYLOSE_EDGE) * inverse_root(splat(TYLOSE_EDGE * TYLOSE_EDGE) + blur * blur);
+  vf cover = clamp01(one - vabs(n) * thin / (steep * splat(TYLOSE_EDGE))) * thin;
   return splat(w->tyloses) * keep * (cover - splat(TYLOSE_MEAN));
 }
 
-INLINE vf cells_rims(const wood_constants *w, vu own, vf x, vf y, vf z, vf s) {
+INLINE vf cells_rims(const wood_constants *w, vu own, vf x, vf y, vf z, vf s, vf extent) {
   vf one = splat(1.0f), zero = splat(0.0f), k = splat(w->inverse_element), dx, dz;
-  vf keep = one - smooth_step(splat(0.08f), splat(0.3f), s * k);
+  vf e = vmax(extent * k, splat(0.03f));
+  vf keep = (one - smooth_step(splat(0.7f), splat(1.4f), e)) *
+            (one - smooth_step(splat(0.1f), splat(0.3f), s));
   if (!any(gt(keep, zero))) return zero;
   /* each vessel's begin elsewhere, and its rims lie oblique */
   noise_axis ax = noise_split_cubic(x * splat(3.0f), HASH_X);
   noise_axis az = noise_split_cubic(z * splat(3.0f), HASH_Z);
   vf shift =
       noise_value2(&ax, &az, wood_seed(w, own, SEED_RIMS), &dx, &dz) * splat(1.0f / HASH_ONE);
-  vi unused;
-  vf at = y * k + splat(1.5f) * shift;
-  at = at - vfloor(at, &unused);
-  vf rim = clamp01(one - vabs(at - splat(0.5f)) * splat(1.0f / RIM_WIDTH));
+  vf rim = cell_pulse(y * k + splat(1.5f) * shift, e, splat(RIM_WIDTH));
   return splat(w->cell_side) * keep * (rim - splat(RIM_WIDTH));
 }
 

@@ -22,7 +22,7 @@ static void canals(void **state) {
   (void)state;
   static const struct {
     double density, diameter, ring;
-  } cases[] = {{0.7, 150, 2.5}, {0.4, 80, 1.6}, {1.5, 200, 4}};
+  } cases[] = {{0.7, 150, 2.5}, {0.4, 80, 1.6}, {1, 80, 4}};
   for (int k = 0; k < 3; k++) {
     char text[512];
     snprintf(text, sizeof text,
@@ -125,13 +125,14 @@ static void sizes_and_walls(void **state) {
     double bright = 0, dark = 9;
     double walls[2] = {0, 0}, all[2] = {0, 0}, mean = 0, count = 0;
     double across = 0, length = 0, deep[2] = {0, 0};
-    for (int i = 0; i < 300; i++) {
-      double ring = 4 * floor((80 + 40 * uniform()) / 4);
-      /* a ring's width: the mean */
-      line(&p, ring + 4 * uniform(), 2 * uniform(), 1, 0, 4000);
+    for (int i = 0; i < 1500; i++) {
+      line(&p, 80 + 40 * uniform(), 2 * uniform(), 1, 0, 4000);
       points_ask(&p, t);
       for (unsigned q = 0; q < p.count; q++) mean += (double)p.out[ALBEDO][q];
       count += p.count;
+    }
+    for (int i = 0; i < 300; i++) {
+      double ring = 4 * floor((80 + 40 * uniform()) / 4);
       for (int late = 0; late < 2; late++) {
         double from = ring + (late ? 3.1 : 0.2), best = 1e9, least = 9, most = 0;
         int n = 0;
