@@ -27,10 +27,10 @@
       WORKED_(id, "Sugi, " label, "sugi", "far", "320x220", "cut=flat", a, b)
 
 const shot_sheet gallery_sheets[GALLERY_SHEETS] = {
-    {"gallery", 15}, /* five species, three cuts of each */
-    {"stones", 5},
-    {"layouts", 6},
-    {"finishes", 4}, /* two species, near and far */
+    {"gallery", 15},                                  /* five species, three cuts of each */
+    {"stones", 5},   {"layouts", 6}, {"finishes", 4}, /* two species, near and far */
+    {"macro", 3},                                     /* of a species its three faces */
+    {"figured", 4},
 };
 
 /* Two and a half metres before the eye and beyond, or so. */
@@ -39,6 +39,25 @@ const shot_sheet gallery_sheets[GALLERY_SHEETS] = {
     .name = "paving-" id, .title = label, .material = "stone", .preset = stone,                    \
     .params = {a, b, c, d}, .shape = "plane", .size = "5000x9000", .camera = "-90,20,30",          \
     .light = sun, .zoom = 4, .ahead = -2500, .width = 960, .height = 540                           \
+  }
+
+/* 8 mm across, 0.02 mm to a pixel */
+#define MACRO(species, face, words)                                                                \
+  {                                                                                                \
+    .name = "macro-" species "-" face, .title = words, .preset = species, .sheet = "macro",        \
+    .params = {"cut=" face, "cut_distance=90"}, .shape = "plane", .camera = "front",               \
+    .size = "8x5.6", .width = 400, .height = 280                                                   \
+  }
+#define MACROS(species, words)                                                                     \
+  MACRO(species, "end", words ", end grain, 8 mm across"),                                         \
+      MACRO(species, "quarter", words ", radial face"),                                            \
+      MACRO(species, "flat", words ", tangential face")
+
+#define FIGURED(id, species, face, words, az)                                                      \
+  {                                                                                                \
+    .name = "figured-" id, .title = words, .preset = species, .sheet = "figured",                  \
+    .params = {"cut=" face, "cut_distance=140", "reflection=fibre_cone"}, .shape = "plane",        \
+    .camera = "front", .light = az, .sky = 0.3, .size = "210x140", .width = 600, .height = 400     \
   }
 
 const shot gallery_shots[] = {
@@ -184,6 +203,19 @@ const shot gallery_shots[] = {
     WORKED("weathered", "weathered", "surface=weathered", NULL),
     WORKED("oiled", "planed and oiled", "finish=oiled", "surface=planed"),
     WORKED("lacquered", "lacquered", "finish=lacquered", NULL),
+    MACROS("white_oak", "White oak"),
+    MACROS("keyaki", "Keyaki"),
+    MACROS("sugi", "Sugi"),
+    MACROS("black_walnut", "Black walnut"),
+    MACROS("akamatsu", "Akamatsu"),
+    FIGURED("curly", "curly_maple", "quarter", "Curly maple, quarter-sawn", "90,66"),
+    FIGURED("fiddleback", "sycamore", "quarter", "Fiddleback sycamore, quarter-sawn", "90,66"),
+    FIGURED("quilted", "quilted_maple", "flat", "Quilted maple, flat-sawn", "80,60"),
+    FIGURED("birdseye", "birdseye_maple", "flat", "Bird's-eye maple, flat-sawn", "70,55"),
+    FIGURED("ribbon", "sapele", "quarter", "Sapele, quarter-sawn: ribbon stripe", "90,60"),
+    FIGURED("pommele", "pommele_sapele", "flat", "Pommele sapele, flat-sawn", "80,60"),
+    FIGURED("spalted", "spalted_beech", "flat", "Spalted beech, flat-sawn", "75,48"),
+    FIGURED("spalted-end", "spalted_beech", "end", "Spalted beech, end grain", "75,48"),
     {.name = "stone",
      .title = "300 mm across",
      .material = "stone",

@@ -14,8 +14,13 @@ const match_material match_materials[] = {
      .second_part = "sapwood",
      .boundary = "heartwood_years",
      .boundary_channel = "time",
-     /* what has a colour of its own is left out, unless given */
-     .board = {{"cut", "flat"}, {"ray_density", "0"}, {"streak_share", "0"}}},
+     /* what has a colour of its own is left out, and so is what fungi change,
+      * unless given */
+     .board = {{"cut", "flat"},
+               {"ray_density", "0"},
+               {"streak_share", "0"},
+               {"canal_density", "0"},
+               {"spalt", "0"}}},
     /* the base and its variation, the minerals that vary it, and the specks */
     {.id = "stone",
      .roles = {{"base_colour", NULL},

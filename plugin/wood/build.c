@@ -16,6 +16,8 @@
 #include "section.h"
 #include "surface/build.h"
 
+#define SPALT_BLEACH 0.75 /* how bleached the bleached share is, measured */
+
 #define TWO_PI 6.28318530717958647692
 
 /* Uniform in 0..1 for the k-th number of a stream. */
@@ -490,6 +492,74 @@ static void build_rays(wood_constants *w, const settings *s) {
   w->ray_cover = (float)(density * height * 2.0 * half * 2.0 / 3.0 * 11.0 / 12.0);
 }
 
+/* ---- canals, cells, spalting ------------------------------------------- */
+
+static void build_canals(wood_constants *w, const settings *s, const float (*colours)[3]) {
+  double density = number_at(s, P_CANAL_DENSITY), diameter = number_at(s, P_CANAL_DIAMETER);
+  w->has_canals = density > 0.0;
+  w->canal_density = (float)density;
+  /* so that neighbours in a row stand farther apart than they are wide */
+  int rows = (int)(2.5e-3 * diameter * density * (double)w->ring_width) + 1;
+  w->canal_rows = rows < 4 ? rows : 4;
+  double square = build_radii(&w->canal, diameter, 0.18), r = (double)w->canal.radius;
+  w->canal.coverage = (float)(0.5 * TWO_PI * r * r * square * density);
+  for (int c = 0; c < 3; c++) {
+    w->canal_colour[c] = colours[P_CANAL_COLOUR][c];
+    w->canal_lumen[c] = 0.55f * colours[P_CANAL_COLOUR][c];
+  }
+}
+
+static double limited(double x, double low, double high) {
+  return x < low ? low : x > high ? high : x;
+}
+
+static void build_cells(wood_constants *w, const settings *s) {
+  double contrast = number_at(s, P_CELL_CONTRAST);
+  w->has_cells = contrast > 0.0;
+  double width = 1e-3 * number_at(s, P_CELL_WIDTH), early = 1e-3 * number_at(s, P_CELL_DEPTH);
+  double late = 1e-3 * number_at(s, P_CELL_DEPTH_LATE);
+  w->inverse_cell_width = (float)(1.0 / width);
+  w->inverse_cell_early = (float)(1.0 / early);
+  w->inverse_cell_late = (float)(1.0 / late);
+  w->inverse_cell_length = (float)(1.0 / number_at(s, P_CELL_LENGTH));
+  w->cell_gone = (float)(4.0 * (width > early ? width : early));
+  /* walls: latewood's are up to twice the mean's share, and the ring's sum is the
+   * density's */
+  double share = limited(number_at(s, P_BASIC_DENSITY) / 1500.0, 0.08, 0.92);
+  double part = late_profile_integral(w, 1.0);
+  double thick = late < 0.7 * early ? 2.0 * share : 1.15 * share;
+  thick = limited(thick, share, share > 0.85 ? share : 0.85);
+  w->wall_late = (float)thick;
+  w->wall_early = (float)limited((share - part * thick) / (1.0 - part + 1e-9), 0.08, share);
+  double most = 1.0 / (1.0 - (double)w->wall_early);
+  w->cell_white = (float)(0.97 * most / (1.0 + number_at(s, P_FIBRE_BRIGHTNESS)));
+  w->cell_open = (float)most;
+  w->cell_end = (float)(0.65 * contrast);
+  w->cell_side = (float)(0.26 * contrast);
+  w->tyloses = (float)(1.1 * number_at(s, P_TYLOSES) * contrast);
+  w->inverse_tylose = (float)(1.0 / (0.45e-3 * number_at(s, P_ROW_DIAMETER)));
+  w->inverse_element = (float)(1.0 / number_at(s, P_ELEMENT_LENGTH));
+}
+
+static void build_spalt(wood_constants *w, const settings *s) {
+  double amount = number_at(s, P_SPALT), size = number_at(s, P_SPALT_SIZE);
+  w->has_spalt = amount > 0.0;
+  w->spalt_size = (float)size;
+  w->spalt_frequency = (float)(1.0 / size);
+  w->spalt_width = (float)number_at(s, P_SPALT_WIDTH);
+  double level = 0.46 - 0.42 * amount, other = -0.6 + 0.35 * amount;
+  w->spalt_level = (float)level;
+  w->spalt_other = (float)other;
+  /* the noise is nearly normal, of variance 0.0423; its slope does not depend on
+   * it, so that a level set's area falls as the density */
+  double lines = scalar_exp(-level * level / 0.0846) + scalar_exp(-other * other / 0.0846);
+  w->spalt_line_mean = (float)(1.73 * lines * (double)w->spalt_width / size);
+  double z = level / 0.2058, t = 1.0 / (1.0 + 0.33267 * z);
+  double tail =
+      0.39894228 * scalar_exp(-0.5 * z * z) * t * (0.4361836 + t * (-0.1201676 + 0.937298 * t));
+  w->spalt_bleach_mean = (float)(SPALT_BLEACH * tail);
+}
+
 /* ---- fibres, colour, figure ------------------------------------------- */
 
 static void build_fibres(wood_constants *w, const settings *s) {
@@ -584,6 +654,9 @@ int32_t wood_build(wood_constants *w, const sozai_host *host, const settings *s,
   if (r) return r;
   age_build(w, s, colours);
   surface_build_colour(w, s, colours);
+  build_canals(w, s, colours);
+  build_cells(w, s);
+  build_spalt(w, s);
   build_cone(w, s);
   r = wood_build_boards(w, s, colours);
   if (r) return r;

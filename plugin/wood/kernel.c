@@ -4,6 +4,8 @@
  */
 #include "../core/lanes.h"
 #include "boards.h"
+#include "canals.h"
+#include "cells.h"
 #include "cone.h"
 #include "fibre.h"
 #include "figure.h"
@@ -12,6 +14,7 @@
 #include "picture.h"
 #include "rays.h"
 #include "surface/relief.h"
+#include "spalt.h"
 #include "vessels.h"
 
 #define PASTE_(a, b) a##b
@@ -38,13 +41,14 @@ static wood_wants wants_of(const wood_constants *w, const wood_io *io) {
   q.colour = wanted(io, WOOD_ALBEDO, 3) || q.radiance;
   q.fibre = wanted(io, WOOD_FIBER, 3);
   q.dive = wanted(io, WOOD_DIVE, 1);
-  q.vessel = wanted(io, WOOD_VESSEL, 1) || wanted(io, WOOD_RAY, 1) || q.colour;
+  q.vessel = wanted(io, WOOD_VESSEL, 1) || wanted(io, WOOD_RAY, 1) || wanted(io, WOOD_CANAL, 1) ||
+             q.colour;
   q.late = wanted(io, WOOD_LATEWOOD, 1) || q.vessel;
   q.picture = w->picture && q.late;
   if (w->picture) q.late = q.vessel = 0;
   q.lobe = wanted(io, WOOD_SPECULAR, 2) || q.radiance;
   q.cone = wanted(io, WOOD_CONE_COLOUR, 5);
-  q.board = wanted(io, WOOD_BOARD_ID, WOOD_COMPONENTS - WOOD_BOARD_ID);
+  q.board = wanted(io, WOOD_BOARD_ID, WOOD_CANAL - WOOD_BOARD_ID);
   q.relief = w->surface.relief &&
              (q.lobe || q.cone || (w->surface.stains && q.colour) || wanted(io, WOOD_NORMAL, 4));
   q.direction = q.fibre || q.dive || q.radiance || q.cone || q.relief;
@@ -138,6 +142,9 @@ typedef struct {
   ray_place rays;
   ray_cells ray_at;
   ray_body ray_in;
+  canal_cover canal;
+  vf cells, cell_contrast, lining; /* relative to the tissue's colour and the vessels' */
+  spalt_place spalt;
   wood_board board; /* where there are boards */
 } block;
 
@@ -456,6 +463,30 @@ INLINE void stage_rays(const wood_constants *w, const wood_io *io, block *k) {
   store_lanes(io, WOOD_RAY, k, k->ray);
 }
 
+INLINE void stage_canals(const wood_constants *w, int boards, const wood_io *io, block *k) {
+  vessel_place place = vessel_place_of(boards, k);
+  k->canal = canals_at(w, &place);
+  store_lanes(io, WOOD_CANAL, k, k->canal.whole);
+}
+
+INLINE void stage_cells(const wood_constants *w, int boards, block *k) {
+  vessel_place place = vessel_place_of(boards, k);
+  vf end = k->nrm[1] * k->nrm[1];
+  k->cells = cells_tissue(w, &place, k->p[1], k->late, end, &k->cell_contrast);
+  k->lining = splat(0.0f);
+  if (!any(gt(k->cover, splat(0.0f)))) return;
+  vu own = own_of(boards, k);
+  k->lining = k->cover * cells_rims(w, own, k->x, k->p[1], k->z, k->s, k->extent);
+  if (w->rows) {
+    vf within = cells_tyloses(w, own, k->x, k->p[1], k->z, k->s);
+    k->lining = k->lining + k->vessels.rows * within;
+  }
+}
+
+INLINE void stage_spalt(const wood_constants *w, int boards, block *k) {
+  k->spalt = spalt_at(w, own_of(boards, k), k->x, k->p[1], k->z, k->s);
+}
+
 INLINE void stage_shift(const wood_constants *w, int boards, int o, block *k) {
   k->shift = k->shift + fibre_octave(w, own_of(boards, k), o, k->x, k->z, k->f.aa + k->f.bb);
 }
@@ -470,12 +501,26 @@ static __attribute__((noinline)) void stage_streaks(const wood_constants *w, int
   k->streak = vmin(splat(WOOD_STREAK) * g.depth, splat(1.0f));
 }
 
+/* Bleached wood is paler and greyer; what the zone lines are made of is melanin. */
+INLINE void stage_spalt_colour(block *k) {
+  vf one = splat(1.0f), *a = k->albedo;
+  vf grey = (a[0] + a[1] + a[2]) * splat(1.0f / 3.0f);
+  for (int c = 0; c < 3; c++) {
+    vf pale = mix(a[c], grey, splat(0.35f));
+    pale = pale + (splat(0.9f) - pale) * splat(0.3f);
+    a[c] = mix(a[c], pale, k->spalt.bleached);
+    a[c] = a[c] * (one - splat(0.86f) * k->spalt.line);
+  }
+}
+
 INLINE void stage_colour(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf one = splat(1.0f), zero = splat(0.0f);
   /* earlywood rows stand where there is no latewood; pores everywhere */
   vf season = w->has_eyes ? vmax(k->late, k->stem.eye) : k->late;
   vf late = season * (one - vmin(k->over_late, one));
   vf early = vmax(one - k->cover - late, zero) * k->shift, dark = late * k->shift;
+  int cells = w->has_cells && any(lt(zero, k->cell_contrast));
+  vf open = w->has_cells ? k->cover + k->lining : k->cover;
   vf heart = heart_share(w, k->years, k->c, k->sn, vsqrt(k->f.bb) * k->ring.inverse_width);
   vm pale = lt(heart, one);
   int some = any(pale);
@@ -485,10 +530,20 @@ INLINE void stage_colour(const wood_constants *w, int boards, const wood_io *io,
       light = sel(pale, mix(splat(w->sap_early[c]), light, heart), light);
       deep = sel(pale, mix(splat(w->sap_late[c]), deep, heart), deep);
     }
-    vf tissue = light * early + deep * dark + splat(w->vessel[c]) * k->cover;
+    vf tissue = light * early + deep * dark;
+    if (cells) tissue = tissue + tissue * k->cells * vmin(k->cell_contrast, cells_room(w, light));
+    tissue = tissue + splat(w->vessel[c]) * open;
     if (w->streaks.share > 0.0f) tissue = mix(tissue, splat(w->streak[c]) * k->shift, k->streak);
     if (w->has_rays) tissue = mix(tissue, splat(w->ray[c]) * k->shift, k->ray);
-    k->albedo[c] = boards ? board_albedo(w, &k->board, c, tissue) : tissue;
+    if (w->has_canals) {
+      tissue = mix(tissue, splat(w->canal_colour[c]), k->canal.whole - k->canal.core);
+      tissue = mix(tissue, splat(w->canal_lumen[c]), k->canal.core);
+    }
+    k->albedo[c] = tissue;
+  }
+  if (w->has_spalt) stage_spalt_colour(k);
+  for (int c = 0; c < 3; c++) {
+    if (boards) k->albedo[c] = board_albedo(w, &k->board, c, k->albedo[c]);
     store_lanes(io, WOOD_ALBEDO + c, k, k->albedo[c]);
   }
 }
@@ -506,6 +561,7 @@ INLINE void stage_picture(const wood_constants *w, int boards, const wood_io *io
   store_lanes(io, WOOD_VESSEL, k, splat(0.0f));
   k->ray = splat(0.0f);
   store_lanes(io, WOOD_RAY, k, k->ray);
+  store_lanes(io, WOOD_CANAL, k, k->ray);
   vf shift = fibre_shift(w, own_of(boards, k), p.x, p.z, f.aa + f.bb);
   for (int c = 0; c < 3; c++) {
     k->albedo[c] = k->albedo[c] * shift;
@@ -685,6 +741,10 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
       EACH(stage_rays(w, io, &blocks[k]));
     }
   }
+  if (w->has_canals && want->vessel) EACH(stage_canals(w, boards, io, &blocks[k]));
+  if (want->vessel && !w->has_canals) EACH(store_lanes(io, WOOD_CANAL, &blocks[k], splat(0.0f)));
+  if (want->colour && w->has_cells && !want->picture) EACH(stage_cells(w, boards, &blocks[k]));
+  if (want->colour && w->has_spalt && !want->picture) EACH(stage_spalt(w, boards, &blocks[k]));
   if (want->picture) {
     EACH(stage_picture(w, boards, io, &blocks[k]));
     if (want->relief) EACH(stage_relief(w, boards, io, &blocks[k], &reliefs[k]));

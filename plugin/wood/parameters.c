@@ -361,6 +361,92 @@ static const sozai_parameter ray_colour = {
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.84, 0.71, 0.53},
    .default_text = "sRGB"};
 
+static const sozai_parameter canal_density = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "canal_density", .label = "Canal density", .group = "canals", .unit = "1/mm2",
+   .doc = "Resin canals to an area of cross-section; 0 for none.",
+   .hard_min = 0, .hard_max = 10, .soft_min = 0, .soft_max = 2, .default_number = {0}};
+
+static const sozai_parameter canal_diameter = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "canal_diameter", .label = "Canal diameter", .group = "canals", .unit = "um",
+   .doc = "Of a resin canal with the cells that line it, the mean.",
+   .hard_min = 10, .hard_max = 1000, .soft_min = 50, .soft_max = 300, .default_number = {120}};
+
+static const sozai_parameter canal_colour = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "canal_colour", .label = "Canal colour", .group = "canals", .unit = "",
+   .doc = "Of the cells that line a resin canal; its lumen is darker.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.82, 0.62, 0.40},
+   .default_text = "sRGB"};
+
+static const sozai_parameter cell_contrast = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "cell_contrast", .label = "Cell contrast", .group = "cells", .unit = "",
+   .doc = "How much single cells show under footprints of some hundredths of a millimetre; the mean "
+   "colour does not change. 0 for none, and at no cost.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
+
+static const sozai_parameter cell_width = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "cell_width", .label = "Cell width", .group = "cells", .unit = "um",
+   .doc = "Of a tracheid or fibre across the radius: that of a radial file of them.",
+   .hard_min = 4, .hard_max = 200, .soft_min = 10, .soft_max = 60, .default_number = {22}};
+
+static const sozai_parameter cell_depth = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "cell_depth", .label = "Cell depth", .group = "cells", .unit = "um",
+   .doc = "Along the radius, in earlywood.",
+   .hard_min = 4, .hard_max = 200, .soft_min = 8, .soft_max = 70, .default_number = {22}};
+
+static const sozai_parameter cell_depth_late = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "cell_depth_late", .label = "Cell depth, late", .group = "cells", .unit = "um",
+   .doc = "Along the radius, in latewood.",
+   .hard_min = 4, .hard_max = 200, .soft_min = 6, .soft_max = 40, .default_number = {18}};
+
+static const sozai_parameter basic_density = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "basic_density", .label = "Basic density", .group = "cells", .unit = "kg/m3",
+   .doc = "Dry mass to green volume: over 1500 kg/m3 it is the share of cell walls.",
+   .hard_min = 50, .hard_max = 1400, .soft_min = 150, .soft_max = 1100, .default_number = {550}};
+
+static const sozai_parameter cell_length = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "cell_length", .label = "Cell length", .group = "cells", .unit = "mm",
+   .doc = "Along the fibre.",
+   .hard_min = 0.1, .hard_max = 20, .soft_min = 0.5, .soft_max = 6, .default_number = {1.2}};
+
+static const sozai_parameter tyloses = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "tyloses", .label = "Tyloses", .group = "cells", .unit = "",
+   .doc = "Walls of the cells that have grown into the vessels of the earlywood's rows, by their contrast; 0 for none.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
+
+static const sozai_parameter element_length = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "element_length", .label = "Vessel elements", .group = "cells", .unit = "mm",
+   .doc = "Length of a vessel element: a vessel has a rim where two meet.",
+   .hard_min = 0.05, .hard_max = 5, .soft_min = 0.15, .soft_max = 1, .default_number = {0.4}};
+
+static const sozai_parameter spalt = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "spalt", .label = "Spalting", .group = "spalting", .unit = "",
+   .doc = "How much of the wood fungi have taken: zone lines and bleached wood; 0 for none.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
+
+static const sozai_parameter spalt_size = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "spalt_size", .label = "Spalting size", .group = "spalting", .unit = "mm",
+   .doc = "Of the colonies, across the fibre.",
+   .hard_min = 2, .hard_max = 2000, .soft_min = 10, .soft_max = 150, .default_number = {40}};
+
+static const sozai_parameter spalt_line = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "spalt_line", .label = "Zone line width", .group = "spalting", .unit = "mm",
+   .doc = "Of the black lines, the mean.",
+   .hard_min = 0.05, .hard_max = 10, .soft_min = 0.2, .soft_max = 2, .default_number = {0.6}};
+
 static const sozai_parameter fibre_brightness = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "fibre_brightness", .label = "Fibre brightness", .group = "fibres", .unit = "",
@@ -894,6 +980,20 @@ const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_RAY_WIDTH] = &ray_width,
    [P_RAY_LENGTH] = &ray_length,
    [P_RAY_COLOUR] = &ray_colour,
+   [P_CANAL_DENSITY] = &canal_density,
+   [P_CANAL_DIAMETER] = &canal_diameter,
+   [P_CANAL_COLOUR] = &canal_colour,
+   [P_CELL_CONTRAST] = &cell_contrast,
+   [P_CELL_WIDTH] = &cell_width,
+   [P_CELL_DEPTH] = &cell_depth,
+   [P_CELL_DEPTH_LATE] = &cell_depth_late,
+   [P_BASIC_DENSITY] = &basic_density,
+   [P_CELL_LENGTH] = &cell_length,
+   [P_TYLOSES] = &tyloses,
+   [P_ELEMENT_LENGTH] = &element_length,
+   [P_SPALT] = &spalt,
+   [P_SPALT_SIZE] = &spalt_size,
+   [P_SPALT_WIDTH] = &spalt_line,
    [P_FIBRE_BRIGHTNESS] = &fibre_brightness,
    [P_FIBRE_WIDTH] = &fibre_width,
    [P_EARLY_COLOUR] = &early_colour,
@@ -1105,6 +1205,13 @@ static const sozai_channel channel_normal = {
    .id = "normal", .unit = "", .suffixes = "xyz",
    .doc = "Unit, object space: the normal given, tilted by the surface and by the layout's bevelled edges and cupping."};
 
+static const sozai_channel channel_canal = {
+   .size = sizeof(sozai_channel), .first = WOOD_CANAL, .components = 1,
+   .needs = SOZAI_INPUT_POINT,
+   .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
+   .id = "canal", .unit = "", .suffixes = "",
+   .doc = "Share of the footprint that resin canals cover, 0 to 1."};
+
 static const sozai_channel channel_height = {
    .size = sizeof(sozai_channel), .first = WOOD_HEIGHT, .components = 1,
    .needs = SOZAI_INPUT_POINT,
@@ -1114,6 +1221,6 @@ static const sozai_channel channel_height = {
 
 const sozai_channel *const wood_channels[] = {
    &channel_albedo, &channel_radiance, &channel_fiber, &channel_dive, &channel_specular, &channel_roughness, &channel_time, &channel_latewood, &channel_vessel, &channel_reference, &channel_cone_colour, &channel_cone_width, &channel_coat, &channel_ray,
-   &channel_board_id, &channel_board_u, &channel_board_v, &channel_board_edge, &channel_normal, &channel_height};
+   &channel_board_id, &channel_board_u, &channel_board_v, &channel_board_edge, &channel_normal, &channel_height, &channel_canal};
 /* clang-format on */
 const uint32_t wood_channel_count = COUNT(wood_channels);

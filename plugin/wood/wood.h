@@ -31,6 +31,7 @@
 #define WOOD_CONE_DIVE 17     /* steps of the sine of the dive angle, 0 to 1 */
 #define WOOD_CONE_LEAST 0.05f /* of cos^2(psi_d / 2): where cones close, the lobe stays finite */
 #define WOOD_STREAK 0.62f     /* how much of its colour a streak's depth gives */
+#define CANAL_CORE 0.4f       /* share of a resin canal that is its lumen */
 #define WOOD_RIM 256          /* directions in which the rim of a picture is known */
 
 /* The seeds of the noises, kept apart. */
@@ -53,7 +54,12 @@ enum {
   SEED_CHECKS = SEED_WEAR + SURFACE_OCTAVES,
   SEED_CRACKS,
   SEED_STREAKS,
-  WOOD_SEEDS
+  SEED_CANALS,
+  SEED_CELLS,
+  SEED_TYLOSES,
+  SEED_RIMS,
+  SEED_SPALT,
+  WOOD_SEEDS = SEED_SPALT + 2
 };
 
 /* A layer of vessels of normally distributed radius. inverse_square[i] is
@@ -148,6 +154,29 @@ typedef struct {
   float row_step_arc, row_step_radial;     /* the same, / 2^32 */
   float band;                              /* mm: the rows' band for the expected coverage */
   float late_vessel;                       /* expected vessel coverage of latewood tissue */
+
+  /* resin canals */
+  int32_t has_canals;
+  float canal_density; /* 1/mm^2 */
+  int32_t canal_rows;  /* that those of a ring are looked up in */
+  wood_vessels canal;
+  float canal_colour[3], canal_lumen[3]; /* of the cells that line it, and within */
+
+  /* cells */
+  int32_t has_cells;
+  float inverse_cell_width, inverse_cell_early, inverse_cell_late, inverse_cell_length; /* 1/mm */
+  float wall_early, wall_late;           /* shares of the tissue */
+  float cell_side, cell_end;             /* contrast: along the fibre, and on end grain */
+  float cell_white, cell_open;           /* room above a colour: white / colour - open */
+  float cell_gone;                       /* mm: the footprint from which on nothing is left */
+  float tyloses;                         /* contrast */
+  float inverse_tylose, inverse_element; /* 1/mm */
+
+  /* spalting */
+  int32_t has_spalt;
+  float spalt_frequency, spalt_size, spalt_width; /* 1/mm; mm; mm */
+  float spalt_level, spalt_other;                 /* of the noise, where lines are */
+  float spalt_line_mean, spalt_bleach_mean;       /* expected */
 
   /* rays */
   int32_t has_rays;
@@ -248,7 +277,8 @@ enum {
   WOOD_BOARD_EDGE = 26,
   WOOD_NORMAL = 27,
   WOOD_HEIGHT = 30,
-  WOOD_COMPONENTS = 31
+  WOOD_CANAL = 31,
+  WOOD_COMPONENTS = 32
 };
 
 typedef void wood_evaluate(const wood_constants *w, const wood_io *io, uint32_t from, uint32_t to);

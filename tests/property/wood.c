@@ -84,7 +84,7 @@ static float **array_of(points *p, unsigned k) {
   if (k < 12) return &p->view[k - 9];
   return k == 12 ? &p->footprint : &p->out[k - 13];
 }
-#define OUTS 31
+#define OUTS 32
 #define ARRAYS (13 + OUTS)
 
 void points_clear(points *p) { p->count = 0; }

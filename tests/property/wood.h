@@ -32,7 +32,7 @@ const char *wood_preset(unsigned i);
 typedef struct {
   unsigned count, room;
   float *point[3], *normal[3], *light[3], *view[3], *footprint;
-  float *out[31];
+  float *out[32];
 } points;
 
 /* Components, as describe lists them. */
@@ -54,7 +54,8 @@ enum {
   BOARD_V,
   BOARD_EDGE,
   NORMAL,
-  HEIGHT = 30
+  HEIGHT = 30,
+  CANAL
 };
 
 void points_clear(points *p);

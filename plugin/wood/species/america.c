@@ -20,6 +20,8 @@ static const sozai_value values_white_oak[] = {
     RAYS(0.011, 26.0, 320.0, 40.0),
     SRGB("ray_colour", 211, 180, 139),
     AGED(172, 130, 84, 4.0),
+    FIBRES(18.0, 600.0),
+    NUMBER("tyloses", 1.0),
 };
 SPECIES(white_oak, "White oak (Quercus alba)",
         "Light greyish brown; latewood's vessels small and many, rays tall and bright.",
@@ -43,6 +45,7 @@ static const sozai_value values_red_oak[] = {
     RAYS(0.022, 12.0, 280.0, 36.0),
     SRGB("ray_colour", 214, 174, 136),
     AGED(178, 128, 86, 4.0),
+    FIBRES(18.0, 560.0),
 };
 SPECIES(red_oak, "Northern red oak (Quercus rubra)",
         "Pinkish brown and coarse; open early vessels, shorter rays than white oak's.",
@@ -66,6 +69,8 @@ static const sozai_value values_hickory[] = {
     RAYS(4.0, 0.35, 30.0, 28.0),
     SRGB("ray_colour", 204, 164, 126),
     AGED(172, 126, 84, 4.0),
+    FIBRES(20.0, 640.0),
+    NUMBER("tyloses", 0.6),
 };
 SPECIES(
     hickory, "Shagbark hickory (Carya ovata)",
@@ -89,6 +94,7 @@ static const sozai_value values_black_walnut[] = {
     RAYS(4.0, 0.4, 35.0, 28.0),
     SRGB("ray_colour", 128, 96, 73),
     AGED(140, 108, 76, 8.0),
+    FIBRES(22.0, 510.0),
 };
 SPECIES(
     black_walnut, "Black walnut (Juglans nigra)",
@@ -112,6 +118,7 @@ static const sozai_value values_cherry[] = {
     RAYS(3.0, 0.5, 50.0, 28.0),
     SRGB("ray_colour", 208, 152, 111),
     AGED(146, 84, 46, 0.8),
+    FIBRES(20.0, 470.0),
 };
 SPECIES(cherry, "Black cherry (Prunus serotina)",
         "Reddish brown and satin-smooth, deepening with light; fine bright rays.",
@@ -136,6 +143,7 @@ static const sozai_value values_hard_maple[] = {
     AGED(206, 162, 110, 4.0),
     MINERAL_STREAKS(0.012, 2.2, 220.0),
     SRGB("streak_colour", 146, 128, 98),
+    FIBRES(20.0, 560.0),
 };
 SPECIES(hard_maple, "Hard maple, sugar maple (Acer saccharum)",
         "Creamy white with a reddish cast, hard and even; thin brown line at each ring.",
@@ -160,6 +168,7 @@ static const sozai_value values_yellow_birch[] = {
     AGED(172, 124, 82, 4.0),
     MINERAL_STREAKS(0.01, 2.0, 160.0),
     SRGB("streak_colour", 132, 106, 82),
+    FIBRES(20.0, 550.0),
 };
 SPECIES(yellow_birch, "Yellow birch (Betula alleghaniensis)",
         "Light reddish brown heart, pale sapwood; even, with short fine vessel lines.",
@@ -184,6 +193,7 @@ static const sozai_value values_tulipwood[] = {
     AGED(152, 118, 74, 0.7),
     MINERAL_STREAKS(0.05, 5.0, 500.0),
     SRGB("streak_colour", 104, 92, 96),
+    FIBRES(27.0, 400.0),
 };
 SPECIES(tulipwood, "Tulip tree, yellow poplar (Liriodendron tulipifera)",
         "Greenish to olive brown heart in creamy sapwood; even, a pale line at each ring.",
@@ -208,6 +218,7 @@ static const sozai_value values_basswood[] = {
     AGED(202, 166, 116, 4.0),
     MINERAL_STREAKS(0.006, 1.8, 160.0),
     SRGB("streak_colour", 160, 146, 120),
+    FIBRES(26.0, 320.0),
 };
 SPECIES(basswood, "American basswood (Tilia americana)",
         "Creamy white to pale brown, plain and soft.", HANDBOOK "; " PANSHIN);
@@ -230,6 +241,7 @@ static const sozai_value values_mahogany[] = {
     RAYS(3.4, 0.45, 60.0, 30.0),
     SRGB("ray_colour", 158, 97, 65),
     AGED(124, 70, 42, 1.5),
+    FIBRES(20.0, 480.0),
 };
 SPECIES(mahogany, "Big-leaf mahogany (Swietenia macrophylla)",
         "Reddish brown, golden in the light; a pale line at each ring, grain slightly interlocked.",
@@ -252,6 +264,7 @@ static const sozai_value values_balsa[] = {
     RAYS(0.9, 1.3, 90.0, 30.0),
     SRGB("ray_colour", 221, 200, 171),
     AGED(208, 182, 142, 4.0),
+    FIBRES(38.0, 140.0),
 };
 SPECIES(balsa, "Balsa (Ochroma pyramidale)",
         "White to pale oatmeal, feather-light; few large vessels in soft silky tissue.",
@@ -276,6 +289,7 @@ static const sozai_value values_rosewood[] = {
     RAYS(8.0, 0.15, 18.0, 20.0),
     SRGB("ray_colour", 122, 78, 55),
     AGED(124, 82, 58, 6.0),
+    FIBRES(16.0, 740.0),
 };
 SPECIES(rosewood, "Brazilian rosewood (Dalbergia nigra)",
         "Chocolate to purplish brown, drawn with black streaks that wander like landscapes.",
@@ -300,6 +314,7 @@ static const sozai_value values_cocobolo[] = {
     RAYS(8.0, 0.15, 18.0, 20.0),
     SRGB("ray_colour", 164, 94, 59),
     AGED(98, 52, 36, 1.0),
+    FIBRES(15.0, 890.0),
 };
 SPECIES(cocobolo, "Cocobolo (Dalbergia retusa)",
         "Orange-red with black lines; dense, oily and bright.", RICHTER "; " WAGENFUEHR);
@@ -322,6 +337,7 @@ static const sozai_value values_purpleheart[] = {
     RAYS(4.0, 0.4, 40.0, 28.0),
     SRGB("ray_colour", 122, 79, 90),
     AGED(80, 48, 48, 1.5),
+    FIBRES(20.0, 710.0),
 };
 SPECIES(purpleheart, "Purpleheart (Peltogyne paniculata)",
         "Vivid purple-brown, straight and even, its vessels filled.", RICHTER "; " WAGENFUEHR);

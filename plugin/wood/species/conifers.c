@@ -17,6 +17,7 @@ static const sozai_value values_sugi[] = {
     NUMBER("heartwood_years", 110.0),
     NUMBER("specular", 0.05),
     AGED(184, 128, 86, 3.0),
+    TRACHEIDS(32.0, 38.0, 12.0, 320.0),
 };
 SPECIES(sugi, "Sugi, Japanese cedar (Cryptomeria japonica)",
         "A conifer: pinkish earlywood and dark, abrupt latewood.", FFPRI "; " INSIDEWOOD);
@@ -36,6 +37,7 @@ static const sozai_value values_hinoki[] = {
     NUMBER("heartwood_years", 130.0),
     NUMBER("specular", 0.09),
     AGED(208, 154, 96, 4.0),
+    TRACHEIDS(28.0, 32.0, 12.0, 360.0),
 };
 SPECIES(hinoki, "Hinoki, Japanese cypress (Chamaecyparis obtusa)",
         "A conifer: pale, fine and lustrous, with narrow, gradual latewood.",
@@ -57,6 +59,9 @@ static const sozai_value values_karamatsu[] = {
     NUMBER("heartwood_years", 110.0),
     NUMBER("specular", 0.06),
     AGED(166, 106, 60, 2.5),
+    TRACHEIDS(40.0, 50.0, 16.0, 420.0),
+    CANALS(0.4, 75.0),
+    SRGB("canal_colour", 192, 138, 88),
 };
 SPECIES(karamatsu, "Karamatsu, Japanese larch (Larix kaempferi)",
         "A conifer: orange-brown heart, with wide dark latewood abrupt in both directions.",
@@ -77,6 +82,9 @@ static const sozai_value values_akamatsu[] = {
     NUMBER("heartwood_years", 100.0),
     NUMBER("specular", 0.06),
     AGED(194, 134, 76, 2.0),
+    TRACHEIDS(34.0, 42.0, 16.0, 430.0),
+    CANALS(0.7, 150.0),
+    SRGB("canal_colour", 206, 152, 96),
 };
 SPECIES(akamatsu, "Akamatsu, Japanese red pine (Pinus densiflora)",
         "A conifer: yellowish, with a broad resinous latewood.", FFPRI "; " GYMNOSPERMS);
@@ -96,6 +104,9 @@ static const sozai_value values_scots_pine[] = {
     NUMBER("heartwood_years", 90.0),
     NUMBER("specular", 0.06),
     AGED(192, 132, 74, 2.0),
+    TRACHEIDS(32.0, 40.0, 15.0, 420.0),
+    CANALS(0.6, 130.0),
+    SRGB("canal_colour", 204, 152, 98),
 };
 SPECIES(scots_pine, "Scots pine (Pinus sylvestris)",
         "A conifer: reddish heart, pale sapwood, latewood clear and brown.",
@@ -116,6 +127,9 @@ static const sozai_value values_douglas_fir[] = {
     NUMBER("heartwood_years", 140.0),
     NUMBER("specular", 0.06),
     AGED(178, 110, 62, 2.0),
+    TRACHEIDS(38.0, 48.0, 16.0, 450.0),
+    CANALS(0.4, 80.0),
+    SRGB("canal_colour", 198, 142, 96),
 };
 SPECIES(douglas_fir, "Douglas fir (Pseudotsuga menziesii)",
         "A conifer: orange-brown, with strong, abrupt latewood and even lines.",
@@ -136,6 +150,9 @@ static const sozai_value values_spruce[] = {
     NUMBER("heartwood_years", 60.0),
     NUMBER("specular", 0.1),
     AGED(204, 160, 106, 2.5),
+    TRACHEIDS(32.0, 38.0, 14.0, 380.0),
+    CANALS(0.35, 75.0),
+    SRGB("canal_colour", 224, 190, 138),
 };
 SPECIES(spruce, "Norway spruce (Picea abies)",
         "A conifer: nearly white and lustrous, with gradual yellowish latewood.",
@@ -156,6 +173,7 @@ static const sozai_value values_momi[] = {
     NUMBER("heartwood_years", 60.0),
     NUMBER("specular", 0.07),
     AGED(204, 166, 118, 3.0),
+    TRACHEIDS(38.0, 45.0, 16.0, 360.0),
 };
 SPECIES(momi, "Momi, Japanese fir (Abies firma)",
         "A conifer: white with a grey cast, coarse, latewood distinct and pinkish brown.",
@@ -176,6 +194,7 @@ static const sozai_value values_silver_fir[] = {
     NUMBER("heartwood_years", 60.0),
     NUMBER("specular", 0.07),
     AGED(204, 164, 114, 3.0),
+    TRACHEIDS(36.0, 44.0, 15.0, 350.0),
 };
 SPECIES(silver_fir, "European silver fir (Abies alba)",
         "A conifer: whitish, without resin, with a greyish latewood.", SCHOCH "; " GYMNOSPERMS);
@@ -195,6 +214,7 @@ static const sozai_value values_western_red_cedar[] = {
     NUMBER("heartwood_years", 160.0),
     NUMBER("specular", 0.05),
     AGED(152, 106, 76, 1.5),
+    TRACHEIDS(34.0, 40.0, 12.0, 310.0),
 };
 SPECIES(western_red_cedar, "Western red cedar (Thuja plicata)",
         "A conifer: from pinkish to chocolate brown, drifting; thin dark latewood.",
@@ -215,6 +235,9 @@ static const sozai_value values_larch[] = {
     NUMBER("heartwood_years", 100.0),
     NUMBER("specular", 0.06),
     AGED(160, 100, 56, 2.5),
+    TRACHEIDS(38.0, 48.0, 16.0, 480.0),
+    CANALS(0.4, 80.0),
+    SRGB("canal_colour", 188, 132, 86),
 };
 SPECIES(larch, "European larch (Larix decidua)",
         "A conifer: reddish brown heart; sharp dark latewood in narrow rings.",
@@ -238,6 +261,7 @@ static const sozai_value values_yew[] = {
     NUMBER("heartwood_edge", 0.3),
     NUMBER("specular", 0.1),
     AGED(160, 94, 52, 3.0),
+    TRACHEIDS(20.0, 22.0, 10.0, 600.0),
 };
 SPECIES(yew, "Yew (Taxus baccata)",
         "A conifer: orange-brown within thin white sapwood, with wavy, close rings.",
@@ -259,6 +283,7 @@ static const sozai_value values_hiba[] = {
     NUMBER("heartwood_years", 120.0),
     NUMBER("specular", 0.07),
     AGED(206, 160, 98, 3.0),
+    TRACHEIDS(28.0, 32.0, 12.0, 370.0),
 };
 SPECIES(hiba, "Hiba, hiba arborvitae (Thujopsis dolabrata)",
         "A conifer: pale yellow, fine and even, with thin gradual latewood.",
@@ -279,6 +304,7 @@ static const sozai_value values_sawara[] = {
     NUMBER("heartwood_years", 120.0),
     NUMBER("specular", 0.05),
     AGED(180, 136, 90, 3.0),
+    TRACHEIDS(28.0, 34.0, 12.0, 300.0),
 };
 SPECIES(sawara, "Sawara, Sawara cypress (Chamaecyparis pisifera)",
         "A conifer: dull yellowish brown, soft, its latewood narrow and brown.",
@@ -299,6 +325,7 @@ static const sozai_value values_kaya[] = {
     NUMBER("heartwood_years", 160.0),
     NUMBER("specular", 0.09),
     AGED(202, 150, 88, 4.0),
+    TRACHEIDS(26.0, 30.0, 12.0, 440.0),
 };
 SPECIES(kaya, "Kaya, Japanese nutmeg yew (Torreya nucifera)",
         "A conifer: honey yellow and resilient, the board of go; close, faint rings.",
@@ -319,6 +346,7 @@ static const sozai_value values_tsuga[] = {
     NUMBER("heartwood_years", 150.0),
     NUMBER("specular", 0.06),
     AGED(184, 136, 96, 3.0),
+    TRACHEIDS(32.0, 38.0, 14.0, 420.0),
 };
 SPECIES(tsuga, "Tsuga, southern Japanese hemlock (Tsuga sieboldii)",
         "A conifer: pale purplish brown, hard; latewood dark and close.", FFPRI "; " GYMNOSPERMS);
@@ -340,6 +368,7 @@ static const sozai_value values_ichii[] = {
     NUMBER("heartwood_edge", 0.3),
     NUMBER("specular", 0.1),
     AGED(158, 98, 60, 3.0),
+    TRACHEIDS(22.0, 25.0, 11.0, 440.0),
 };
 SPECIES(ichii, "Ichii, Japanese yew (Taxus cuspidata)",
         "A conifer: reddish orange, fine and smooth, in a thin white sapwood.",
@@ -360,6 +389,7 @@ static const sozai_value values_redwood[] = {
     NUMBER("heartwood_years", 200.0),
     NUMBER("specular", 0.05),
     AGED(126, 80, 58, 1.5),
+    TRACHEIDS(52.0, 58.0, 18.0, 360.0),
 };
 SPECIES(redwood, "Coast redwood (Sequoia sempervirens)",
         "A conifer: deep reddish brown, coarse and straight, with abrupt dark latewood.",
@@ -380,6 +410,9 @@ static const sozai_value values_southern_pine[] = {
     NUMBER("heartwood_years", 90.0),
     NUMBER("specular", 0.06),
     AGED(194, 128, 68, 2.0),
+    TRACHEIDS(38.0, 46.0, 18.0, 510.0),
+    CANALS(0.7, 160.0),
+    SRGB("canal_colour", 206, 148, 90),
 };
 SPECIES(southern_pine, "Longleaf pine (Pinus palustris)",
         "A conifer: orange-yellow with latewood half of the ring, dark and abrupt.",

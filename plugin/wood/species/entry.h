@@ -39,6 +39,9 @@ SPECIES_ALL(DECLARE)
   NUMBER("eye_density", density), NUMBER("eye_diameter", diameter), NUMBER("eye_depth", depth),    \
       NUMBER("eye_length", length)
 
+#define SPALT(amount, size, line)                                                                  \
+  NUMBER("spalt", amount), NUMBER("spalt_size", size), NUMBER("spalt_line", line)
+
 #define CONIFER CHOICE("porosity", "none")
 #define DIFFUSE_POROUS(density, diameter, spread)                                                  \
   CHOICE("porosity", "diffuse"), NUMBER("vessel_density", density),                                \
@@ -66,6 +69,17 @@ SPECIES_ALL(DECLARE)
 #define AGED(r, g, b, years) SRGB("aged_colour", r, g, b), NUMBER("ageing_years", years)
 #define MINERAL_STREAKS(share, width, length)                                                      \
   NUMBER("streak_share", share), NUMBER("streak_width", width), NUMBER("streak_length", length)
+#define CANALS(density, diameter)                                                                  \
+  NUMBER("canal_density", density), NUMBER("canal_diameter", diameter)
+/* Cells in um and basic density, from which the share of walls follows. */
+#define TRACHEIDS(width, early, late, density)                                                     \
+  NUMBER("cell_contrast", 0.4), NUMBER("cell_width", width), NUMBER("cell_depth", early),          \
+      NUMBER("cell_depth_late", late), NUMBER("cell_length", 3.0),                                 \
+      NUMBER("basic_density", density)
+#define FIBRES(width, density)                                                                     \
+  NUMBER("cell_contrast", 0.4), NUMBER("cell_width", width), NUMBER("cell_depth", width),          \
+      NUMBER("cell_depth_late", 0.85 * (width)), NUMBER("cell_length", 1.2),                       \
+      NUMBER("basic_density", density)
 
 #define SPECIES(key, name, about, literature)                                                      \
   const sozai_preset species_##key = {.size = sizeof(sozai_preset),                                \
@@ -97,6 +111,9 @@ SPECIES_ALL(DECLARE)
 #define BRAGG                                                                                      \
   "Bragg D. C., The birdseye figured grain in sugar maple: literature review, nomenclature, and "  \
   "structural characteristics, Canadian Journal of Forest Research 29 (1999)"
+#define ROBINSON                                                                                   \
+  "Robinson S. C., Richter D. L., Laks P. E., Colonization of sugar maple by spalting fungi, "     \
+  "Forest Products Journal 57 (2007)"
 #define GYMNOSPERMS                                                                                \
   "IAWA Committee, IAWA list of microscopic features for softwood identification, IAWA Journal "   \
   "25 (2004)"

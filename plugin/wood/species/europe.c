@@ -19,6 +19,7 @@ static const sozai_value values_beech[] = {
     RAYS(0.55, 1.4, 120.0, 30.0),
     SRGB("ray_colour", 184, 133, 97),
     AGED(190, 140, 96, 4.0),
+    FIBRES(20.0, 570.0),
 };
 SPECIES(beech, "European beech (Fagus sylvatica)",
         "Pinkish brown from steaming, flecked with short dark rays; even and fine.",
@@ -42,6 +43,8 @@ static const sozai_value values_oak[] = {
     RAYS(0.012, 22.0, 320.0, 40.0),
     SRGB("ray_colour", 204, 171, 126),
     AGED(168, 124, 76, 4.0),
+    FIBRES(18.0, 570.0),
+    NUMBER("tyloses", 1.0),
 };
 SPECIES(oak, "European oak (Quercus robur)",
         "Yellowish brown; large early vessels, and silver grain on the quartered face.",
@@ -65,6 +68,7 @@ static const sozai_value values_ash[] = {
     RAYS(4.0, 0.35, 32.0, 25.0),
     SRGB("ray_colour", 224, 201, 162),
     AGED(198, 158, 108, 3.0),
+    FIBRES(20.0, 560.0),
 };
 SPECIES(ash, "European ash (Fraxinus excelsior)",
         "Nearly white, clear of line; rows of large vessels, dense latewood.",
@@ -88,6 +92,8 @@ static const sozai_value values_elm[] = {
     RAYS(2.0, 0.5, 55.0, 30.0),
     SRGB("ray_colour", 196, 158, 116),
     AGED(158, 114, 74, 4.0),
+    FIBRES(20.0, 530.0),
+    NUMBER("tyloses", 0.3),
 };
 SPECIES(elm, "Wych elm (Ulmus glabra)",
         "Brown with a green cast; the latewood's vessels lie in wavy bands.",
@@ -111,6 +117,8 @@ static const sozai_value values_chestnut[] = {
     RAYS(4.0, 0.25, 16.0, 25.0),
     SRGB("ray_colour", 205, 169, 121),
     AGED(164, 120, 74, 3.0),
+    FIBRES(20.0, 480.0),
+    NUMBER("tyloses", 0.7),
 };
 SPECIES(chestnut, "Sweet chestnut (Castanea sativa)",
         "Golden brown like oak, with several rows of vessels and no broad rays.",
@@ -135,6 +143,8 @@ static const sozai_value values_robinia[] = {
     RAYS(2.0, 0.5, 55.0, 28.0),
     SRGB("ray_colour", 190, 160, 96),
     AGED(144, 100, 50, 1.0),
+    FIBRES(17.0, 650.0),
+    NUMBER("tyloses", 1.0),
 };
 SPECIES(robinia, "Black locust, robinia (Robinia pseudoacacia)",
         "Greenish gold, hard and glossy, its vessels stopped; bold flames.",
@@ -157,6 +167,7 @@ static const sozai_value values_walnut[] = {
     RAYS(4.0, 0.4, 35.0, 28.0),
     SRGB("ray_colour", 158, 126, 94),
     AGED(164, 130, 90, 6.0),
+    FIBRES(22.0, 540.0),
 };
 SPECIES(walnut, "European walnut (Juglans regia)",
         "Grey-brown with dark drifting streaks; vessels show as fine dark lines.",
@@ -179,6 +190,7 @@ static const sozai_value values_pear[] = {
     RAYS(5.0, 0.3, 24.0, 25.0),
     SRGB("ray_colour", 196, 150, 116),
     AGED(174, 122, 86, 3.0),
+    FIBRES(20.0, 590.0),
 };
 SPECIES(pear, "Pear (Pyrus communis)", "Pinkish brown, the most even of woods; rings barely drawn.",
         SCHOCH "; " WAGENFUEHR);
@@ -187,6 +199,7 @@ static const sozai_value values_sycamore[] = {
     RINGS(2.2, 0.22, 0.7),
     LATEWOOD(0.06, 0.7),
     WAVY(0.18, 8.0, 0.45),
+    CURL(0.08, 8.0, 0.45),
     NUMBER("slope_noise", 0.035),
     NUMBER("slope_noise_length", 45.0),
     DIFFUSE_POROUS(48.0, 62.0, 0.2),
@@ -205,6 +218,7 @@ static const sozai_value values_sycamore[] = {
     AGED(210, 172, 120, 4.0),
     MINERAL_STREAKS(0.006, 2.0, 200.0),
     SRGB("streak_colour", 176, 158, 128),
+    FIBRES(21.0, 510.0),
 };
 SPECIES(sycamore, "Sycamore maple, fiddleback (Acer pseudoplatanus)",
         "Creamy white; regular waves of the grain give the fiddleback's bars.",
@@ -229,6 +243,7 @@ static const sozai_value values_birch[] = {
     AGED(202, 158, 108, 4.0),
     MINERAL_STREAKS(0.006, 1.6, 60.0),
     SRGB("streak_colour", 158, 118, 84),
+    FIBRES(20.0, 510.0),
 };
 SPECIES(birch, "Silver birch (Betula pendula)",
         "Whitish to pale yellow, silky, with a faint line at each ring.", SCHOCH "; " WAGENFUEHR);
@@ -250,6 +265,7 @@ static const sozai_value values_alder[] = {
     RAYS(0.006, 20.0, 220.0, 30.0),
     SRGB("ray_colour", 190, 138, 95),
     AGED(180, 124, 80, 3.0),
+    FIBRES(20.0, 430.0),
 };
 SPECIES(alder, "Black alder (Alnus glutinosa)",
         "Orange to reddish brown, dull and even, with a few aggregate rays as long dark lines.",
@@ -272,6 +288,7 @@ static const sozai_value values_lime[] = {
     RAYS(2.5, 0.6, 40.0, 26.0),
     SRGB("ray_colour", 222, 197, 154),
     AGED(202, 164, 112, 4.0),
+    FIBRES(25.0, 420.0),
 };
 SPECIES(lime, "Small-leaved lime, linden (Tilia cordata)",
         "Yellowish white, soft and plain; the carver's even wood.", SCHOCH "; " WAGENFUEHR);
@@ -295,6 +312,7 @@ static const sozai_value values_poplar[] = {
     AGED(206, 174, 126, 3.0),
     MINERAL_STREAKS(0.012, 3.0, 260.0),
     SRGB("streak_colour", 176, 164, 138),
+    FIBRES(26.0, 360.0),
 };
 SPECIES(poplar, "European aspen (Populus tremula)", "Whitish and woolly; nearly no figure.",
         SCHOCH "; " WAGENFUEHR);
@@ -316,6 +334,7 @@ static const sozai_value values_willow[] = {
     RAYS(6.0, 0.25, 12.0, 25.0),
     SRGB("ray_colour", 211, 180, 147),
     AGED(188, 146, 108, 4.0),
+    FIBRES(25.0, 360.0),
 };
 SPECIES(willow, "White willow (Salix alba)",
         "Pale pinkish brown heartwood under white sapwood; soft, with a faint sheen.",
@@ -338,6 +357,7 @@ static const sozai_value values_plane[] = {
     RAYS(0.2, 2.6, 250.0, 30.0),
     SRGB("ray_colour", 182, 132, 93),
     AGED(182, 136, 92, 4.0),
+    FIBRES(20.0, 520.0),
 };
 SPECIES(plane, "London plane, lacewood (Platanus x hispanica)",
         "Pinkish brown; quartered, the broad rays make a lace of darker flecks.",
@@ -360,6 +380,7 @@ static const sozai_value values_hornbeam[] = {
     RAYS(0.008, 20.0, 260.0, 30.0),
     SRGB("ray_colour", 216, 195, 161),
     AGED(200, 166, 122, 4.0),
+    FIBRES(20.0, 630.0),
 };
 SPECIES(hornbeam, "European hornbeam (Carpinus betulus)",
         "Greyish white and bony, on wavy rings, with pale aggregate rays.", SCHOCH "; " WAGENFUEHR);
@@ -383,6 +404,7 @@ static const sozai_value values_olive[] = {
     RAYS(5.0, 0.3, 24.0, 22.0),
     SRGB("ray_colour", 192, 157, 104),
     AGED(162, 122, 72, 4.0),
+    FIBRES(15.0, 760.0),
 };
 SPECIES(olive, "Olive (Olea europaea)",
         "Yellow-brown, marbled with dark brown; fine, oily and smooth.", WAGENFUEHR "; " RICHTER);
@@ -404,6 +426,7 @@ static const sozai_value values_box[] = {
     RAYS(6.0, 0.2, 18.0, 18.0),
     SRGB("ray_colour", 218, 192, 130),
     AGED(202, 164, 96, 5.0),
+    FIBRES(14.0, 800.0),
 };
 SPECIES(box, "European box (Buxus sempervirens)",
         "Light yellow, dense as horn; nothing to see but faint close rings.",
@@ -426,6 +449,7 @@ static const sozai_value values_holly[] = {
     RAYS(1.8, 0.7, 70.0, 25.0),
     SRGB("ray_colour", 230, 219, 193),
     AGED(220, 200, 156, 5.0),
+    FIBRES(20.0, 620.0),
 };
 SPECIES(holly, "European holly (Ilex aquifolium)",
         "Ivory white, fine and even; the rings hardly show.", SCHOCH "; " WAGENFUEHR);
@@ -447,6 +471,7 @@ static const sozai_value values_apple[] = {
     RAYS(5.0, 0.3, 26.0, 22.0),
     SRGB("ray_colour", 180, 124, 90),
     AGED(154, 98, 66, 3.0),
+    FIBRES(20.0, 600.0),
 };
 SPECIES(apple, "Apple (Malus domestica)", "Reddish brown, fine and even, often with darker drifts.",
         SCHOCH "; " WAGENFUEHR);
@@ -469,6 +494,7 @@ static const sozai_value values_plum[] = {
     RAYS(2.4, 0.6, 60.0, 25.0),
     SRGB("ray_colour", 200, 146, 108),
     AGED(142, 88, 58, 2.0),
+    FIBRES(20.0, 620.0),
 };
 SPECIES(plum, "Plum (Prunus domestica)",
         "Purplish to orange brown, banded from ring to ring; small bright rays.",
@@ -493,6 +519,7 @@ static const sozai_value values_laburnum[] = {
     RAYS(1.8, 0.6, 60.0, 24.0),
     SRGB("ray_colour", 152, 116, 72),
     AGED(96, 66, 38, 1.5),
+    FIBRES(20.0, 680.0),
 };
 SPECIES(laburnum, "Laburnum (Laburnum anagyroides)",
         "Dark olive brown in thin yellow sapwood; fine bright rays, strong rings.",

@@ -10,6 +10,7 @@
       SRGB("sapwood_latewood_colour", 210, 178, 138), NUMBER("heartwood_years", 110.0),            \
       NUMBER("diffuse", 0.8), NUMBER("specular", 0.3), NUMBER("shininess", 14.0),                  \
       RAYS(2.2, 0.6, 70.0, 28.0), SRGB("ray_colour", 219, 187, 148), AGED(206, 162, 110, 4.0)
+      RAYS(2.2, 0.6, 70.0, 28.0), SRGB("ray_colour", 219, 187, 148), FIBRES(20.0, 540.0)
 
 static const sozai_value values_curly_maple[] = {
     RINGS(2.2, 0.22, 0.7), LATEWOOD(0.06, 0.7),         WAVY(0.19, 9.0, 0.6),
@@ -61,7 +62,31 @@ static const sozai_value values_pommele_sapele[] = {
     RAYS(3.6, 0.45, 55.0, 28.0),
     SRGB("ray_colour", 142, 85, 57),
     AGED(114, 66, 42, 1.5),
+    FIBRES(19.0, 550.0),
 };
 SPECIES(pommele_sapele, "Sapele, pommele (Entandrophragma cylindricum)",
         "Small round blisters over interlocked grain, like drops of rain on a puddle.",
         RICHTER "; " BEALS);
+
+static const sozai_value values_spalted_beech[] = {
+    RINGS(2.2, 0.24, 0.8),
+    LATEWOOD(0.14, 0.5),
+    NUMBER("slope_noise", 0.035),
+    NUMBER("slope_noise_length", 45.0),
+    DIFFUSE_POROUS(120.0, 58.0, 0.2),
+    NUMBER("fibre_brightness", 0.07),
+    SRGB("earlywood_colour", 214, 170, 132),
+    SRGB("latewood_colour", 188, 140, 104),
+    SRGB("vessel_colour", 201, 157, 120),
+    SRGB("sapwood_earlywood_colour", 222, 186, 150),
+    SRGB("sapwood_latewood_colour", 200, 160, 124),
+    NUMBER("heartwood_years", 95.0),
+    NUMBER("specular", 0.06),
+    RAYS(0.55, 1.4, 120.0, 30.0),
+    SRGB("ray_colour", 184, 133, 97),
+    FIBRES(20.0, 570.0),
+    SPALT(0.55, 45.0, 0.7),
+};
+SPECIES(spalted_beech, "Beech, spalted (Fagus sylvatica)",
+        "Beech that fungi have begun on: black zone lines, and bleached wood along them.",
+        SCHOCH "; " ROBINSON);

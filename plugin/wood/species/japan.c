@@ -17,6 +17,7 @@ static const sozai_value values_onigurumi[] = {
     NUMBER("heartwood_years", 120.0),
     NUMBER("specular", 0.06),
     AGED(172, 130, 86, 6.0),
+    FIBRES(22.0, 450.0),
 };
 SPECIES(onigurumi, "Onigurumi, Japanese walnut (Juglans mandshurica var. sachalinensis)",
         "Brown, with vessels that shrink across the ring and show as fine dark streaks.",
@@ -41,6 +42,7 @@ static const sozai_value values_makaba[] = {
     AGED(186, 136, 92, 4.0),
     MINERAL_STREAKS(0.006, 1.8, 140.0),
     SRGB("streak_colour", 136, 106, 84),
+    FIBRES(20.0, 560.0),
 };
 SPECIES(makaba, "Makaba, monarch birch (Betula maximowicziana)",
         "Pale reddish brown, even, with small vessels alike across the ring.",
@@ -63,6 +65,7 @@ static const sozai_value values_yamazakura[] = {
     RAYS(3.0, 0.5, 55.0, 30.0),
     SRGB("ray_colour", 209, 160, 118),
     AGED(160, 100, 60, 1.0),
+    FIBRES(20.0, 520.0),
 };
 SPECIES(yamazakura, "Yamazakura, Japanese cherry (Cerasus jamasakura)",
         "Warm brown, close-textured; vessels too small to see but for a silky streak.",
@@ -86,6 +89,8 @@ static const sozai_value values_mizunara[] = {
     RAYS(0.014, 20.0, 300.0, 36.0),
     SRGB("ray_colour", 207, 176, 134),
     AGED(172, 132, 86, 4.0),
+    FIBRES(18.0, 560.0),
+    NUMBER("tyloses", 0.9),
 };
 SPECIES(mizunara, "Mizunara, Japanese oak (Quercus crispula)",
         "Light brown; one to three rows of very large earlywood vessels.", ITOH "; " INSIDEWOOD);
@@ -108,6 +113,8 @@ static const sozai_value values_harunire[] = {
     RAYS(2.0, 0.5, 60.0, 30.0),
     SRGB("ray_colour", 199, 162, 120),
     AGED(166, 122, 78, 4.0),
+    FIBRES(20.0, 500.0),
+    NUMBER("tyloses", 0.3),
 };
 SPECIES(harunire, "Harunire, Japanese elm (Ulmus davidiana var. japonica)",
         "Brown and lively; large earlywood vessels, many small ones in the latewood.",
@@ -131,6 +138,8 @@ static const sozai_value values_keyaki[] = {
     RAYS(1.6, 0.6, 75.0, 30.0),
     SRGB("ray_colour", 188, 136, 80),
     AGED(178, 120, 64, 3.0),
+    FIBRES(17.0, 560.0),
+    NUMBER("tyloses", 0.5),
 };
 SPECIES(keyaki, "Keyaki, Japanese zelkova (Zelkova serrata)",
         "Golden brown, strongly figured; one row of large earlywood vessels.",
@@ -156,6 +165,7 @@ static const sozai_value values_itayakaede[] = {
     AGED(208, 164, 110, 4.0),
     MINERAL_STREAKS(0.012, 2.2, 220.0),
     SRGB("streak_colour", 148, 130, 100),
+    FIBRES(20.0, 560.0),
 };
 SPECIES(itayakaede, "Itayakaede, painted maple with wavy grain (Acer pictum)",
         "Nearly white, close-textured; wavy grain gives a cross figure that moves with the light.",
@@ -178,6 +188,7 @@ static const sozai_value values_buna[] = {
     RAYS(0.5, 1.6, 110.0, 28.0),
     SRGB("ray_colour", 188, 143, 107),
     AGED(190, 144, 100, 4.0),
+    FIBRES(20.0, 540.0),
 };
 SPECIES(buna, "Buna, Japanese beech (Fagus crenata)",
         "Pale pinkish brown, flecked with the broad rays' dark spindles; fine even vessels.",
@@ -201,6 +212,7 @@ static const sozai_value values_tamo[] = {
     RAYS(4.0, 0.3, 30.0, 25.0),
     SRGB("ray_colour", 206, 178, 138),
     AGED(180, 140, 94, 3.0),
+    FIBRES(20.0, 540.0),
 };
 SPECIES(tamo, "Tamo, Manchurian ash (Fraxinus mandshurica)",
         "Pale greyish brown; rows of large vessels draw broad, clear flames.",
@@ -224,6 +236,8 @@ static const sozai_value values_kuri[] = {
     RAYS(4.0, 0.25, 18.0, 25.0),
     SRGB("ray_colour", 196, 158, 114),
     AGED(158, 114, 70, 3.0),
+    FIBRES(20.0, 480.0),
+    NUMBER("tyloses", 0.8),
 };
 SPECIES(kuri, "Kuri, Japanese chestnut (Castanea crenata)",
         "Brown, coarse; many rows of large vessels and flame-shaped latewood, no broad rays.",
@@ -246,6 +260,7 @@ static const sozai_value values_katsura[] = {
     RAYS(4.0, 0.5, 28.0, 25.0),
     SRGB("ray_colour", 178, 138, 106),
     AGED(152, 110, 78, 4.0),
+    FIBRES(28.0, 420.0),
 };
 SPECIES(katsura, "Katsura, Japanese Judas tree (Cercidiphyllum japonicum)",
         "Soft reddish brown, very even; vessels crowded and too fine to see.", ITOH "; " FFPRI);
@@ -267,6 +282,7 @@ static const sozai_value values_honoki[] = {
     RAYS(3.0, 0.55, 35.0, 30.0),
     SRGB("ray_colour", 184, 169, 138),
     AGED(158, 130, 92, 2.0),
+    FIBRES(26.0, 400.0),
 };
 SPECIES(honoki, "Ho-no-ki, Japanese whitebark magnolia (Magnolia obovata)",
         "Greenish grey heartwood, smooth and dull, with a thin pale line at each ring.",
@@ -289,6 +305,7 @@ static const sozai_value values_kiri[] = {
     RAYS(2.5, 0.4, 50.0, 30.0),
     SRGB("ray_colour", 212, 189, 156),
     AGED(178, 146, 108, 3.0),
+    FIBRES(32.0, 240.0),
 };
 SPECIES(kiri, "Kiri, paulownia (Paulownia tomentosa)",
         "Silvery pale brown and light; wide rings, vessels that open in loose rows.",
@@ -312,6 +329,7 @@ static const sozai_value values_kusunoki[] = {
     RAYS(3.0, 0.45, 40.0, 28.0),
     SRGB("ray_colour", 196, 154, 108),
     AGED(154, 108, 66, 3.0),
+    FIBRES(20.0, 430.0),
 };
 SPECIES(kusunoki, "Kusunoki, camphor tree (Camphora officinarum)",
         "Yellowish to reddish brown, streaked; grain interlocks and vessels show as short lines.",
@@ -335,6 +353,7 @@ static const sozai_value values_tochinoki[] = {
     RAYS(5.0, 0.28, 18.0, 22.0),
     SRGB("ray_colour", 224, 198, 156),
     AGED(208, 170, 116, 4.0),
+    FIBRES(26.0, 430.0),
 };
 SPECIES(tochinoki, "Tochinoki, Japanese horse chestnut (Aesculus turbinata)",
         "Pale yellowish white, silky, with ripple marks and a wavy, shimmering grain.",
@@ -357,6 +376,7 @@ static const sozai_value values_isunoki[] = {
     RAYS(4.0, 0.4, 25.0, 25.0),
     SRGB("ray_colour", 152, 110, 86),
     AGED(118, 78, 56, 4.0),
+    FIBRES(15.0, 740.0),
 };
 SPECIES(isunoki, "Isunoki, winter hazel wood (Distylium racemosum)",
         "Purplish brown, heavy and dense; vessels too fine to see.", ITOH "; " FFPRI);
@@ -378,6 +398,7 @@ static const sozai_value values_mizume[] = {
     RAYS(4.0, 0.4, 35.0, 25.0),
     SRGB("ray_colour", 184, 138, 105),
     AGED(158, 108, 74, 3.0),
+    FIBRES(20.0, 600.0),
 };
 SPECIES(mizume, "Mizume, Japanese cherry birch (Betula grossa)",
         "Reddish brown, hard and even, sold as cherry; rings drawn by thin darker lines.",
@@ -401,6 +422,7 @@ static const sozai_value values_kihada[] = {
     RAYS(3.0, 0.35, 38.0, 25.0),
     SRGB("ray_colour", 194, 164, 108),
     AGED(158, 118, 68, 1.0),
+    FIBRES(20.0, 400.0),
 };
 SPECIES(kihada, "Kihada, Amur cork tree (Phellodendron amurense)",
         "Greenish yellow-brown; a band of large vessels and wavy clusters in the latewood.",
@@ -425,6 +447,7 @@ static const sozai_value values_enju[] = {
     RAYS(2.0, 0.6, 60.0, 28.0),
     SRGB("ray_colour", 160, 130, 88),
     AGED(116, 84, 50, 2.0),
+    FIBRES(20.0, 560.0),
 };
 SPECIES(enju, "Enju, Amur maackia (Maackia amurensis)",
         "Dark olive brown with a thin pale sapwood; bold flames of coarse latewood.",
@@ -449,6 +472,8 @@ static const sozai_value values_kuwa[] = {
     RAYS(1.8, 0.6, 60.0, 28.0),
     SRGB("ray_colour", 194, 148, 86),
     AGED(122, 82, 44, 1.0),
+    FIBRES(20.0, 520.0),
+    NUMBER("tyloses", 0.8),
 };
 SPECIES(kuwa, "Kuwa, Japanese mulberry (Morus bombycis)",
         "Golden brown that darkens with age; strong flames and a lively gloss.",

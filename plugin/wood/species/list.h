@@ -110,7 +110,8 @@
   X(curly_maple) \
   X(quilted_maple) \
   X(birdseye_maple) \
-  X(pommele_sapele)
+  X(pommele_sapele) \
+  X(spalted_beech)
 
 #define SPECIES_ALL(X) SPECIES_JAPAN(X) SPECIES_EUROPE(X) SPECIES_AMERICA(X) SPECIES_TROPICS(X) SPECIES_CONIFERS(X) SPECIES_FIGURED(X)
 /* clang-format on */

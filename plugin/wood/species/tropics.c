@@ -21,6 +21,7 @@ static const sozai_value values_teak[] = {
     RAYS(2.4, 0.7, 75.0, 30.0),
     SRGB("ray_colour", 190, 144, 90),
     AGED(166, 120, 68, 1.0),
+    FIBRES(20.0, 560.0),
 };
 SPECIES(teak, "Teak (Tectona grandis)",
         "Golden brown with dark streaks, oily; rows of vessels open each ring.",
@@ -44,6 +45,7 @@ static const sozai_value values_sapele[] = {
     RAYS(3.6, 0.45, 55.0, 28.0),
     SRGB("ray_colour", 142, 85, 57),
     AGED(114, 66, 42, 1.5),
+    FIBRES(19.0, 550.0),
 };
 SPECIES(sapele, "Sapele (Entandrophragma cylindricum)",
         "Reddish brown; interlocked grain gives a narrow, regular ribbon on the quarter.",
@@ -67,6 +69,7 @@ static const sozai_value values_iroko[] = {
     RAYS(2.6, 0.45, 65.0, 28.0),
     SRGB("ray_colour", 182, 139, 85),
     AGED(124, 84, 48, 1.0),
+    FIBRES(20.0, 540.0),
 };
 SPECIES(iroko, "Iroko (Milicia excelsa)",
         "Yellow to golden brown; large vessels in pale flecks of soft tissue, interlocked.",
@@ -90,6 +93,7 @@ static const sozai_value values_wenge[] = {
     RAYS(4.0, 0.35, 40.0, 24.0),
     SRGB("ray_colour", 70, 49, 35),
     AGED(106, 78, 56, 6.0),
+    FIBRES(20.0, 700.0),
 };
 SPECIES(wenge, "Wenge (Millettia laurentii)",
         "Dark brown to black, in close straight bands of paler tissue.", RICHTER "; " WAGENFUEHR);
@@ -113,6 +117,7 @@ static const sozai_value values_zebrano[] = {
     RAYS(5.0, 0.3, 30.0, 26.0),
     SRGB("ray_colour", 198, 158, 106),
     AGED(162, 120, 74, 4.0),
+    FIBRES(20.0, 650.0),
 };
 SPECIES(zebrano, "Zebrano (Microberlinia brazzavillensis)",
         "Pale golden brown, striped with dark brown veins; interlocked.", RICHTER "; " WAGENFUEHR);
@@ -136,6 +141,7 @@ static const sozai_value values_padauk[] = {
     RAYS(9.0, 0.15, 14.0, 20.0),
     SRGB("ray_colour", 162, 81, 54),
     AGED(88, 50, 36, 1.0),
+    FIBRES(20.0, 620.0),
 };
 SPECIES(padauk, "African padauk (Pterocarpus soyauxii)",
         "Bright orange-red going to purplish brown; few large vessels.", RICHTER "; " WAGENFUEHR);
@@ -158,6 +164,7 @@ static const sozai_value values_ebony[] = {
     RAYS(8.0, 0.3, 14.0, 22.0),
     SRGB("ray_colour", 46, 36, 31),
     AGED(56, 44, 37, 10.0),
+    FIBRES(14.0, 880.0),
 };
 SPECIES(ebony, "African ebony (Diospyros crassiflora)",
         "Black, with here and there a brown streak; dense and fine.", RICHTER "; " WAGENFUEHR);
@@ -180,6 +187,7 @@ static const sozai_value values_macassar_ebony[] = {
     RAYS(8.0, 0.3, 14.0, 22.0),
     SRGB("ray_colour", 112, 77, 54),
     AGED(128, 92, 64, 8.0),
+    FIBRES(14.0, 900.0),
 };
 SPECIES(macassar_ebony, "Macassar ebony (Diospyros celebica)",
         "Dark, striped from brown to black in bands as wide as a finger's nail.",
@@ -204,6 +212,7 @@ static const sozai_value values_bubinga[] = {
     RAYS(4.0, 0.4, 45.0, 26.0),
     SRGB("ray_colour", 154, 89, 64),
     AGED(120, 68, 46, 2.0),
+    FIBRES(20.0, 710.0),
 };
 SPECIES(bubinga, "Bubinga (Guibourtia tessmannii)",
         "Red-brown veined with purple; dense and glossy.", RICHTER "; " WAGENFUEHR);
@@ -226,6 +235,7 @@ static const sozai_value values_afrormosia[] = {
     RAYS(4.5, 0.28, 40.0, 24.0),
     SRGB("ray_colour", 174, 128, 80),
     AGED(122, 82, 46, 1.0),
+    FIBRES(20.0, 590.0),
 };
 SPECIES(afrormosia, "Afrormosia (Pericopsis elata)",
         "Yellow-brown going to teak's tone; fine, with a narrow interlocked ribbon.",
@@ -249,6 +259,7 @@ static const sozai_value values_okoume[] = {
     RAYS(6.0, 0.28, 22.0, 24.0),
     SRGB("ray_colour", 196, 148, 124),
     AGED(164, 114, 86, 2.0),
+    FIBRES(24.0, 370.0),
 };
 SPECIES(okoume, "Okoume (Aucoumea klaineana)",
         "Salmon pink, silky and plain; vessels fine, grain shallowly interlocked.",
@@ -272,6 +283,7 @@ static const sozai_value values_jarrah[] = {
     RAYS(8.0, 0.25, 16.0, 22.0),
     SRGB("ray_colour", 136, 74, 55),
     AGED(98, 56, 44, 2.0),
+    FIBRES(20.0, 680.0),
 };
 SPECIES(jarrah, "Jarrah (Eucalyptus marginata)",
         "Deep red-brown, even; vessels in slanting lines, filled with red gum.",
@@ -294,6 +306,7 @@ static const sozai_value values_silky_oak[] = {
     RAYS(0.045, 8.0, 360.0, 36.0),
     SRGB("ray_colour", 206, 161, 128),
     AGED(160, 110, 80, 3.0),
+    FIBRES(20.0, 510.0),
 };
 SPECIES(silky_oak, "Southern silky oak (Grevillea robusta)",
         "Pinkish brown; very broad rays make bold silvery flakes on the quarter.",
@@ -317,6 +330,7 @@ static const sozai_value values_lignum_vitae[] = {
     RAYS(12.0, 0.09, 12.0, 14.0),
     SRGB("ray_colour", 108, 94, 61),
     AGED(74, 72, 48, 0.6),
+    FIBRES(12.0, 1050.0),
 };
 SPECIES(lignum_vitae, "Lignum vitae (Guaiacum officinale)",
         "Dark olive to greenish black, waxy; the hardest, grain closely interlocked.",
@@ -339,6 +353,7 @@ static const sozai_value values_rubberwood[] = {
     RAYS(4.0, 0.5, 40.0, 26.0),
     SRGB("ray_colour", 220, 188, 144),
     AGED(198, 156, 106, 4.0),
+    FIBRES(20.0, 500.0),
 };
 SPECIES(rubberwood, "Rubberwood (Hevea brasiliensis)",
         "Pale cream to straw, plain; vessels large and scattered.", RICHTER "; " WAGENFUEHR);
