@@ -5,7 +5,8 @@
 // turn, every 32nd compared with the material itself; while others open and
 // close the same files. A quarter are read past the cache, from readers that
 // all threads share: ThreadSanitizer is told to overlook what OpenImageIO's own
-// code takes part in, and there it does not. 300,000 reads unless READS says another number: `cmake --build build
+// code takes part in, and there it does not. 300,000 reads unless READS says another number: `cmake
+// --build build
 // --target oiio-reads` makes 10 million.
 #include <OpenImageIO/imagecache.h>
 #include <OpenImageIO/imageio.h>
@@ -73,7 +74,7 @@ void run(Shared *shared, int thread) {
     if (by_itself)
       std::copy_n(&tile[at], components[output], got);
     else if (!shared->cache->get_pixels(file->name, output, level, int(x), int(x) + 1, int(y),
-                                   int(y) + 1, 0, 1, 0, components[output], TypeFloat, got)) {
+                                        int(y) + 1, 0, 1, 0, components[output], TypeFloat, got)) {
       shared->failed++;
       continue;
     }
