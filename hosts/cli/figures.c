@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include "figures_tree.h"
 #include "figures_wood.h"
 #include "output_file.h"
 
@@ -34,16 +35,23 @@ static bool draw_figure(session *s, const wood_figure *f, const char *folder, fa
   return false;
 }
 
+static bool draw_each(session *s, const wood_figure *list, size_t count, const char *folder,
+                      failure *why) {
+  for (size_t i = 0; i < count; i++) {
+    if (!draw_figure(s, &list[i], folder, why)) return false;
+    printf("%s/%s.png  %s\n", folder, list[i].name, list[i].title);
+  }
+  return true;
+}
+
 static bool draw_all(const session_options *shared, const char *folder, failure *why) {
   if (!folder) return fail(why, EXIT_BAD_INPUT, "figures: no output is given: -o DIR");
   session s;
   if (!session_open(&s, shared, why)) return false;
   bool ok = mkdir(folder, 0777) == 0 || errno == EEXIST ||
             fail(why, EXIT_FAILURE, "cannot make the folder %s: %s", folder, strerror(errno));
-  for (size_t i = 0; ok && i < wood_figure_count; i++) {
-    ok = draw_figure(&s, &wood_figures[i], folder, why);
-    if (ok) printf("%s/%s.png  %s\n", folder, wood_figures[i].name, wood_figures[i].title);
-  }
+  ok = ok && draw_each(&s, wood_figures, wood_figure_count, folder, why) &&
+       draw_each(&s, tree_figures, tree_figure_count, folder, why);
   session_close(&s);
   return ok;
 }
