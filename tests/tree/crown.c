@@ -55,8 +55,7 @@ static void every_species(void **unused) {
       for (uint64_t k = 1; k < t.rows; k++) {
         assert_true(cell(&t, k, "at") < h);
         assert_true(cell(&t, k, "length") > 0 && cell(&t, k, "length") < 1.6 * h);
-        if (cell(&t, k, "death") >= 0)
-          assert_true(cell(&t, k, "death") >= cell(&t, k, "birth"));
+        if (cell(&t, k, "death") >= 0) assert_true(cell(&t, k, "death") >= cell(&t, k, "birth"));
         if (cell(&t, k, "shed") >= 0) assert_true(cell(&t, k, "shed") >= cell(&t, k, "death"));
       }
       geometry()->release(g);

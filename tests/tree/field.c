@@ -102,8 +102,8 @@ static void fit_and_siblings(void **unused) {
   sozai_geometry *g =
       grow("sugi_paper", "age=30 orders=1 crown_scatter=0.05 turning_spread=0 seed=3", NULL);
   char *text = field_text(g);
-  static const char *const columns[] = {"crown_a", "turns_year", "branches_turn",
-                                        "divergence_mean", "divergence_sd"};
+  static const char *const columns[] = {"crown_a", "turns_year", "branches_turn", "divergence_mean",
+                                        "divergence_sd"};
   double mean[5] = {0};
   for (int seed = 0; seed < 20; seed++) {
     char values[100];
@@ -167,7 +167,8 @@ static void malformed(void **unused) {
       {"trunk\n50 0 90\nB101\n", "line 3, column 4", "1 after a 0"},
       {"trunk\n50 0 90\nB1.\n", "line 3, column 3", "missing after the dot"},
       {"trunk\n50 0 90\nB1111\n", "line 3, column 5", "order 4 is beyond 3"},
-      {"trunk\n50 0 90\nB100\n0\n0\n5 0 0\n", "line 6, column 1", "node 2, but trunk has the nodes 0 to 1"},
+      {"trunk\n50 0 90\nB100\n0\n0\n5 0 0\n", "line 6, column 1",
+       "node 2, but trunk has the nodes 0 to 1"},
       {"trunk\n50 0 90\n50 0 90\nB100\n0\n5 0 0\nB110\n0\n3 0 0\n", "line 9, column 1",
        "node 1, but B1 has the nodes 2 to 2"},
       {"trunk\n50 0 90\nB100\n0\n5 0 0\n0\n", "line 6, column 1", "0 within B1"},

@@ -77,8 +77,7 @@ static void sound(const sozai_mesh *m) {
     at += m->parts[k].count;
   }
   assert_int_equal(at, m->triangle_count);
-  for (uint64_t i = 0; i < 3 * m->triangle_count; i++)
-    assert_true(m->indices[i] < m->point_count);
+  for (uint64_t i = 0; i < 3 * m->triangle_count; i++) assert_true(m->indices[i] < m->point_count);
   for (uint64_t i = 0; i < m->point_count; i++) {
     double length = 0;
     for (uint64_t c = 0; c < 3; c++) {
@@ -137,7 +136,8 @@ static void joints_inside(void **unused) {
       for (uint64_t k = c->first[0]; k + 1 < c->first[1]; k++) {
         double d2 = 0, dot = 0, length = 0;
         for (int x = 0; x < 3; x++) {
-          double e = (double)c->points[3 * k + 3 + (uint64_t)x] - (double)c->points[3 * k + (uint64_t)x];
+          double e =
+              (double)c->points[3 * k + 3 + (uint64_t)x] - (double)c->points[3 * k + (uint64_t)x];
           double o = (double)p[x] - (double)c->points[3 * k + (uint64_t)x];
           length += e * e, dot += e * o;
         }

@@ -60,8 +60,8 @@ static void knots_are_branches(void **unused) {
     const float *p = c->points + 3 * c->first[i];
     off = fmax(off, fabs((double)p[1] - cell(&b, c->ids[i], "at")));
     const float *q = p + 3;
-    double turn = atan2((double)q[0] - (double)p[0], (double)p[2] - (double)q[2]) * 180 /
-                  3.14159265358979;
+    double turn =
+        atan2((double)q[0] - (double)p[0], (double)p[2] - (double)q[2]) * 180 / 3.14159265358979;
     assert_true(fabs(remainder(turn - cell(&b, c->ids[i], "azimuth"), 360)) < 0.1);
   }
   print_message("%llu knots, %.0f dead, %.0f of them shed; curves off by %.3f mm at most\n",

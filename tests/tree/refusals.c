@@ -73,9 +73,10 @@ static void both_ends(void **unused) {
     uint32_t ends = p->kind == SOZAI_KIND_CHOICE ? p->choice_count : 2;
     if (p->kind == SOZAI_KIND_TEXT || p->kind == SOZAI_KIND_FLOAT3) continue;
     for (uint32_t k = 0; k < ends; k++) {
-      sozai_value v[3] = {{.id = "age", .kind = SOZAI_KIND_FLOAT, .number = {3}},
-                          {.id = "orders", .kind = SOZAI_KIND_INT, .number = {3}},
-                          {.id = p->id, .kind = p->kind, .number = {k ? p->hard_max : p->hard_min}}};
+      sozai_value v[3] = {
+          {.id = "age", .kind = SOZAI_KIND_FLOAT, .number = {3}},
+          {.id = "orders", .kind = SOZAI_KIND_INT, .number = {3}},
+          {.id = p->id, .kind = p->kind, .number = {k ? p->hard_max : p->hard_min}}};
       if (p->kind == SOZAI_KIND_CHOICE) v[2].text = p->choices[k];
       sozai_geometry *g = NULL;
       int32_t r = geometry()->grow(NULL, "tree", "akamatsu", v, 3, &g);

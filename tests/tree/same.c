@@ -16,8 +16,8 @@ static uint64_t bits_of(const sozai_geometry *g) {
   h = fold(h, c->points, (size_t)c->point_count * 12);
   h = fold(h, c->radii, (size_t)c->point_count * 4);
   geometry()->release_curves(c);
-  static const char *const tables[] = {"branches", "knots",      "knot_radii", "rings", "turning",
-                                       "nodes",    "statistics", "fit"};
+  static const char *const tables[] = {"branches", "knots", "knot_radii", "rings",
+                                       "turning",  "nodes", "statistics", "fit"};
   for (int i = 0; i < 8; i++) {
     sozai_table t = table_of(g, tables[i]);
     h = fold(h, t.data, (size_t)t.rows * t.info->column_count * 4);

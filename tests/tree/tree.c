@@ -29,8 +29,7 @@ int32_t grow_code(const sozai_host *host, const char *preset, const char *text, 
     *equals = 0;
     values[count++] = (sozai_value){.id = word, .kind = SOZAI_KIND_STRING, .text = equals + 1};
   }
-  if (field)
-    values[count++] = (sozai_value){.id = "field", .kind = SOZAI_KIND_TEXT, .text = field};
+  if (field) values[count++] = (sozai_value){.id = "field", .kind = SOZAI_KIND_TEXT, .text = field};
   return geometry()->grow(host, "tree", preset, values, count, out);
 }
 
@@ -79,9 +78,9 @@ char *field_text(const sozai_geometry *g) {
         used += (size_t)snprintf(text + used, room - used, "0\n");
     }
     last = block;
-    used += (size_t)snprintf(text + used, room - used, "%.6f %.5f %.5f %.5f\n",
-                             cell(&t, i, "length"), cell(&t, i, "azimuth"),
-                             cell(&t, i, "elevation"), cell(&t, i, "diameter"));
+    used +=
+        (size_t)snprintf(text + used, room - used, "%.6f %.5f %.5f %.5f\n", cell(&t, i, "length"),
+                         cell(&t, i, "azimuth"), cell(&t, i, "elevation"), cell(&t, i, "diameter"));
     assert_true(used + 4096 < room);
   }
   return text;

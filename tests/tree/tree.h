@@ -16,8 +16,8 @@
 const sozai_geometry_1 *geometry(void);
 
 /* "age=7 orders=4 ..."; field: NULL or a field table. The result's code. */
-int32_t grow_code(const sozai_host *host, const char *preset, const char *values,
-                  const char *field, sozai_geometry **out);
+int32_t grow_code(const sozai_host *host, const char *preset, const char *values, const char *field,
+                  sozai_geometry **out);
 /* The same, which must work. */
 sozai_geometry *grow(const char *preset, const char *values, const char *field);
 

@@ -47,9 +47,10 @@ static void about_random_axes(void **unused) {
         skew = fmax(skew, fabs(sum - (r == s)));
       }
     const float(*m)[3] = (const float(*)[3])columns;
-    double det = (double)m[0][0] * ((double)m[1][1] * (double)m[2][2] - (double)m[1][2] * (double)m[2][1]) -
-                 (double)m[1][0] * ((double)m[0][1] * (double)m[2][2] - (double)m[0][2] * (double)m[2][1]) +
-                 (double)m[2][0] * ((double)m[0][1] * (double)m[1][2] - (double)m[0][2] * (double)m[1][1]);
+    double det =
+        (double)m[0][0] * ((double)m[1][1] * (double)m[2][2] - (double)m[1][2] * (double)m[2][1]) -
+        (double)m[1][0] * ((double)m[0][1] * (double)m[2][2] - (double)m[0][2] * (double)m[2][1]) +
+        (double)m[2][0] * ((double)m[0][1] * (double)m[1][2] - (double)m[0][2] * (double)m[1][1]);
     handed = fmax(handed, fabs(det - 1));
   }
   print_message("10000 axes: off by %.2g, from orthogonal by %.2g, determinant by %.2g\n", worst,
