@@ -12,6 +12,7 @@
 #include "peak.h"
 #include "pin.h"
 #include "scratch.h"
+#include "tree.h"
 #include "walk.h"
 
 #define CREATES 20        /* a repetition */
@@ -224,6 +225,22 @@ static bool run_job(job *j, result *out, failure *why) {
   }
 }
 
+/* Without the host's threads: one core. */
+static bool run_tree(job *j, result *out, failure *why) {
+  tree_job t = {.preset = j->entry->tree, .meshed = j->entry->kind == ENTRY_TREE_MESH};
+  if (!tree_job_open(&t, &j->bench->plugin, why)) return false;
+  contestant who = {tree_job_run, &t};
+  timing time;
+  if (!measure(&who, 1, j->bench->repetitions, &time, why)) return false;
+  bool each = j->entry->kind == ENTRY_TREE_BRANCHES;
+  double share = each ? 1 / t.branches : 1;
+  out->ns = share * time.median;
+  out->ns_min = share * time.min;
+  out->yardstick_ns = out->yardstick_min = each ? TREE_BRANCH_GOAL_NS : TREE_GOAL_NS;
+  out->ratio = out->yardstick_ns / out->ns;
+  return true;
+}
+
 bool entry_run(const bench *b, const entry *e, result *out, bool *skipped, failure *why) {
   *out = (result){.name = e->name,
                   .instruction_set = "",
@@ -240,6 +257,7 @@ bool entry_run(const bench *b, const entry *e, result *out, bool *skipped, failu
   atomic_init(&j.failed, false);
   *skipped = e->kind == ENTRY_THREADS && pin_cpu_count() < 2;
   if (*skipped) return true;
+  if (e->tree) return run_tree(&j, out, why);
   if (!wood_create(&e->wood, b->picture, &b->plugin, &j.texture, why)) return false;
   *skipped = j.texture == NULL;
   if (*skipped) return true;

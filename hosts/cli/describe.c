@@ -22,6 +22,29 @@ bool describe_has_range(uint32_t kind) {
          kind == SOZAI_KIND_COLOUR;
 }
 
+/* What a generator has in common with a texture: all but channels. */
+static sozai_texture_info as_texture(const sozai_generator_info *g) {
+  return (sozai_texture_info){.size = sizeof(sozai_texture_info),
+                              .revision = g->revision,
+                              .id = g->id,
+                              .label = g->label,
+                              .doc = g->doc,
+                              .parameters = g->parameters,
+                              .presets = g->presets,
+                              .parameter_count = g->parameter_count,
+                              .preset_count = g->preset_count};
+}
+
+static void print_tables(const sozai_generator_info *g) {
+  puts("\ntables");
+  for (uint32_t i = 0; i < g->table_count; i++) {
+    const sozai_table_info *t = g->tables[i];
+    printf("  %s: %s\n", t->id, t->doc);
+    for (uint32_t k = 0; k < t->column_count; k++)
+      printf("    %-18s %-8s %s\n", t->columns[k].id, t->columns[k].unit, t->columns[k].doc);
+  }
+}
+
 int run_describe(int argc, char **argv) {
   bool as_json = false;
   const option options[] = {{"json", 0, OPTION_FLAG, &as_json, NULL, "as JSON", 0, 0}};
@@ -40,14 +63,25 @@ int run_describe(int argc, char **argv) {
   if (parsed == OPTIONS_BAD || !plugin_open(&p, &why)) return report(&why);
   recipe r;
   const sozai_texture_info *info = NULL;
-  if (recipe_open(&r, name, &why)) {
+  const sozai_geometry_1 *geometry = p.entry->get_factory(SOZAI_GEOMETRY_1); /* or NULL */
+  const sozai_generator_info *grown = geometry ? geometry->find(name) : NULL;
+  if (grown) {
+    const sozai_texture_info shared = as_texture(grown);
+    if (as_json)
+      describe_json(&shared);
+    else {
+      describe_text(&shared);
+      print_tables(grown);
+    }
+  }
+  if (!grown && recipe_open(&r, name, &why)) {
     info = recipe_info(&r, p.textures, &why);
     if (info && as_json) describe_json(info);
     if (info && !as_json) describe_text(info);
     recipe_free(&r);
   }
   plugin_close(&p);
-  if (!info) return report(&why);
+  if (!info && !grown) return report(&why);
   if (fflush(stdout) == 0 && !ferror(stdout)) return 0;
   fail(&why, EXIT_FAILURE, "cannot write standard output");
   return report(&why);

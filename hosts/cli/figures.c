@@ -9,6 +9,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include "figures_stone.h"
+#include "figures_tree.h"
 #include "figures_wood.h"
 #include "output_file.h"
 
@@ -51,7 +52,8 @@ static bool draw_all(const session_options *shared, const char *folder, failure 
   bool ok = mkdir(folder, 0777) == 0 || errno == EEXIST ||
             fail(why, EXIT_FAILURE, "cannot make the folder %s: %s", folder, strerror(errno));
   ok = ok && draw_each(&s, wood_figures, wood_figure_count, folder, why) &&
-       draw_each(&s, stone_figures, stone_figure_count, folder, why);
+       draw_each(&s, stone_figures, stone_figure_count, folder, why) &&
+       draw_each(&s, tree_figures, tree_figure_count, folder, why);
   session_close(&s);
   return ok;
 }

@@ -11,6 +11,7 @@
 #include "cancel.h"
 #include "growth.h"
 #include "output_file.h"
+#include "parallel.h"
 #include "progress.h"
 #include "session.h"
 #include "tree_view.h"
@@ -123,12 +124,23 @@ static bool grow_into(const grow_options *o, session *s, const char *field, fail
   return false;
 }
 
+/* Only pictures want colour, whose service takes a while to open. */
+static bool open_for(const grow_options *o, session *s, const session_options *shared,
+                     failure *why) {
+  if (is_picture(o->output)) return session_open(s, shared, why);
+  memset(s, 0, sizeof *s);
+  if (!plugin_open(&s->plugin, why)) return false;
+  uint32_t threads = shared->threads ? shared->threads : parallel_default_threads();
+  host_init(&s->host, threads, shared->verbose, NULL, NULL);
+  return true;
+}
+
 static bool grow(grow_options *o, const session_options *shared, const char *what, failure *why) {
   if (!check(o, what, why)) return false;
   char *field = NULL;
   if (o->field && !growth_read_text(o->field, &field, why)) return false;
   session s;
-  bool ok = session_open(&s, shared, why);
+  bool ok = open_for(o, &s, shared, why);
   if (ok) {
     ok = grow_into(o, &s, field, why);
     session_close(&s);

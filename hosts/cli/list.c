@@ -7,32 +7,49 @@
 #include "options.h"
 #include "plugin.h"
 
-static void print_text(const sozai_textures_1 *textures) {
+static void print_presets(const char *id, const char *label, const sozai_preset *const *presets,
+                          uint32_t count) {
+  printf("%s  %s\n", id, label);
+  for (uint32_t k = 0; k < count; k++) printf("  %-24s %s\n", presets[k]->id, presets[k]->label);
+}
+
+static void print_text(const sozai_textures_1 *textures, const sozai_geometry_1 *geometry) {
   for (uint32_t i = 0; i < textures->count(); i++) {
     const sozai_texture_info *info = textures->info(i);
-    printf("%s  %s\n", info->id, info->label);
-    for (uint32_t k = 0; k < info->preset_count; k++)
-      printf("  %-24s %s\n", info->presets[k]->id, info->presets[k]->label);
+    print_presets(info->id, info->label, info->presets, info->preset_count);
+  }
+  for (uint32_t i = 0; geometry && i < geometry->count(); i++) {
+    const sozai_generator_info *info = geometry->info(i);
+    print_presets(info->id, info->label, info->presets, info->preset_count);
   }
 }
 
-static void print_json(const sozai_textures_1 *textures) {
+static void json_presets(json *j, const char *id, const char *label,
+                         const sozai_preset *const *presets, uint32_t count) {
+  json_open(j, NULL, '{');
+  json_text(j, "id", id);
+  json_text(j, "label", label);
+  json_open(j, "presets", '[');
+  for (uint32_t k = 0; k < count; k++) {
+    json_open(j, NULL, '{');
+    json_text(j, "id", presets[k]->id);
+    json_text(j, "label", presets[k]->label);
+    json_close(j, '}');
+  }
+  json_close(j, ']');
+  json_close(j, '}');
+}
+
+static void print_json(const sozai_textures_1 *textures, const sozai_geometry_1 *geometry) {
   json j = {.to = stdout};
   json_open(&j, NULL, '[');
   for (uint32_t i = 0; i < textures->count(); i++) {
     const sozai_texture_info *info = textures->info(i);
-    json_open(&j, NULL, '{');
-    json_text(&j, "id", info->id);
-    json_text(&j, "label", info->label);
-    json_open(&j, "presets", '[');
-    for (uint32_t k = 0; k < info->preset_count; k++) {
-      json_open(&j, NULL, '{');
-      json_text(&j, "id", info->presets[k]->id);
-      json_text(&j, "label", info->presets[k]->label);
-      json_close(&j, '}');
-    }
-    json_close(&j, ']');
-    json_close(&j, '}');
+    json_presets(&j, info->id, info->label, info->presets, info->preset_count);
+  }
+  for (uint32_t i = 0; geometry && i < geometry->count(); i++) {
+    const sozai_generator_info *info = geometry->info(i);
+    json_presets(&j, info->id, info->label, info->presets, info->preset_count);
   }
   json_close(&j, ']');
 }
@@ -49,10 +66,11 @@ int run_list(int argc, char **argv) {
   if (parsed == OPTIONS_DONE) return 0;
   plugin p;
   if (parsed == OPTIONS_BAD || !plugin_open(&p, &why)) return report(&why);
+  const sozai_geometry_1 *geometry = p.entry->get_factory(SOZAI_GEOMETRY_1); /* or NULL */
   if (as_json)
-    print_json(p.textures);
+    print_json(p.textures, geometry);
   else
-    print_text(p.textures);
+    print_text(p.textures, geometry);
   plugin_close(&p);
   if (fflush(stdout) == 0 && !ferror(stdout)) return 0;
   fail(&why, EXIT_FAILURE, "cannot write standard output");

@@ -54,7 +54,8 @@ void fit_branches(field_fit *out, const fit_branch *list, uint32_t count, double
   double n = count - 1;
   out->mean = sum / n;
   if (n > 1) out->sd = scalar_root((squares - sum * sum / n) / (n - 1.0));
-  out->turns = years > 0.0 ? sum / 360.0 / years : 0.0;
+  /* between N branches are N - 1 angles, but the years hold N */
+  out->turns = years > 0.0 ? out->mean * count / 360.0 / years : 0.0;
   out->branches = out->mean > 0.0 ? 360.0 / out->mean : 0.0;
 }
 
@@ -106,8 +107,7 @@ void field_fit_apply(const field_fit *fit, tree_plan *p) {
   p->crown_scatter = fit->rms < 0.9 ? fit->rms : 0.9;
   p->crown_b_old = p->crown_b;
   p->crown_ratio = 1.0; /* what was measured is there */
-  /* N branches have N - 1 angles between them */
-  p->turns = fit->turns * fit->count / (fit->count - 1.0);
+  p->turns = fit->turns;
   p->branches = fit->branches > 1.0 ? fit->branches : 1.0;
   p->turn_spread = 0.0;
   p->divergence_sd = fit->sd;

@@ -39,19 +39,19 @@ static void tabulate(tree_turning *t, const tree_plan *p) {
     return;
   }
   double nu = m * (1.0 - m) / (sd * sd) - 1.0, a = m * nu - 1.0, b = (1.0 - m) * nu - 1.0;
-  enum { CELLS = 2048 };
+  enum { CELLS = 1024 };
   static const double cell = 1.0 / CELLS;
-  double total = 0.0;
+  double total = 0.0, weight[CELLS];
   for (int i = 0; i < CELLS; i++) {
     double x = (i + 0.5) * cell;
-    total += scalar_exp(a * scalar_log(x / m) + b * scalar_log((1.0 - x) / (1.0 - m)));
+    weight[i] = scalar_exp(a * scalar_log(x / m) + b * scalar_log((1.0 - x) / (1.0 - m)));
+    total += weight[i];
   }
   double sum = 0.0, before = 0.0;
   int k = 0;
   for (int i = 0; i < CELLS; i++) {
-    double x = (i + 0.5) * cell;
     before = sum;
-    sum += scalar_exp(a * scalar_log(x / m) + b * scalar_log((1.0 - x) / (1.0 - m))) / total;
+    sum += weight[i] / total;
     while (k <= TURNING_STEPS && (double)k / TURNING_STEPS <= sum) {
       double within = sum > before ? ((double)k / TURNING_STEPS - before) / (sum - before) : 0.0;
       t->quantile[k++] = low + width * (i + within) * cell;
