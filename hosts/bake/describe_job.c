@@ -61,17 +61,19 @@ static void print_material(FILE *to, const bake_job *job) {
   }
 }
 
-static void print_ground(FILE *to, const bake_job *job) {
+static bool print_ground(FILE *to, const bake_job *job, failure *why) {
   const surface_shape *shape = surface_shape_of(job->ground->surface);
   const recipe_surface *asked = &job->recipe->surface;
   fprintf(to, "surface: %d, %.17g x %.17g mm", asked->shape, shape->size[0], shape->size[1]);
   fprintf(to, ", thickness %.17g, wrap %d\n", asked->size[2], job->recipe->image.wrap);
   uint64_t sum = 0;
-  if (!job->ground->atlas) return;
-  if (!checksum_file(asked->mesh, &sum)) fputs("mesh: gone\n", to);
+  if (!job->ground->atlas) return true;
+  if (!checksum_file(asked->mesh, &sum))
+    return fail(why, EXIT_BAD_INPUT, "cannot read mesh '%s' any more", asked->mesh);
   fprintf(to, "mesh: %016" PRIx64 ", scale %.17g\ntiles:", sum, asked->scale);
   for (uint32_t i = 0; i < job->ground->count; i++) fprintf(to, " %d", job->ground->tiles[i]);
   fputc('\n', to);
+  return true;
 }
 
 static void print_files(FILE *to, const bake_job *job) {
@@ -103,13 +105,13 @@ char *bake_describe_job(const bake_job *job, const bake_plan *plan, failure *why
     fprintf(to, "sozai bake: 1\npicture: %u x %u, %u levels, bands of %u, tiles of %u\n",
             plan->width, plan->height, plan->level_count, plan->band, job->tile);
     print_files(to, job);
-    print_ground(to, job);
+    ok = print_ground(to, job, why);
     print_material(to, job);
-    ok = fclose(to) == 0;
-  }
+    if (fclose(to) != 0 && ok) ok = fail(why, EXIT_FAILURE, "out of memory");
+  } else
+    fail(why, EXIT_FAILURE, "out of memory");
   if (ok) return text;
   free(text);
-  fail(why, EXIT_FAILURE, "out of memory");
   return NULL;
 }
 

@@ -22,7 +22,7 @@ static bool add_tile(bake_ground *g, double number, failure *why) {
   return true;
 }
 
-static bool choose_tiles(bake_ground *g, const char *tiles, failure *why) {
+static bool choose_tiles(bake_ground *g, const char *tiles, int own, failure *why) {
   uint32_t most = atlas_udim_count(g->atlas);
   g->tiles = malloc((most + (size_t)1) * sizeof *g->tiles);
   double *asked = malloc((most + (size_t)1) * sizeof *asked);
@@ -32,7 +32,8 @@ static bool choose_tiles(bake_ground *g, const char *tiles, failure *why) {
     ok = fail(why, EXIT_BAD_INPUT, "--udim: '%.80s' is not tiles of the mesh's %u, as 1001,1002",
               tiles, most);
   for (size_t i = 0; ok && i < count; i++) ok = add_tile(g, asked[i], why);
-  for (uint32_t k = 0; ok && !tiles && k < most; k++)
+  if (ok && !tiles && own) ok = add_tile(g, own, why);
+  for (uint32_t k = 0; ok && !tiles && !own && k < most; k++)
     g->tiles[g->count++] = atlas_udim(g->atlas, k);
   free(asked);
   return ok;
@@ -44,7 +45,7 @@ bool bake_ground_open(bake_ground *g, const recipe *r, const char *tiles, failur
   g->atlas = surface_atlas(g->surface);
   bool ok = true;
   if (g->atlas)
-    ok = choose_tiles(g, tiles, why);
+    ok = choose_tiles(g, tiles, r->image.udim, why);
   else if (surface_shape_of(g->surface)->kind == SURFACE_VOLUME)
     ok = fail(why, EXIT_BAD_INPUT, "bake: a volume cannot be baked; give image two numbers");
   else if (tiles)

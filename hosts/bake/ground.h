@@ -13,7 +13,7 @@ typedef struct bake_ground {
   uint32_t count;     /* of pictures */
 } bake_ground;
 
-/* tiles: "1001,1002", or NULL for all there are. */
+/* tiles: "1001,1002", or NULL for the recipe's own, else all there are. */
 bool bake_ground_open(bake_ground *g, const recipe *r, const char *tiles, failure *why);
 void bake_ground_close(bake_ground *g);
 

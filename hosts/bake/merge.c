@@ -111,12 +111,11 @@ static void forget_picture(merging *m) {
 
 /* ---- all pictures --------------------------------------------------------------- */
 
-static bool complete(const bake_job *job, const pieces *p, failure *why) {
+static bool complete(const pieces *p, failure *why) {
   uint64_t missing = 0, first = 0;
   for (uint64_t i = p->unit_count; i-- > 0;)
     if (!pieces_has(p, i)) missing++, first = i;
   if (missing == 0) return true;
-  (void)job;
   return fail(why, EXIT_FAILURE,
               "%llu of %llu pieces are not in %s, the first is %llu: let all shards end well, or "
               "bake the rest with --resume",
@@ -130,7 +129,7 @@ static uint64_t largest_unit(const bake_job *job, const bake_plan *plan) {
 }
 
 bool bake_merge(const bake_job *job, const bake_plan *plan, pieces *p, failure *why) {
-  if (!complete(job, p, why)) return false;
+  if (!complete(p, why) || !pieces_lock(p, why)) return false;
   merging m = {.job = job, .plan = plan, .pieces = p};
   m.writers = calloc(job->outputs->file_count, sizeof *m.writers);
   m.growing = calloc(job->outputs->file_count, sizeof *m.growing);

@@ -112,6 +112,18 @@ static FILE *open_locked(const char *path, failure *why) {
   return NULL;
 }
 
+bool pieces_lock(pieces *p, failure *why) {
+  char *path = join(p->folder, "bake.txt");
+  if (!path) return out_of_memory(why);
+  p->lock = fopen(path, "rb");
+  bool taken = p->lock && flock(fileno(p->lock), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  bool ok = p->lock && !taken;
+  if (taken) fail(why, EXIT_BAD_INPUT, "%s is being merged by another bake", p->folder);
+  if (!p->lock) fail(why, EXIT_FAILURE, "cannot read %s: %s", path, strerror(errno));
+  free(path);
+  return ok;
+}
+
 /* ---- beginning ---------------------------------------------------------------- */
 
 /* Only what a bake leaves there, so that a folder with anything else in it stays. */
@@ -247,6 +259,7 @@ void pieces_close(pieces *p, bool remove) {
     free(p->names[i]);
   }
   if (p->writing) fclose(p->writing);
+  if (p->lock) fclose(p->lock);
   char *text = remove ? join(p->folder, "bake.txt") : NULL;
   if (text) {
     unlink(text);

@@ -31,6 +31,7 @@ typedef struct pieces {
   FILE *reading; /* of the journals, the one read last */
   uint32_t reading_index;
   FILE *writing; /* one's own, or NULL */
+  FILE *lock;
   uint64_t written;
 } pieces;
 
@@ -47,6 +48,9 @@ bool pieces_open(pieces *p, const char *folder, const char *job, uint64_t unit_c
 bool pieces_write_as(pieces *p, uint32_t worker, uint32_t of, failure *why);
 /* Add a unit; it is safe from an end of this process as soon as this returns. */
 bool pieces_add(pieces *p, uint64_t unit, const void *pixels, uint64_t bytes, failure *why);
+/* From here to the end, one process alone puts pieces together. Refused while
+ * another does. */
+bool pieces_lock(pieces *p, failure *why);
 bool pieces_has(const pieces *p, uint64_t unit);
 /* Read one of exactly so many bytes. */
 bool pieces_read(pieces *p, uint64_t unit, void *pixels, uint64_t bytes, failure *why);

@@ -41,7 +41,7 @@ bool failed(const bake_writer &w, failure *why) {
 
 void describe(OIIO::ImageSpec &spec, const writer_spec &s) {
   spec.attribute("Software", "sozai");
-  spec.attribute("DateTime", ""); // else the clock's, and no two bakes would be the same
+  spec.attribute("DateTime", "");       // else the clock's, and no two bakes would be the same
   spec.attribute("compression", "zip"); // lossless; PNG's own is the same
   if (s.colour.space) spec.attribute("colorSpace", s.colour.space);
   if (s.colour.chromaticities)
@@ -111,8 +111,8 @@ bool read_back(const bake_writer &w, failure *why) {
   int tile = spec.tile_height;
   int y = tile > 0 ? (spec.height - 1) / tile * tile : spec.height - 1;
   int x = tile > 0 ? (spec.width - 1) / spec.tile_width * spec.tile_width : 0;
-  std::vector<float> pixels(size_t(spec.nchannels) *
-                            size_t(tile > 0 ? spec.tile_pixels() : spec.width));
+  size_t texels = tile > 0 ? size_t(spec.tile_pixels()) : size_t(spec.width);
+  std::vector<float> pixels(texels * size_t(spec.nchannels));
   bool ok = tile > 0 ? input->read_tiles(0, w.level, x, spec.width, y, spec.height, 0, 1, 0,
                                          spec.nchannels, OIIO::TypeDesc::FLOAT, pixels.data())
                      : input->read_scanlines(0, w.level, y, y + 1, 0, 0, spec.nchannels,

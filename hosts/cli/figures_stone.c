@@ -40,7 +40,8 @@ static bool draw_5(session *s, const char *folder, const char *name, json *j, fa
     face f;
     ok = face_evaluate(&f, s, "stone", NULL, parameters, &view, why);
     if (!ok) break;
-    const float *height = face_channel(&f, "height", why), *radiance = face_channel(&f, "radiance", why);
+    const float *height = face_channel(&f, "height", why),
+                *radiance = face_channel(&f, "radiance", why);
     ok = height && radiance;
     if (ok) {
       /* codes: 12 mm are 256 */
@@ -80,8 +81,8 @@ static bool draw_5(session *s, const char *folder, const char *name, json *j, fa
 #define AZIMUTH (-60.0)
 #define ELEVATION 38.0
 
-static bool make(session *s, const char *preset, const char *const *parameters,
-                 sozai_texture **out, failure *why) {
+static bool make(session *s, const char *preset, const char *const *parameters, sozai_texture **out,
+                 failure *why) {
   recipe r;
   if (!recipe_open(&r, "stone", why)) return false;
   bool ok = !preset || recipe_set_preset(&r, preset, why);
@@ -112,7 +113,7 @@ static bool draw_street(session *s, film *out, failure *why) {
   job.camera_angle = 34;
   job.light_azimuth = AZIMUTH;
   job.light_elevation = ELEVATION;
-  job.zoom = 1.35;
+  job.zoom = 0.62;
   job.quiet = true;
   bool ok = render(&job, out, why);
   s->plugin.textures->destroy(t);
@@ -120,26 +121,20 @@ static bool draw_street(session *s, film *out, failure *why) {
 }
 
 static bool draw_6(session *s, const char *folder, const char *name, json *j, failure *why) {
-  /* the paper's numbers; a stone of 300 mm of 150 texels */
-  static const char *const paving[] = {"colour_mode=paper_rgb",
-                                       "paper_pattern=chidori",
-                                       "paper_texel=2",
-                                       "paper_length=150",
-                                       "paper_width=150",
-                                       "paper_base=50 50 50",
-                                       "paper_variation=30 30 30",
-                                       "paper_dh=30",
-                                       "paper_joint_wander=0.06",
-                                       "paper_relief=12",
-                                       "finish=sawn",
-                                       NULL};
+  /* the paper's numbers; a stone of 450 mm of 150 texels */
+  static const char *const paving[] = {
+      "colour_mode=paper_rgb",    "paper_pattern=chidori", "paper_texel=3",
+      "paper_length=150",         "paper_width=150",       "paper_base=50 50 50",
+      "paper_variation=30 30 30", "paper_dh=30",           "paper_joint_wander=0.06",
+      "paper_relief=18",          "finish=sawn",           NULL};
   film f;
   if (!draw_street(s, &f, why)) return false;
   sozai_texture *t = NULL;
   double a = AZIMUTH * PI / 180, e = ELEVATION * PI / 180;
-  montage m = {.corner = {{-260, 700}, {1460, 700}, {930, 500}, {270, 500}},
-               .length = 6000,
-               .width = 4200,
+  /* before the house, by the horizon at row 167: twelve metres, and eight deep */
+  montage m = {.corner = {{-65, 710}, {1265, 710}, {991, 486}, {209, 486}},
+               .length = 12000,
+               .width = 7830,
                .light = {cos(a) * cos(e), sin(a) * cos(e), sin(e)},
                .light_colour = {1, 1, 1},
                .view = {0, -0.97, 0.24},

@@ -75,6 +75,9 @@ static bool render_texture(gallery *g, const shot *s, const sozai_texture *textu
   job.width = s->width;
   job.height = s->height;
   if (s->sky > 0) job.sky = s->sky;
+  if (s->zoom > 0) job.zoom = s->zoom;
+  job.has_target = s->ahead != 0;
+  job.target[1] = s->ahead;
   const job_options look = {
       .shape = s->shape, .size = s->size, .camera = s->camera, .light = s->light};
   return job_options_apply(&job, &look, NULL, why) && render(&job, f, why);
@@ -93,6 +96,8 @@ static void write_caption(const gallery *g, const shot *s, const char *file, con
   if (s->camera) fprintf(g->index, " --camera %s", s->camera);
   if (s->light) fprintf(g->index, " --light=%s", s->light);
   if (s->sky > 0) fprintf(g->index, " --sky %g", s->sky);
+  if (s->zoom > 0) fprintf(g->index, " --zoom %g", s->zoom);
+  if (s->ahead != 0) fprintf(g->index, " --target=0,%g,0", s->ahead);
   fprintf(g->index, " --res %ux%u --spp %u</code></figcaption></figure>\n", s->width, s->height,
           samples(g, s));
 }

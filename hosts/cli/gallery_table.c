@@ -33,6 +33,14 @@ const shot_sheet gallery_sheets[GALLERY_SHEETS] = {
     {"finishes", 4}, /* two species, near and far */
 };
 
+/* Two and a half metres before the eye and beyond, or so. */
+#define PAVED(id, label, stone, a, b, c, d, sun)                                                   \
+  {                                                                                                \
+    .name = "paving-" id, .title = label, .material = "stone", .preset = stone,                    \
+    .params = {a, b, c, d}, .shape = "plane", .size = "5000x9000", .camera = "-90,20,30",          \
+    .light = sun, .zoom = 4, .ahead = -2500, .width = 960, .height = 540                           \
+  }
+
 const shot gallery_shots[] = {
     {.name = "flat",
      .title = "flat-sawn, 120 mm across",
@@ -217,6 +225,24 @@ const shot gallery_shots[] = {
      .size = "60x40",
      .light = "30,20",
      .sky = 0.3,
+     FACE},
+    PAVED("fan", "Granite setts in fans, wet, under a low sun", "granite_fan", "wet=0.85",
+          "water_level=-7", "settle=5", "undulation=4", "75,20"),
+    PAVED("chidori", "A path of granite staggered by half, with moss", "ishidatami", "moss=0.55",
+          "joint_width=14", "joint_depth=5", "joint_wander=0.015", "70,28"),
+    PAVED("porphyry", "Porphyry setts in arcs", "porphyry", "grime=0.2", NULL, NULL, NULL, "70,32"),
+    PAVED("block", "Belgian block", "belgian_block", "moss=0.3", NULL, NULL, NULL, "110,30"),
+    PAVED("basalt", "Basalt setts after rain", "basalt_setts", "wet=0.7", "water_level=-6",
+          "undulation=6", NULL, "35,32"),
+    PAVED("brick", "Brick pavers in herringbone", "brick_paver", "grime=0.15", NULL, NULL, NULL,
+          "60,35"),
+    {.name = "paving-near",
+     .title = "Moss in the joints of a path, 400 mm across",
+     .material = "stone",
+     .preset = "ishidatami",
+     .params = {"moss=0.5", "joint_width=14", "joint_depth=5", "joint_wander=0.015"},
+     .size = "400x267",
+     .light = "60,30",
      FACE},
     {.name = "stone-paper",
      .title = "Yamanaka and Nagaoka's colours of figure 6: RGB 50 varied by 30, a texel to 2 mm",

@@ -18,7 +18,8 @@ typedef struct shot {
   const char *params[SHOT_PARAMS]; /* name=value, the last ones NULL */
   /* As options of `sozai render` are written; NULL: their defaults. */
   const char *shape, *size, *camera, *light;
-  double sky; /* as --sky; 0: its default */
+  double sky;         /* as --sky; 0: its default */
+  double zoom, ahead; /* as --zoom, 0: 1; and the y of --target 0,Y,0, if it is not 0 */
   uint32_t width, height;
 } shot;
 

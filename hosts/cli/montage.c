@@ -148,8 +148,7 @@ static bool paint_row(const montage *m, const sozai_textures_1 *textures,
   }
   int32_t result = r->count ? textures->evaluate(texture, &b) : SOZAI_OK;
   free(out);
-  if (result != SOZAI_OK)
-    return fail(why, EXIT_FAILURE, "evaluate: %s", textures->last_error());
+  if (result != SOZAI_OK) return fail(why, EXIT_FAILURE, "evaluate: %s", textures->last_error());
   const float share = 1.0f / (SIDE * SIDE);
   for (uint32_t i = 0; i < r->count;) {
     float *to = rgb + 3 * r->pixel[i], sum[3] = {0, 0, 0};
@@ -169,9 +168,9 @@ static bool paint_row(const montage *m, const sozai_textures_1 *textures,
   return true;
 }
 
-bool montage_paint(const montage *m, const sozai_textures_1 *textures,
-                   const sozai_texture *texture, float *rgb, uint32_t width, uint32_t height,
-                   montage_report *report, failure *why) {
+bool montage_paint(const montage *m, const sozai_textures_1 *textures, const sozai_texture *texture,
+                   float *rgb, uint32_t width, uint32_t height, montage_report *report,
+                   failure *why) {
   double h[9];
   *report = (montage_report){.footprint = {1e30, 0}};
   if (!map_of(m, h)) return fail(why, EXIT_BAD_INPUT, "montage: the four points lie on a line");
@@ -179,7 +178,8 @@ bool montage_paint(const montage *m, const sozai_textures_1 *textures,
   for (int i = 0; i < 4; i++) {
     double p[2];
     apply(h, m->corner[i][0], m->corner[i][1], p);
-    report->corner_error = fmax(report->corner_error, hypot(p[0] - plane[i][0], p[1] - plane[i][1]));
+    report->corner_error =
+        fmax(report->corner_error, hypot(p[0] - plane[i][0], p[1] - plane[i][1]));
   }
   size_t room = (size_t)width * SIDE * SIDE;
   row r = {.pixel = malloc(room * sizeof *r.pixel),

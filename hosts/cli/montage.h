@@ -19,15 +19,15 @@ typedef struct montage {
 
 /* What was measured on the way. */
 typedef struct montage_report {
-  double corner_error;            /* mm: of the corners through the map and back */
-  double footprint[2];            /* mm, least and greatest */
-  uint32_t pixels;                /* that show the plane */
-  double albedo[3], joint;        /* means over them */
+  double corner_error;     /* mm: of the corners through the map and back */
+  double footprint[2];     /* mm, least and greatest */
+  uint32_t pixels;         /* that show the plane */
+  double albedo[3], joint; /* means over them */
 } montage_report;
 
 /* Paints over rgb, scene-linear, width x height, three floats to a pixel. */
-bool montage_paint(const montage *m, const sozai_textures_1 *textures,
-                   const sozai_texture *texture, float *rgb, uint32_t width, uint32_t height,
-                   montage_report *report, failure *why);
+bool montage_paint(const montage *m, const sozai_textures_1 *textures, const sozai_texture *texture,
+                   float *rgb, uint32_t width, uint32_t height, montage_report *report,
+                   failure *why);
 
 #endif

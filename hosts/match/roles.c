@@ -27,6 +27,8 @@ const match_material match_materials[] = {
      .second_part = "",
      /* what would take colours of its own is left out, unless given */
      .board = {{"colour_mode", "fabric"},
+               {"layout", "none"},
+               {"grime", "0"},
                {"third_share", "0"},
                {"bed_contrast", "0"},
                {"inclusion_share", "0"},

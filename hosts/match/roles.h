@@ -8,7 +8,7 @@
 #include "sozai.h"
 
 #define MOST_ROLES 4
-#define MOST_BOARD 8
+#define MOST_BOARD 12
 
 typedef struct match_role {
   const char *colour; /* the parameter */

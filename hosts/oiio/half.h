@@ -5,8 +5,16 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* To the nearest half, ties to even; what is past the largest becomes the
  * largest, so that finite numbers stay finite. */
 void half_from_float(uint16_t *to, const float *from, size_t count);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -14,7 +14,7 @@
 
 struct surface {
   surface_shape shape;
-  double height; /* z of a plane, mm */
+  double height;     /* z of a plane, mm */
   shared *atlas_use; /* of a mesh, else NULL */
   const atlas *atlas;
 };
@@ -77,10 +77,10 @@ static bool use_atlas(surface *s, const char *path, double scale, failure *why) 
   char key[4200];
   struct stat file = {0};
   if (stat(path, &file) != 0) return fail(why, EXIT_BAD_INPUT, "cannot read mesh %s", path);
-  int length = snprintf(key, sizeof key, "atlas %.17g %llu %llu %lld %lld.%09ld %s", scale,
-                        (unsigned long long)file.st_dev, (unsigned long long)file.st_ino,
-                        (long long)file.st_size, (long long)file.st_mtim.tv_sec,
-                        file.st_mtim.tv_nsec, path);
+  int length =
+      snprintf(key, sizeof key, "atlas %.17g %llu %llu %lld %lld.%09ld %s", scale,
+               (unsigned long long)file.st_dev, (unsigned long long)file.st_ino,
+               (long long)file.st_size, (long long)file.st_mtim.tv_sec, file.st_mtim.tv_nsec, path);
   bool fits = length > 0 && (size_t)length < sizeof key;
   if (!fits) return fail(why, EXIT_BAD_INPUT, "mesh: a path too long");
   s->atlas_use = shared_find(key);

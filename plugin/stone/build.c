@@ -47,6 +47,7 @@ static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped
   c->size = (float)b->size;
   c->shaped = shaped;
   c->fade = 6.0f;
+  c->looks = shaped ? 4.5f : 3.0f;
   c->radius = 9.0f;
   if (shaped) {
     c->erode = (float)(0.5 * b->gap / b->size);

@@ -262,7 +262,7 @@ INLINE vf cells_length(const vf x[3]) { return vsqrt(x[0] * x[0] + x[1] * x[1] +
 /* Over a footprint: as many looks or sums as it takes, and past what those
  * reach the expected shares. t1, t2: the square's sides, unit; s: mm. */
 STAGE void cells_at(const stone_cells *c, const vf p[3], const vf t1[3], const vf t2[3], vf s,
-                     cells_cover *out) {
+                    cells_cover *out) {
   vf zero = splat(0.0f), one = splat(1.0f);
   cells_square all, part;
   cells_turn(c, t1, all.u);
@@ -277,7 +277,7 @@ STAGE void cells_at(const stone_cells *c, const vf p[3], const vf t1[3], const v
   vm summed = c->shaped ? gt(most, splat(1.3f)) : lt(one, zero);
   for (int k = 0; k < 2; k++) {
     vi whole;
-    vf looks = vfloor(wide[k] * splat(c->shaped ? 4.5f : 3.0f) + splat(1.4f), &whole);
+    vf looks = vfloor(wide[k] * splat(c->looks) + splat(1.4f), &whole);
     vf sums = vfloor(wide[k] + splat(0.9f), &whole);
     n[k] = clamp(sel(summed, sums, looks), one, splat(CELLS_STEPS));
     inverse[k] = one / n[k];

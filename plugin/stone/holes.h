@@ -33,7 +33,7 @@ STAGE vf hole_depth_at(const stone_constants *w, const vf p[3]) {
 /* The same as height. The field bends in a way that has no gradient of its own
  * here: slopes are differences over a step within the surface. t1, t2: bed space. */
 STAGE field hole_relief(const stone_constants *w, const vf p[3], const vf t1[3], const vf t2[3],
-                         vf s, vf share, vf *lost) {
+                        vf s, vf share, vf *lost) {
   const stone_cells *c = &w->layer[LAYER_HOLES];
   vf zero = splat(0.0f), one = splat(1.0f);
   float size = c->size;

@@ -467,5 +467,5 @@ static void scan_tile(const stone_constants *w, paper_scanned *out) {
   if (out->highest <= 0.0) out->highest = 256.0;
 }
 
-const stone_kernel NAMED(stone_kernel_) = {STRING(SOZAI_ISA_NAME), LANES, evaluate, measure,
-                                           measure_laid, scan_tile};
+const stone_kernel NAMED(stone_kernel_) = {STRING(SOZAI_ISA_NAME), LANES,    evaluate, measure,
+                                           measure_laid,           scan_tile};

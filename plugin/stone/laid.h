@@ -20,15 +20,15 @@
 
 typedef struct {
   layout_unit unit;
-  vu own;        /* hash */
-  vf row[2][2];  /* of the bent plane along x and y: wander.h */
-  field m;       /* mm from the joint's middle */
-  vf edge;       /* mm from the stone's edge, inside positive */
-  vf joint;      /* share of the footprint */
-  vf near, e;    /* 1 where the footprint is below a stone's size; its side */
-  vf c, s;       /* how the block is turned */
-  vf shift[3];   /* mm, and moved */
-  vf tone[3];    /* factors of the albedo */
+  vu own;       /* hash */
+  vf row[2][2]; /* of the bent plane along x and y: wander.h */
+  field m;      /* mm from the joint's middle */
+  vf edge;      /* mm from the stone's edge, inside positive */
+  vf joint;     /* share of the footprint */
+  vf near, e;   /* 1 where the footprint is below a stone's size; its side */
+  vf c, s;      /* how the block is turned */
+  vf shift[3];  /* mm, and moved */
+  vf tone[3];   /* factors of the albedo */
 } laid;
 
 INLINE vf laid_random(vu *h) {
@@ -56,7 +56,8 @@ INLINE void laid_corner(const stone_paving *v, const cover *c, vf *edge, vf *nx,
   vf cosine = c->nx * c->mx + c->ny * c->my;
   vf k = one / vmax(one - cosine * cosine, splat(0.05f));
   vf alpha = (a - cosine * b) * k, beta = (b - cosine * a) * k;
-  vm there = and_(and_(gt(alpha, zero), gt(beta, zero)), and_(gt(b, zero), lt(vabs(cosine), splat(0.97f))));
+  vm there = and_(and_(gt(alpha, zero), gt(beta, zero)),
+                  and_(gt(b, zero), lt(vabs(cosine), splat(0.97f))));
   if (!any(there)) return;
   vf x = alpha * c->nx + beta * c->mx, y = alpha * c->ny + beta * c->my;
   vf square = vmax(x * x + y * y, splat(1e-12f)), inverse = inverse_root(square);
@@ -81,10 +82,10 @@ STAGE void laid_at(const stone_constants *w, const vf p[3], vf s, laid *q) {
   q->joint = u->joint;
   if (v->corner > 0.0f) {
     laid_corner(v, &c, &edge, &nx, &ny);
-    vf e = vmax(s, splat(COVER_LEAST)), stone = cover_share(edge, e, zero, splat(1e9f));
+    vf e = vmax(s, splat(COVER_LEAST)), joint = cover_share(edge, e, splat(-2.0f * v->half), zero);
     vf size = vmin(u->length, u->width);
     vf far = smooth_step(splat(0.5f) * size, size, e);
-    q->joint = vmax(q->joint, (one - far) * (one - stone));
+    q->joint = vmax(q->joint, (one - far) * joint);
   }
   q->edge = edge;
   q->m.v = vmax(edge + splat(v->half), zero);
@@ -191,7 +192,9 @@ INLINE vf profile_square(const stone_paving *v, vf m) {
 }
 
 /* Even continued below 0, its integral is odd. */
-INLINE vf odd_of(vf x, vf integral) { return sel(lt(x, splat(0.0f)), splat(0.0f) - integral, integral); }
+INLINE vf odd_of(vf x, vf integral) {
+  return sel(lt(x, splat(0.0f)), splat(0.0f) - integral, integral);
+}
 
 /* The mean over the footprint of 1 up to a and 0 from a + w on. */
 STAGE field laid_fall(const laid *q, float a, float w) {
@@ -225,16 +228,17 @@ INLINE field laid_lie(const stone_paving *v, const laid *q) {
   vu h = hash_mix(q->own ^ splatu(0x2c1b3c6du));
   const layout_unit *u = &q->unit;
   vf iu = splat(2.0f) / u->length, iv = splat(2.0f) / u->width;
-  vf a = clamp(u->u * iu - one, splat(-1.0f), one), b = clamp(u->v * iv - one, splat(-1.0f), one);
+  vf a = u->u * iu - one, b = u->v * iv - one;
   vf ta = splat(0.7f * v->tilt) * (laid_random(&h) * splat(2.0f) - one);
   vf tb = splat(0.7f * v->tilt) * (laid_random(&h) * splat(2.0f) - one);
   vf r = laid_random(&h), sunk = splat(v->settle) * r * r;
   vf da = ta, db = tb, value = ta * a + tb * b - sunk;
   if (v->crown != 0.0f) {
-    vf k = splat(v->crown), ca = one - a * a, cb = one - b * b;
+    /* a polygon may reach beyond its box: no crown there */
+    vf k = splat(v->crown), ca = vmax(one - a * a, zero), cb = vmax(one - b * b, zero);
     value = value + k * ca * cb;
-    da = da - splat(2.0f) * k * a * cb;
-    db = db - splat(2.0f) * k * b * ca;
+    da = da - sel(gt(ca, zero), splat(2.0f) * k * a * cb, zero);
+    db = db - sel(gt(cb, zero), splat(2.0f) * k * b * ca, zero);
   }
   vf du = da * iu * q->near, dv = db * iv * q->near;
   f.v = mix(splat(-0.333f * v->settle + 0.444f * v->crown), value, q->near);

@@ -79,8 +79,8 @@ STAGE void paper_look(const stone_constants *w, const vf q[3], const vf e[3], vf
     if (w->tile.on) {
       if (c >> 2) continue; /* a picture: the same at all depths */
       of = share[0][c & 1] * share[1][c >> 1];
-      tile_place place = tile_at(&w->tile, index[0] + splat((float)(c & 1)),
-                                 index[1] + splat((float)(c >> 1)));
+      tile_place place =
+          tile_at(&w->tile, index[0] + splat((float)(c & 1)), index[1] + splat((float)(c >> 1)));
       vf stone = sel(gt(place.depth, splat(0.0f)), of, splat(0.0f));
       paper_texel(w, hash_mix(place.h + splatu(w->seed)), stone * part, sum);
       paper_joint_texel(w, (of - stone) * part, sum);

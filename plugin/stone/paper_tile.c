@@ -60,8 +60,9 @@ int32_t paper_build_tile(stone_constants *w, const settings *s, paper_scan *scan
   int pattern = choice_at(s, P_PAPER_PATTERN);
   if (pattern == PATTERN_NONE || w->mode == MODE_FABRIC) return SOZAI_OK;
   if (choice_at(s, P_LAYOUT) != 0) {
-    return fail(SOZAI_ERROR_RANGE, "paper_pattern: %s is a layout of its own, and layout = %s "
-                                   "another; one of them none",
+    return fail(SOZAI_ERROR_RANGE,
+                "paper_pattern: %s is a layout of its own, and layout = %s "
+                "another; one of them none",
                 s->list[P_PAPER_PATTERN].text, s->list[P_LAYOUT].text);
   }
   double length = number_at(s, P_PAPER_LENGTH), width = number_at(s, P_PAPER_WIDTH);
@@ -101,7 +102,8 @@ int32_t paper_build_tile(stone_constants *w, const settings *s, paper_scan *scan
     build_heights(t, i, seed);
     for (int side = 0; side < 4; side++) {
       for (int k = 0; k <= t->parts; k++) {
-        double in = 0.5 * joint + wander * width * unit_of(seed + 7919u * (uint32_t)(side * 64 + k));
+        double in =
+            0.5 * joint + wander * width * unit_of(seed + 7919u * (uint32_t)(side * 64 + k));
         t->inset[(i * 4 + side) * (PAPER_PARTS + 1) + k] = (float)in;
       }
     }
@@ -112,7 +114,8 @@ int32_t paper_build_tile(stone_constants *w, const settings *s, paper_scan *scan
   scan(w, &m);
   t->alpha = (float)(256.0 / m.highest);
   t->share = (float)m.joint;
-  t->mean = (float)(m.joint * (double)t->joint_height + (1.0 - m.joint) * m.mean * (double)t->alpha);
+  t->mean =
+      (float)(m.joint * (double)t->joint_height + (1.0 - m.joint) * m.mean * (double)t->alpha);
   /* neighbours' numbers are independent: variance dh^2 / 12 each */
   double slope = (double)t->alpha * (double)t->dh * (double)t->mm * (double)w->inverse_texel;
   t->lost = (float)(slope * slope / 12.0 * 2.0 * (2.0 / 3.0));

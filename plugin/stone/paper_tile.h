@@ -56,7 +56,8 @@ INLINE tile_place tile_at(const stone_tile *t, vf x, vf y) { return tile_in(t, x
 
 /* Share of a footprint of `wide` texels that is joint. */
 INLINE vf tile_joint(const stone_tile *t, vf x, vf y, vf wide) {
-  vf half = splat(0.5f), e = vmax(wide, splat(0.05f)), size = splat(t->length < t->width ? t->length : t->width);
+  vf half = splat(0.5f), e = vmax(wide, splat(0.05f)),
+     size = splat(t->length < t->width ? t->length : t->width);
   tile_place q = tile_in(t, x - half, y - half);
   vf near = clamp01(half - q.depth / e);
   return mix(near, splat(t->share), smooth_step(splat(0.25f) * size, size, wide));
@@ -66,7 +67,7 @@ INLINE vf tile_joint(const stone_tile *t, vf x, vf y, vf wide) {
 STAGE vf tile_height(const stone_tile *t, vu seed, vf x, vf y, vf keep) {
   tile_place q = tile_at(t, x, y);
   vi i, j;
-  vf n = splat((float)t->grid), one = splat(1.0f), last = n - splat(0.001f);
+  vf n = splat((float)t->grid), last = n - splat(0.001f);
   vf a = clamp(q.x * n * splat(1.0f / t->length), splat(0.0f), last);
   vf b = clamp(q.y * n * splat(1.0f / t->width), splat(0.0f), last);
   vf u = a - vfloor(a, &i), v = b - vfloor(b, &j);
@@ -79,7 +80,6 @@ STAGE vf tile_height(const stone_tile *t, vu seed, vf x, vf y, vf keep) {
   vf r = to_float((vi)(hash_mix(q.h + seed) >> 8)) * splat(1.0f / 16777215.0f);
   h = splat(t->alpha) * (h + splat(t->dh) * mix(splat(0.5f), r, keep));
   vf in = clamp01(q.depth * splat(1.0f / t->repair));
-  (void)one;
   return mix(splat(t->joint_height), h, in);
 }
 

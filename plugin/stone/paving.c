@@ -14,10 +14,11 @@ static int32_t refuse(const settings *s, const layout *l, const char *what, doub
                       double most) {
   const char *kind = s->list[P_LAYOUT].text;
   if (strcmp(what, "joint") == 0) {
-    return fail(SOZAI_ERROR_RANGE,
-                "joint_width: %.9g mm is too wide for layout = %s, whose stones are %.9g mm across; "
-                "%.9g to %.9g mm",
-                (double)l->joint, kind, (double)l->narrowest, least, most);
+    return fail(
+        SOZAI_ERROR_RANGE,
+        "joint_width: %.9g mm is too wide for layout = %s, whose stones are %.9g mm across; "
+        "%.9g to %.9g mm",
+        (double)l->joint, kind, (double)l->narrowest, least, most);
   }
   return fail(SOZAI_ERROR_RANGE,
               "stone_length: %.9g mm does not suit layout = %s and stone_width = %.9g mm; "
@@ -44,8 +45,8 @@ static int32_t build_edges(stone_paving *p, const settings *s) {
   if (corner > most) return too_wide("corner_radius", corner, l, most);
   const double angle = number_at(s, P_BEVEL_ANGLE) * 0.017453292519943295769;
   /* wear rounds the edge further, to a sixth of the stone at most */
-  double room = most - round < 0.16 * (double)l->narrowest ? most - round
-                                                            : 0.16 * (double)l->narrowest;
+  double room =
+      most - round < 0.16 * (double)l->narrowest ? most - round : 0.16 * (double)l->narrowest;
   round += wear * room;
   drop += wear * room * 0.3;
   p->corner = (float)corner;
@@ -114,9 +115,8 @@ int32_t stone_build_paving(stone_constants *w, const settings *s, const float (*
   p->tint = (float)number_at(s, P_TINT);
   memcpy(p->colour, colours[P_JOINT_COLOUR], sizeof p->colour);
   /* rounded corners are joint */
-  p->layout.share +=
-      (float)(0.8584 * (double)p->corner * (double)p->corner /
-              ((double)p->layout.length * (double)p->layout.width));
+  p->layout.share += (float)(0.8584 * (double)p->corner * (double)p->corner /
+                             ((double)p->layout.length * (double)p->layout.width));
   stone_laid_means m;
   measure(w, MEASURED, &m);
   p->mean = (float)m.height;

@@ -12,7 +12,7 @@
 /* Height in mm, its gradient, the variance of slope along one axis that the
  * footprint averages out, and of the height what it leaves. */
 STAGE vf relief_at(const stone_constants *w, const vf p[3], vf s, vf slope[3], vf *lost,
-                    vf *square) {
+                   vf *square) {
   vf height = splat(0.0f), one = splat(1.0f);
   *square = splat(1e-12f);
   slope[0] = slope[1] = slope[2] = *lost = height;

@@ -58,6 +58,7 @@ typedef struct {
   float even;                  /* area of the bodies over that of the balls in their place */
   float size;                  /* mm */
   float fade;                  /* footprint, in cells, from which the mean stands in */
+  float looks;                 /* parts to a cell that a footprint is looked at in */
   int32_t on, shaped;          /* shaped: eroded, or cut to a ball */
   uint32_t seed, seed_warp;
 } stone_cells;
@@ -69,19 +70,19 @@ typedef struct {
 /* The paper's periodic tile: stones in texels, heights in codes of 0 to 256. */
 typedef struct {
   int32_t on;
-  int32_t across, down;          /* stones to a tile */
-  int32_t grid, parts;           /* vertices along a side less one; parts of an edge line */
-  float length, width;           /* of a stone's place, texels */
+  int32_t across, down;           /* stones to a tile */
+  int32_t grid, parts;            /* vertices along a side less one; parts of an edge line */
+  float length, width;            /* of a stone's place, texels */
   float tile[2], inverse_tile[2]; /* texels */
-  float shift, start;            /* of every other row; of the tile's origin */
-  float dh, alpha, joint_height; /* codes; the factor; code */
-  float repair;                  /* texels */
-  float mm;                      /* of a code */
-  float share;                   /* of the tile that is joint */
-  float mean, lost;              /* height, code; variance of slope of the fine roughness */
-  float joint_colour[3];         /* working space */
-  float height[PAPER_STONES * PAPER_GRID * PAPER_GRID];    /* codes, 0 to 128 */
-  float inset[PAPER_STONES * 4 * (PAPER_PARTS + 1)];       /* texels, from the place's side */
+  float shift, start;             /* of every other row; of the tile's origin */
+  float dh, alpha, joint_height;  /* codes; the factor; code */
+  float repair;                   /* texels */
+  float mm;                       /* of a code */
+  float share;                    /* of the tile that is joint */
+  float mean, lost;               /* height, code; variance of slope of the fine roughness */
+  float joint_colour[3];          /* working space */
+  float height[PAPER_STONES * PAPER_GRID * PAPER_GRID]; /* codes, 0 to 128 */
+  float inset[PAPER_STONES * 4 * (PAPER_PARTS + 1)];    /* texels, from the place's side */
 } stone_tile;
 
 /* Paving, and what weather does to it: laid.h and weather.h. Lengths in mm; m is
@@ -104,7 +105,7 @@ typedef struct {
 } stone_paving;
 
 typedef struct {
-  int32_t on;      /* anything below but what is usual */
+  int32_t on; /* anything below but what is usual */
   float wear, grime;
   float undulation, undulation_frequency;
   float moss, moss_spread, moss_height, moss_mean;
@@ -143,10 +144,10 @@ typedef struct {
   float relief[STONE_RELIEF], relief_frequency[STONE_RELIEF]; /* mm; 1/mm */
   float relief_slope2[STONE_RELIEF];                          /* variance of the slope, one axis */
   int32_t relief_octaves, pitted;
-  float alpha2;   /* roughness squared where nothing is lost */
-  float specular; /* reflectance at normal incidence */
+  float alpha2;       /* roughness squared where nothing is lost */
+  float specular;     /* reflectance at normal incidence */
   float relief_steep; /* variance of the slope along one axis, of all octaves */
-  float hole_depth; /* mm to a cell */
+  float hole_depth;   /* mm to a cell */
   uint32_t seed;
 
   stone_paving paving;

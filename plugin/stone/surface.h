@@ -13,16 +13,16 @@
 #include "weather.h"
 
 typedef struct {
-  field height;      /* mm over the face, object space */
-  vf lost;           /* variance of slope along one axis that the footprint averages out */
-  vf low, steep;     /* where in the relief's range the place lies, 0..1; its sd of slope */
-  vf edge;           /* mm, of the stones' edges alone */
-  vf in_joint;       /* 1 in the joint, 0 on the stone: of the point, not the footprint */
-  vf polish;         /* how worn, 0..1 */
-  vf grime;          /* light left by dirt */
-  vf sand;           /* light and dark of the joint's filling */
+  field height;       /* mm over the face, object space */
+  vf lost;            /* variance of slope along one axis that the footprint averages out */
+  vf low, steep;      /* where in the relief's range the place lies, 0..1; its sd of slope */
+  vf edge;            /* mm, of the stones' edges alone */
+  vf in_joint;        /* 1 in the joint, 0 on the stone: of the point, not the footprint */
+  vf polish;          /* how worn, 0..1 */
+  vf grime;           /* light left by dirt */
+  vf sand;            /* light and dark of the joint's filling */
   vf moss, tuft, dry; /* share; light and dark; lush, 0, to dry, 1 */
-  vf film, water;    /* of water: as a film, standing */
+  vf film, water;     /* of water: as a film, standing */
   vf occlusion;
 } surface;
 
@@ -43,7 +43,8 @@ INLINE vf surface_slot(vf h, vf d0, vf d1) {
 
 /* 1 / (1 + exp(-1.702 x)): a normal distribution's share below x, to 0.01. */
 INLINE vf surface_below(vf x) {
-  return splat(1.0f) / (splat(1.0f) + exp2_(clamp(splat(-2.4555f) * x, splat(-40.0f), splat(40.0f))));
+  return splat(1.0f) /
+         (splat(1.0f) + exp2_(clamp(splat(-2.4555f) * x, splat(-40.0f), splat(40.0f))));
 }
 
 /* p: object space; bed: that in the block's bed space. relief: the finish's, in
@@ -107,8 +108,8 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
   }
   if (air->grime > 0.0f) {
     vf unused = zero;
-    field cloud = weather_noise(p, 0.011f, air->seed + 5u, 1.6f, s, &unused);
-    field spot = weather_noise(p, 0.06f, air->seed + 6u, 0.9f, s, &unused);
+    field cloud = weather_noise(p, 0.004f, air->seed + 5u, 1.3f, s, &unused);
+    field spot = weather_noise(p, 0.05f, air->seed + 6u, 0.45f, s, &unused);
     vf dirt = splat(0.35f) + splat(0.55f) * near.v + splat(0.5f) * (cloud.v + spot.v);
     out->grime = one - splat(air->grime) * clamp01(dirt);
   }
@@ -173,12 +174,13 @@ INLINE vf surface_lit(const stone_constants *w, int paved, const laid *q, const 
   if (!paved) return lit;
   const stone_paving *v = &w->paving;
   vf square = q->m.g[0] * q->m.g[0] + q->m.g[1] * q->m.g[1];
-  vf across = (light[0] * q->m.g[0] + light[1] * q->m.g[1]) * inverse_root(vmax(square, splat(1e-6f)));
+  vf across =
+      (light[0] * q->m.g[0] + light[1] * q->m.g[1]) * inverse_root(vmax(square, splat(1e-6f)));
   vf shoulder = splat(v->half + 0.35f * v->round + 0.5f * v->chamfer);
   vf crest = splat(-0.42f * v->drop - 0.5f * v->slope * v->chamfer);
   vf way = sel(lt(across, zero), shoulder + q->m.v, shoulder - q->m.v);
   vf rise = c / vmax(vabs(across), splat(1e-3f));
-  vf over = f->edge + way * rise - crest;
+  vf over = f->edge * (one - splat(0.65f) * f->moss) + way * rise - crest;
   vf soft = splat(0.1f) + splat(0.01f) * vabs(way) + splat(0.6f) * s * (rise + splat(0.3f));
   vf past = clamp01(splat(0.5f) + over / soft);
   past = sel(gt(way, zero), past, one);

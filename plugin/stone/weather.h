@@ -13,7 +13,7 @@
 /* Gradient noise of a size as a field, faded out by the footprint; *lost gains
  * the variance that was (gradient noise's own is 0.05). */
 STAGE field weather_noise(const vf p[3], float frequency, uint32_t seed, float weight, vf e,
-                           vf *lost) {
+                          vf *lost) {
   vf f = splat(frequency);
   field n;
   vf keep = splat(1.0f) - smooth_step(splat(0.4f), splat(1.4f), e * f);
@@ -27,7 +27,7 @@ STAGE field weather_noise(const vf p[3], float frequency, uint32_t seed, float w
 /* Share of moss. `near`: 1 in the joint, 0 at moss_spread from it. *tuft: its
  * light and dark; *hue: from lush, 0, to dry, 1. */
 INLINE field weather_moss(const stone_constants *w, const vf p[3], field near, vf e, vf *tuft,
-                           vf *hue) {
+                          vf *hue) {
   const stone_weather *v = &w->weather;
   vf lost = splat(0.0f);
   float size = v->moss_spread > 8.0f ? v->moss_spread : 8.0f;

@@ -424,6 +424,16 @@ static void tiles_are_those_that_charts_reach(void **state) {
   forget(&t);
   atlas_close(a);
 
+  /* What only touches a tile from beside shows nothing in it. */
+  const float touching[2][15] = {{0, 0, 0, 1, 0, 0, 1, 1, 0, 0.5f, 0, 1, 0, 1, 1},
+                                 {0, 0, 9, 1, 0, 9, 1, 1, 9, 1.8f, 0.8f, 1.9f, 0.8f, 1.9f, 0.9f}};
+  a = triangles(touching, 2);
+  assert_int_equal(atlas_udim_count(a), 2);
+  t = whole(a, 1002, 100, 100);
+  for (int row = 0; row < 100; row++) assert_int_equal(t.room.covered[row * 100], 0);
+  forget(&t);
+  atlas_close(a);
+
   /* One triangle across four tiles is in each of them, and joins. */
   const float across[1][15] = {{0, 0, 0, 20, 0, 0, 0, 20, 0, 0.5f, 0.5f, 2.5f, 0.5f, 0.5f, 2.5f}};
   a = triangles(across, 1);

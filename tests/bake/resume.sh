@@ -118,6 +118,14 @@ if command -v flock >/dev/null; then
   refuses 2 "1-of-2.pieces|another bake" "${exr[@]}" -o locked.exr --shard 1/2
   kill $sleeper
   wait $sleeper 2>/dev/null
+  works "${exr[@]}" -o merging.exr --shard 1/1
+  flock -x -o merging.exr.bake/bake.txt sleep 30 &
+  sleeper=$!
+  until ! flock -n merging.exr.bake/bake.txt true; do :; done
+  refuses 2 "merging.exr.bake|merged by another bake" "${exr[@]}" -o merging.exr --merge
+  kill $sleeper
+  wait $sleeper 2>/dev/null
+  works "${exr[@]}" -o merging.exr --merge
 fi
 refuses 2 "of another bake" "${exr[@]}" -o locked.exr -p rings=7 --shard 2/2
 touch locked.exr.bake/mine.txt

@@ -114,6 +114,9 @@ def nodes():
     check("links outlive an update", bool(glow.inputs["Color"].links))
     check("displacement", bool(material.node_tree.get_output_node("CYCLES")
                                .inputs["Displacement"].links))
+    count = len(tree.nodes)
+    bpy.ops.sozai.update()
+    check("an update adds no nodes", len(tree.nodes) == count, len(tree.nodes))
     check("one group and no more", sum(n.type == "GROUP" for n in material.node_tree.nodes) == 1)
     stone = plane(kind="stone", preset="sandstone")
     bpy.ops.sozai.set(parameter="finish", value="split")
@@ -181,6 +184,36 @@ def kept():
     check("the same file again", read("sugi.sozai") == before)
 
 
+def names():
+    """Names that a shell, YAML or OpenImageIO would take for more; and copies."""
+    written = set()
+    for name in ('a/b', "a_b", "a.b", 'q"#: {', "x?res=1&<UDIM>.%04d", "欅の床", "-o"):
+        material = plane(kind="stone", preset="jura")
+        material.name, material.sozai.texel = name, 20
+        bpy.ops.sozai.update()
+        path = next(n.image.filepath for n in material.sozai.group.nodes if n.label == "albedo")
+        path = bpy.path.abspath(path)
+        check("a file for %r" % name, os.path.isfile(path) and path not in written, path)
+        check("its name is plain", not set('?<>&%"#:') & set(os.path.basename(path)), path)
+        written.add(path)
+    copied = material.copy()
+    bpy.context.object.active_material = copied
+    bpy.ops.sozai.update()
+    check("a copy has a group of its own", copied.sozai.group != material.sozai.group and
+          copied.node_tree.nodes["Group"].node_tree == copied.sozai.group)
+    first, second = ({n.image.filepath for n in m.sozai.group.nodes if n.type == "TEX_IMAGE"}
+                     for m in (material, copied))
+    check("and files", first and second and not first & second, (first, second))
+
+
+def previews():
+    from sozai_addon import previews as drawn
+    path = os.path.join(scratch, "preview.png")
+    subprocess.run(drawn.command("wood", "keyaki", path), check=True)
+    image = bpy.data.images.load(path)
+    check("a preset's picture", tuple(image.size) == (drawn.SIDE, drawn.SIDE), tuple(image.size))
+
+
 def refusals():
     refused("an unknown material", ["no material 'cheese'", "wood"], plane, kind="cheese")
     refused("an unknown preset", ["no preset 'cheddar'"], plane, kind="wood", preset="cheddar")
@@ -230,7 +263,7 @@ def unsaved():
 
 
 scene("addon")
-for part in (lists, numbers, edits, nodes, solid, bake, kept, refusals, unsaved):
+for part in (lists, numbers, edits, nodes, solid, bake, kept, names, previews, refusals, unsaved):
     part()
 sozai_addon.unregister()
 check("nothing is left when disabled", not hasattr(bpy.types.Material, "sozai") and

@@ -15,7 +15,7 @@ for material in wood stone; do
 done
 
 works figures -o "$scratch/figures"
-for figure in wood-05 wood-06 wood-07 wood-09; do
+for figure in wood-05 wood-06 wood-07 wood-09 stone-05 stone-06; do
   check "$figure.png" test -s "$scratch/figures/$figure.png"
   check "$figure.json" "$json_check" "$scratch/figures/$figure.json"
 done
@@ -24,4 +24,13 @@ done
 check "figure 9's highlights" awk -F'[:,]' \
   '/mean_distance_mm/ { n++; if ($2 < 0 || $2 > 0.1) bad = 1 } END { exit !(n == 3 && !bad) }' \
   "$scratch/figures/wood-09.json"
+# the highest code is 256 whatever dh is, and the plane's corners are where they were put
+# shellcheck disable=SC2016
+check "figure 5's heights" awk -F'[:,]' \
+  '/highest_code/ { n++; if ($2 < 255.9 || $2 > 256.1) bad = 1 } END { exit !(n == 5 && !bad) }' \
+  "$scratch/figures/stone-05.json"
+# shellcheck disable=SC2016
+check "figure 6's corners" awk -F'[:,]' \
+  '/corner_error_mm/ { n++; if ($2 < 0 || $2 > 1e-6) bad = 1 } END { exit !(n == 1 && !bad) }' \
+  "$scratch/figures/stone-06.json"
 finish

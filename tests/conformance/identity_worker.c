@@ -119,12 +119,16 @@ static int make_layouts(void) {
 }
 
 /* Every third preset, which among them have all that a stone can have, every
- * finish, and both of the paper's modes of colour. */
+ * finish, most layouts and weathers, and both of the paper's modes of colour,
+ * with a tile and without. */
 static int make_stones(void) {
   static const char *const worked[] = {"split", "flamed", "bush_hammered",
                                        "sawn",  "honed",  "polished"};
   static const char *const modes[] = {"paper_rgb", "paper_lightness"};
   static const char *const beds[] = {"x", "y", "z"};
+  static const char *const layouts[] = {"none", "fan",    "crazy", "chidori", "hexagon",
+                                        "arcs", "ashlar", "stack", "circles", "herringbone"};
+  static const char *const patterns[] = {"igeta", "chidori"};
   const sozai_texture_info *info = host.textures->find("stone");
   int r = info ? 0 : 1;
   for (uint32_t i = 0; !r && i < info->preset_count; i += 3) {
@@ -132,15 +136,30 @@ static int make_stones(void) {
         {.id = "finish", .kind = SOZAI_KIND_CHOICE, .text = worked[i / 3 % 6u]},
         {.id = "bed", .kind = SOZAI_KIND_CHOICE, .text = beds[i / 3 % 3u]},
         {.id = "hole_share", .kind = SOZAI_KIND_FLOAT, .number = {i % 2u * 0.05}},
-        {.id = "vein_width", .kind = SOZAI_KIND_FLOAT, .number = {i % 2u ? 0.0 : 4.0}}};
-    r = make("stone", info->presets[i]->id, values, 4);
+        {.id = "vein_width", .kind = SOZAI_KIND_FLOAT, .number = {i % 2u ? 0.0 : 4.0}},
+        {.id = "layout", .kind = SOZAI_KIND_CHOICE, .text = layouts[i / 3 % 10u]},
+        {.id = "stone_length", .kind = SOZAI_KIND_FLOAT},
+        {.id = "stone_width", .kind = SOZAI_KIND_FLOAT},
+        {.id = "joint_width", .kind = SOZAI_KIND_FLOAT, .number = {9}},
+        {.id = "joint_wander", .kind = SOZAI_KIND_FLOAT, .number = {i % 2u * 0.05}},
+        {.id = "corner_radius", .kind = SOZAI_KIND_FLOAT, .number = {4.0 + i % 3u}},
+        {.id = "edge_round", .kind = SOZAI_KIND_FLOAT, .number = {5}},
+        {.id = "bevel", .kind = SOZAI_KIND_FLOAT, .number = {i % 2u * 2.0}},
+        {.id = "tilt", .kind = SOZAI_KIND_FLOAT, .number = {2}},
+        {.id = "moss", .kind = SOZAI_KIND_FLOAT, .number = {i % 4u * 0.2}},
+        {.id = "wet", .kind = SOZAI_KIND_FLOAT, .number = {i % 2u * 0.7}},
+        {.id = "water_level", .kind = SOZAI_KIND_FLOAT, .number = {i % 3u ? -1000.0 : -2.0}},
+        {.id = "wear", .kind = SOZAI_KIND_FLOAT, .number = {i % 2u * 0.5}}};
+    r = make("stone", info->presets[i]->id, values, sizeof values / sizeof *values);
   }
   for (int i = 0; !r && i < 2; i++) {
     const sozai_value values[] = {
         {.id = "colour_mode", .kind = SOZAI_KIND_CHOICE, .text = modes[i]},
         {.id = "paper_black", .kind = SOZAI_KIND_FLOAT, .number = {0.1}},
-        {.id = "paper_white", .kind = SOZAI_KIND_FLOAT, .number = {0.1}}};
+        {.id = "paper_white", .kind = SOZAI_KIND_FLOAT, .number = {0.1}},
+        {.id = "paper_pattern", .kind = SOZAI_KIND_CHOICE, .text = patterns[i]}};
     r = make("stone", NULL, values, 3);
+    if (!r) r = make("stone", NULL, values, 4);
   }
   return r;
 }

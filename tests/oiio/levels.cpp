@@ -14,7 +14,7 @@ using namespace OIIO;
 
 namespace {
 
-constexpr int side = 1024, samples = 8, texels = 300;
+constexpr int samples = 8, texels = 300;
 constexpr double mm = 256;
 const float up[3] = {0, 0, 1};
 

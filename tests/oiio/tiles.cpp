@@ -103,8 +103,8 @@ void types(void **) {
   std::vector<uint8_t> bytes(count * 3);
   assert_true(in->read_image(0, 0, 0, 3, TypeUInt8, bytes.data()));
   std::vector<float> green(count * 2, -1.0f); // one channel, every other place
-  assert_true(in->read_image(0, 0, 1, 2, TypeFloat, green.data(), 2 * sizeof(float),
-                             2 * sizeof(float) * stride_t(spec.width)));
+  assert_true(in->read_image(0, 0, 1, 2, TypeFloat, green.data(), stride_t(2 * sizeof(float)),
+                             stride_t(2 * sizeof(float)) * spec.width));
   for (size_t i = 0; i < count * 3; i++) {
     assert_true(halves[i] == Imath::half(whole[i]));
     assert_true(native[i] == halves[i]);
@@ -159,11 +159,13 @@ void tangent(void **) {
 
 // A square of 80 mm over two tiles of UVs: the texel's own point, whose grain goes on across.
 void mesh(void **) {
-  direct_write("square.obj", "v -4 -2 1\nv 4 -2 1\nv 4 2 1\nv -4 2 1\nvt 0 0\nvt 2 0\nvt 2 1\nvt 0 1\n"
-                             "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n");
-  std::string file = direct_write("mesh.sozai", "material: wood\npreset: buna\n"
-                                  "surface: {shape: mesh, mesh: square.obj, scale: 10}\n"
-                                  "image: {resolution: 128, format: float, outputs: albedo}\n");
+  direct_write("square.obj",
+               "v -4 -2 1\nv 4 -2 1\nv 4 2 1\nv -4 2 1\nvt 0 0\nvt 2 0\nvt 2 1\nvt 0 1\n"
+               "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n");
+  std::string file =
+      direct_write("mesh.sozai", "material: wood\npreset: buna\n"
+                                 "surface: {shape: mesh, mesh: square.obj, scale: 10}\n"
+                                 "image: {resolution: 128, format: float, outputs: albedo}\n");
   direct *d = direct_open(file.c_str());
   for (int udim : {1001, 1002}) {
     auto in = opened(file + "?udim=" + std::to_string(udim));
@@ -175,7 +177,8 @@ void mesh(void **) {
       double worst = 0;
       for (int y = 0; y < n; y++)
         for (int x = 0; x < n; x++) {
-          float point[3] = {direct_middle(uint32_t(x), uint32_t(n), 40) + (udim == 1001 ? -20.0f : 20.0f),
+          float point[3] = {direct_middle(uint32_t(x), uint32_t(n), 40) +
+                                (udim == 1001 ? -20.0f : 20.0f),
                             -direct_middle(uint32_t(y), uint32_t(n), 40), 10},
                 want[3];
           direct_at(d, "albedo", point, up, 40.0f / float(n), want);
@@ -193,7 +196,7 @@ void mesh(void **) {
 
 int main() {
   const CMUnitTest tests[] = {cmocka_unit_test(wood_board), cmocka_unit_test(stone_plane),
-                              cmocka_unit_test(types), cmocka_unit_test(extremes),
-                              cmocka_unit_test(tangent), cmocka_unit_test(mesh)};
+                              cmocka_unit_test(types),      cmocka_unit_test(extremes),
+                              cmocka_unit_test(tangent),    cmocka_unit_test(mesh)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -67,7 +67,7 @@ static void colours_saturate(void **state) {
   (void)state;
   for (unsigned k = 0; k < wood_presets(); k++) {
     const char *id = wood_preset(k);
-    double aged[3], fresh[3], end[3], before[3], time = number_of(id, "ageing_years");
+    double aged[3] = {0}, fresh[3], end[3], before[3], time = number_of(id, "ageing_years");
     colour_of(id, "aged_colour", aged);
     tissue_after(id, 0, EARLY, fresh);
     tissue_after(id, 1000, EARLY, end);

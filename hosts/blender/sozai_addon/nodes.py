@@ -44,12 +44,25 @@ def group_of(material):
     if tree is None:
         tree = bpy.data.node_groups.new("sozai: " + material.name, "ShaderNodeTree")
         material.sozai.group = tree
+    elif any(m != material and m.sozai.group == tree for m in bpy.data.materials):
+        tree = unshare(material, tree)
     there = output_names(tree)
     for name, kind in OUTPUTS:
         if name not in there:
             add_output(tree, kind, name)
     tree.nodes.clear()
     return tree
+
+
+def unshare(material, tree):
+    """A copied material begins with its model's group, and needs one of its own."""
+    own = tree.copy()
+    own.name = "sozai: " + material.name
+    for node in material.node_tree.nodes:
+        if node.type == "GROUP" and node.node_tree == tree:
+            node.node_tree = own
+    material.sozai.group = own
+    return own
 
 
 class Builder:

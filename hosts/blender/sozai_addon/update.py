@@ -2,6 +2,7 @@
 """From a material's settings to its files, its images and its nodes."""
 import math
 import os
+import zlib
 
 import bpy
 
@@ -19,8 +20,10 @@ def folder():
 
 
 def clean(name):
-    """As part of a file's name, which neither OpenImageIO nor a shell takes for more."""
-    return bpy.path.clean_name(name) or "unnamed"
+    """As part of a file's name, which neither OpenImageIO nor a shell takes for more; other
+    names stay other files."""
+    plain = bpy.path.clean_name(name).replace("<", "_").replace(">", "_")
+    return plain if plain == name else "%s-%08x" % (plain, zlib.crc32(name.encode()))
 
 
 def users(material):
