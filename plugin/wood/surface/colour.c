@@ -47,7 +47,7 @@ static void treat(float colour[3], const settings *s, const float early[3], cons
     if (surface == SURFACE_CHARRED) x = charred(x, number_at(s, P_CHARRING));
     if (surface == SURFACE_WEATHERED) {
       double g = number_at(s, P_GREYING);
-      x += g * (follow(own, base, (double)grey[c], 0.7) - x);
+      x += g * (follow(own, base, (double)grey[c], 0.6) - x);
     }
     if (f > 1.0) x = wetted(x, f);
     colour[c] = (float)x;
