@@ -85,7 +85,7 @@ static const sozai_value values_spalted_beech[] = {
     RAYS(0.55, 1.4, 120.0, 30.0),
     SRGB("ray_colour", 184, 133, 97),
     FIBRES(20.0, 570.0),
-    SPALT(0.55, 45.0, 0.7),
+    SPALT(0.8, 45.0, 0.7),
 };
 SPECIES(spalted_beech, "Beech, spalted (Fagus sylvatica)",
         "Beech that fungi have begun on: black zone lines, and bleached wood along them.",
