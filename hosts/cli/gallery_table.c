@@ -45,7 +45,7 @@ const shot_sheet gallery_sheets[GALLERY_SHEETS] = {
 #define MACRO(species, face, words)                                                                \
   {                                                                                                \
     .name = "macro-" species "-" face, .title = words, .preset = species, .sheet = "macro",        \
-    .params = {"cut=" face, "cut_distance=90"}, .shape = "plane", .camera = "front",               \
+    .params = {"cut=" face, "cut_distance=90", "cell_contrast=0.9"}, .shape = "plane", .camera = "front",               \
     .size = "8x5.6", .width = 400, .height = 280                                                   \
   }
 #define MACROS(species, words)                                                                     \

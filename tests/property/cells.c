@@ -202,7 +202,8 @@ static void tyloses_where_set(void **state) {
   static const char *const presets[] = {"white_oak", "red_oak", "robinia", "ash"};
   static const int has[] = {1, 0, 1, 0};
   for (int k = 0; k < 4; k++) {
-    sozai_texture *a = wood_make(presets[k], ""), *b = wood_make(presets[k], "tyloses=0");
+    sozai_texture *a = wood_make(presets[k], "cell_contrast=1"),
+                  *b = wood_make(presets[k], "cell_contrast=1; tyloses=0");
     points p = {0}, q = {0};
     uniform_seed(96);
     for (int i = 0; i < 60000; i++) {
@@ -240,7 +241,7 @@ static void gone_under_wide_footprints(void **state) {
   (void)state;
   static const char *const presets[] = {"sugi", "white_oak", "hard_maple", "akamatsu"};
   for (int k = 0; k < 4; k++) {
-    sozai_texture *with = wood_make(presets[k], "cut=quarter; element_length=0.2");
+    sozai_texture *with = wood_make(presets[k], "cut=quarter; cell_contrast=1; element_length=0.2");
     sozai_texture *without = wood_make(presets[k], "cut=quarter; cell_contrast=0");
     double most = 0, few = 0;
     for (int f = 0; f < 2; f++) {
