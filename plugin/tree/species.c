@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "species.h"
 
-#define ALL(X)                                                                                     \
-  X(sugi)                                                                                          \
-  X(sugi_h4)                                                                                       \
-  X(sugi_paper) X(hinoki) X(akamatsu) X(kuromatsu) X(karamatsu) X(todomatsu) X(norway_spruce)      \
-      X(scots_pine) X(douglas_fir) X(cherry) X(cherry_paper) X(keyaki) X(buna) X(mizunara)         \
-          X(shirakaba) X(momiji)
+/* clang-format off */
+#define ALL(X) \
+  X(sugi) X(sugi_h4) X(sugi_paper) X(hinoki) X(akamatsu) X(kuromatsu) X(karamatsu) X(todomatsu) \
+  X(norway_spruce) X(scots_pine) X(douglas_fir) X(cherry) X(cherry_paper) X(keyaki) X(buna) \
+  X(mizunara) X(shirakaba) X(momiji)
 
 #define DECLARE(name) extern const sozai_preset tree_##name;
 ALL(DECLARE)
+/* clang-format on */
 
 #define ENTRY(name) &tree_##name,
 const sozai_preset *const tree_species[] = {ALL(ENTRY)};

@@ -31,7 +31,7 @@ refused() { # plugin, words that the message must hold
 refused "$scratch/none.so" "no such plugin"
 echo "not a library" >"$scratch/text.so"
 refused "$scratch/text.so" "cannot load"
-refused "$folder/sozai-mock-other-abi.so" "99.0" "needs 1"
+refused "$folder/sozai-mock-other-abi.so" "ABI version 99." "needs 1"
 refused "$folder/sozai-mock-no-init.so" "did not initialise"
 refused "$folder/sozai-mock-no-factory.so" "sozai.textures/1"
 refused "$folder/sozai-mock-no-entry.so" "sozai_entry"
