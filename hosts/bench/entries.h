@@ -13,7 +13,7 @@
 #define ENTRY_THREADS 1 /* the same on two threads */
 #define ENTRY_CREATE 2
 #define ENTRY_LOAD 3
-#define ENTRY_TILE 4 /* through OpenImageIO, beside the baked tile */
+#define ENTRY_TILE 4          /* through OpenImageIO, beside the baked tile */
 #define ENTRY_TREE 5          /* growing one: beside 50 ms */
 #define ENTRY_TREE_MESH 6     /* growing it and making its mesh: beside 50 ms */
 #define ENTRY_TREE_BRANCHES 7 /* growing one, a branch: beside 34 thousand a second */

@@ -45,8 +45,8 @@ const shot_sheet gallery_sheets[GALLERY_SHEETS] = {
 #define MACRO(species, face, words)                                                                \
   {                                                                                                \
     .name = "macro-" species "-" face, .title = words, .preset = species, .sheet = "macro",        \
-    .params = {"cut=" face, "cut_distance=90", "cell_contrast=0.9"}, .shape = "plane", .camera = "front",               \
-    .size = "8x5.6", .width = 400, .height = 280                                                   \
+    .params = {"cut=" face, "cut_distance=90", "cell_contrast=0.9"}, .shape = "plane",             \
+    .camera = "front", .size = "8x5.6", .width = 400, .height = 280                                \
   }
 #define MACROS(species, words)                                                                     \
   MACRO(species, "end", words ", end grain, 8 mm across"),                                         \

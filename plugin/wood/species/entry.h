@@ -73,11 +73,10 @@ SPECIES_ALL(DECLARE)
   NUMBER("canal_density", density), NUMBER("canal_diameter", diameter)
 /* Cells in um and basic density, from which the share of walls follows. */
 #define TRACHEIDS(width, early, late, density)                                                     \
-  NUMBER("cell_width", width), NUMBER("cell_depth", early),          \
-      NUMBER("cell_depth_late", late), NUMBER("cell_length", 3.0),                                 \
-      NUMBER("basic_density", density)
+  NUMBER("cell_width", width), NUMBER("cell_depth", early), NUMBER("cell_depth_late", late),       \
+      NUMBER("cell_length", 3.0), NUMBER("basic_density", density)
 #define FIBRES(width, density)                                                                     \
-  NUMBER("cell_width", width), NUMBER("cell_depth", width),          \
+  NUMBER("cell_width", width), NUMBER("cell_depth", width),                                        \
       NUMBER("cell_depth_late", 0.85 * (width)), NUMBER("cell_length", 1.2),                       \
       NUMBER("basic_density", density)
 
