@@ -9,14 +9,13 @@
       SRGB("vessel_colour", 214, 184, 145), SRGB("sapwood_earlywood_colour", 236, 212, 178),       \
       SRGB("sapwood_latewood_colour", 210, 178, 138), NUMBER("heartwood_years", 110.0),            \
       NUMBER("diffuse", 0.8), NUMBER("specular", 0.3), NUMBER("shininess", 14.0),                  \
-      RAYS(2.2, 0.6, 70.0, 28.0), SRGB("ray_colour", 219, 187, 148), AGED(206, 162, 110, 4.0)
-RAYS(2.2, 0.6, 70.0, 28.0), SRGB("ray_colour", 219, 187, 148),
-    FIBRES(20.0, 540.0)
+      RAYS(2.2, 0.6, 70.0, 28.0), SRGB("ray_colour", 219, 187, 148), FIBRES(20.0, 540.0),          \
+      AGED(206, 162, 110, 4.0)
 
-        static const sozai_value values_curly_maple[] = {
-            RINGS(2.2, 0.22, 0.7), LATEWOOD(0.06, 0.7),         WAVY(0.19, 9.0, 0.6),
-            CURL(0.13, 9.0, 0.6),  NUMBER("slope_noise", 0.03), NUMBER("slope_noise_length", 45.0),
-            MAPLE_TISSUE,
+static const sozai_value values_curly_maple[] = {
+    RINGS(2.2, 0.22, 0.7), LATEWOOD(0.06, 0.7),         WAVY(0.19, 9.0, 0.6),
+    CURL(0.13, 9.0, 0.6),  NUMBER("slope_noise", 0.03), NUMBER("slope_noise_length", 45.0),
+    MAPLE_TISSUE,
 };
 SPECIES(curly_maple, "Curly maple, tiger stripe (Acer saccharum)",
         "Fibres that wave from side to side and in and out: bars across the board on every face.",
@@ -86,6 +85,7 @@ static const sozai_value values_spalted_beech[] = {
     RAYS(0.55, 1.4, 120.0, 30.0),
     SRGB("ray_colour", 184, 133, 97),
     FIBRES(20.0, 570.0),
+    AGED(196, 146, 100, 4.0),
     SPALT(0.8, 45.0, 0.7),
 };
 SPECIES(spalted_beech, "Beech, spalted (Fagus sylvatica)",
