@@ -67,8 +67,10 @@ INLINE canal_cover canals_at(const wood_constants *w, const vessel_place *p) {
   }
   sum = vmin(sum * whole.height, one);
   inner = vmin(inner * core.height, sum);
-  c.whole = mix(sum, c.whole, fade);
-  c.core = mix(inner, c.core, fade);
+  /* a mix by 1 may be a bit off: what a block skips must be what it would find */
+  vm near = lt(fade, one);
+  c.whole = sel(near, mix(sum, c.whole, fade), c.whole);
+  c.core = sel(near, mix(inner, c.core, fade), c.core);
   return c;
 }
 

@@ -50,8 +50,10 @@ INLINE spalt_place spalt_at(const wood_constants *w, vu own, vf x, vf y, vf z, v
   vf pale = clamp01(d / (e + e) + splat(0.5f));
   /* most bleached by the line */
   pale = pale * (splat(0.55f) + splat(0.45f) * clamp01(one - d * f * splat(4.0f)));
-  p.line = mix(vmin(line, one), p.line, fade);
-  p.bleached = mix(pale, p.bleached, fade);
+  /* a mix by 1 may be a bit off: what a block skips must be what it would find */
+  vm near = lt(fade, one);
+  p.line = sel(near, mix(vmin(line, one), p.line, fade), p.line);
+  p.bleached = sel(near, mix(pale, p.bleached, fade), p.bleached);
   return p;
 }
 
