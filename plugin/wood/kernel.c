@@ -501,13 +501,12 @@ static __attribute__((noinline)) void stage_streaks(const wood_constants *w, int
   k->streak = vmin(splat(WOOD_STREAK) * g.depth, splat(1.0f));
 }
 
-/* Bleached wood is paler and greyer; what the zone lines are made of is melanin. */
+/* Bleached wood is nearer to white, which is white in every working space; what
+ * the zone lines are made of is melanin. */
 INLINE void stage_spalt_colour(block *k) {
   vf one = splat(1.0f), *a = k->albedo;
-  vf grey = (a[0] + a[1] + a[2]) * splat(1.0f / 3.0f);
   for (int c = 0; c < 3; c++) {
-    vf pale = mix(a[c], grey, splat(0.35f));
-    pale = pale + (splat(0.9f) - pale) * splat(0.3f);
+    vf pale = a[c] + (splat(0.8f) - a[c]) * splat(0.4f);
     a[c] = mix(a[c], pale, k->spalt.bleached);
     a[c] = a[c] * (one - splat(0.86f) * k->spalt.line);
   }

@@ -37,7 +37,7 @@ static const sozai_value values_red_oak[] = {
     NUMBER("fibre_brightness", 0.11),
     SRGB("earlywood_colour", 208, 168, 130),
     SRGB("latewood_colour", 180, 138, 102),
-    SRGB("vessel_colour", 190, 151, 115),
+    SRGB("vessel_colour", 199, 160, 123),
     SRGB("sapwood_earlywood_colour", 222, 198, 164),
     SRGB("sapwood_latewood_colour", 200, 172, 136),
     NUMBER("heartwood_years", 140.0),
