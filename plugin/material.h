@@ -20,6 +20,9 @@ typedef struct material {
    * of wanted says that out[k] is not NULL. */
   void (*evaluate)(const void *state, const sozai_batch *batch, float *const *out, uint64_t wanted);
   const char *(*instruction_set)(const void *state);
+  /* NULL: build allocates nothing. release is called after a failure too. */
+  void (*release)(void *state, const sozai_host *host);
+  uint64_t (*bytes)(const void *state); /* of what it allocated */
 } material;
 
 extern const material *const registry[];

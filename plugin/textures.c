@@ -64,6 +64,7 @@ static int32_t build_state(sozai_texture *t) {
 static void destroy(sozai_texture *t) {
   if (!t) return;
   sozai_host host = t->host;
+  if (t->state && t->kind->release) t->kind->release(t->state, &host);
   host_free(&host, t->state, t->kind->state_bytes, 64);
   images_close(&t->images, &host);
   settings_free(&t->given, &host);
@@ -209,7 +210,9 @@ static int32_t value(const sozai_texture *t, const char *id, sozai_value *out) {
 static const sozai_texture_info *info_of(const sozai_texture *t) { return t ? t->info : NULL; }
 
 static uint64_t bytes(const sozai_texture *t) {
-  return t ? sizeof *t + t->given.bytes + t->kind->state_bytes : 0;
+  if (!t) return 0;
+  uint64_t held = t->kind->bytes ? t->kind->bytes(t->state) : 0;
+  return sizeof *t + t->given.bytes + t->kind->state_bytes + held;
 }
 
 static const char *instruction_set(const sozai_texture *t) {

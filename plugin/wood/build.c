@@ -116,8 +116,26 @@ static int32_t build_stem(wood_constants *w, const settings *s) {
 
 /* ---- rings ------------------------------------------------------------ */
 
+/* Widths that vary about a mean, to a tree's growth at a height, from the year
+ * in which its tip was there. After its last year it goes on as it did then. */
+static void tree_widths(const knot_source *tree, double height, double mean, double *width) {
+  int from = 0, last = (int)tree->age;
+  while (from < last && knot_source_radius(tree, height, from + 1.0) <= 0.0) from++;
+  double before = 0.0, wide = mean, least = 0.15;
+  for (int j = 0; j < WOOD_RINGS; j++) {
+    if (from + j < last) {
+      double radius = knot_source_radius(tree, height, from + j + 1.0);
+      wide = radius - before;
+      before = radius;
+      if (wide < least) wide = least;
+    }
+    width[j] *= wide / mean;
+  }
+}
+
 /* Widths of the table's rings, mm. */
-static int32_t ring_widths(const wood_constants *w, const settings *s, double *width) {
+static int32_t ring_widths(const wood_constants *w, const settings *s, const knot_source *tree,
+                           double *width) {
   const sozai_buffer *b = s->list[P_RING_WIDTHS].buffer;
   if (b) {
     uint64_t n = b->dims[0] * b->dims[1];
@@ -146,6 +164,9 @@ static int32_t ring_widths(const wood_constants *w, const settings *s, double *w
     sum += width[j];
   }
   for (int j = 0; j < WOOD_RINGS; j++) width[j] *= mean * WOOD_RINGS / sum;
+  if (tree->rings.count && number_at(s, P_TREE_RINGS) != 0.0) {
+    tree_widths(tree, number_at(s, P_LOG_HEIGHT), mean, width);
+  }
   return SOZAI_OK;
 }
 
@@ -172,9 +193,9 @@ static void build_season(wood_constants *w, const settings *s) {
   w->inverse_late_after = (float)(1.0 / after);
 }
 
-static int32_t build_rings(wood_constants *w, const settings *s) {
+static int32_t build_rings(wood_constants *w, const settings *s, const knot_source *tree) {
   double width[WOOD_RINGS], total = 0.0, least = 1e30, late = 0.0;
-  int32_t r = ring_widths(w, s, width);
+  int32_t r = ring_widths(w, s, tree, width);
   if (r) return r;
   double variation = number_at(s, P_LATE_VARIATION), whole = late_profile_integral(w, 1.0);
   for (int j = 0; j < WOOD_RINGS; j++) {
@@ -633,14 +654,26 @@ static uint32_t seed_of(const settings *s) {
   return h;
 }
 
+/* What a tree may have a say in. */
+static int32_t build_grown(wood_constants *w, const sozai_host *host, const settings *s,
+                           const float (*colours)[3]) {
+  knot_source tree;
+  int32_t r = knot_source_open(&tree, host, s);
+  if (r) return r;
+  r = build_stem(w, s);
+  if (!r) r = build_rings(w, s, &tree);
+  if (!r) r = wood_build_knots(w, host, s, &tree, colours);
+  knot_source_close(&tree, host);
+  return r;
+}
+
 int32_t wood_build(wood_constants *w, const sozai_host *host, const settings *s,
                    const float (*colours)[3], const image_set *images) {
   w->seed = seed_of(s);
   for (uint32_t i = 0; i < WOOD_SEEDS; i++) w->seeds[i] = hash1(w->seed + 0x9e3779b9u * (i + 1));
   build_cut(w, s);
-  int32_t r = build_stem(w, s);
   build_season(w, s);
-  if (!r) r = build_rings(w, s);
+  int32_t r = build_grown(w, host, s, colours);
   if (r) return r;
   build_grain(w, s);
   r = build_figure(w, s);

@@ -11,6 +11,7 @@
 #include "figure.h"
 #include "grain.h"
 #include "heart.h"
+#include "knots.h"
 #include "picture.h"
 #include "rays.h"
 #include "surface/relief.h"
@@ -136,6 +137,7 @@ typedef struct {
   vf cells, cell_contrast, lining; /* relative to the tissue's colour and the vessels' */
   spalt_place spalt;
   wood_board board; /* where there are boards */
+  knot_place *knot; /* where there are knots, else NULL */
 } block;
 
 /* The end of a batch, and what is not active. */
@@ -252,6 +254,19 @@ INLINE void stage_rho(const wood_constants *w, block *k) {
   stem_rho(w, k->p[1], &k->undulation, &k->stem);
 }
 
+/* Where on the stem a board's log lies, in turns of the period. */
+INLINE vf knot_shift(const block *k) {
+  vu h = hash_mix(k->board.own + splatu(HASH_Z));
+  return to_float((vi)(h >> 8)) * splat(1.0f / 16777216.0f);
+}
+
+/* Once in the code: it is long, and few points are near a knot. */
+static __attribute__((noinline)) void stage_knots(const wood_constants *w, const kernel_io *io,
+                                                  vf shift, block *k) {
+  knots_add(w->knots, shift, k->p[1], k->s, k->nrm, !io->in->normal[0], &k->stem, k->knot);
+  store_lanes(io, WOOD_KNOT, k, k->knot->cover);
+}
+
 INLINE void stage_ring(const wood_constants *w, const kernel_io *io, block *k) {
   k->ring = ring_at(w, k->stem.rho);
   k->years = to_float(k->ring.ring) + k->ring.phase;
@@ -281,9 +296,21 @@ INLINE void stage_grain_noise(const wood_constants *w, int boards, int o, block 
 INLINE void stage_turn(block *k) {
   k->phase = k->grain.d * k->divisor;
   vf s, c;
-  sine_cosine(k->phase, &s, &c);
+  sine_cosine(k->knot ? k->phase - k->knot->turn : k->phase, &s, &c);
   k->c = k->stem.c * c + k->stem.s * s;
   k->sn = k->stem.s * c - k->stem.c * s;
+}
+
+/* In a knot the reference is the branch's own section. */
+INLINE void stage_knot_section(block *k) {
+  const knot_place *q = k->knot;
+  vm in = gt(q->inside, splat(0.0f));
+  if (!any(in)) return;
+  vf turn = inverse_root(vmax(q->a * q->a + q->h * q->h, splat(1e-6f)));
+  k->x = sel(in, q->a, k->x);
+  k->z = sel(in, q->h, k->z);
+  k->c = sel(in, q->a * turn, k->c);
+  k->sn = sel(in, q->h * turn, k->sn);
 }
 
 INLINE void stage_section(const wood_constants *w, const kernel_io *io, block *k) {
@@ -291,8 +318,29 @@ INLINE void stage_section(const wood_constants *w, const kernel_io *io, block *k
   vf radius = k->stem.rho * (splat(1.0f) + outline_at(w, k->c, k->sn, &unused));
   k->x = radius * k->c;
   k->z = radius * k->sn;
+  if (k->knot) stage_knot_section(k);
   store_lanes(io, WOOD_REFERENCE, k, k->x);
   store_lanes(io, WOOD_REFERENCE + 1, k, k->z);
+}
+
+/* Near knots rho and theta' both depend on all three coordinates: slopes along
+ * the radius and round from the two equations. */
+INLINE void stage_knot_slopes(const block *k, vf omega, vf rho_r, vf *climb, vf *around) {
+  const stem_place *stem = &k->stem;
+  const knot_place *q = k->knot;
+  vf zero = splat(0.0f);
+  vf rho_a = stem->rho_z * stem->c - stem->rho_x * stem->s;
+  vf turn_r = q->turn_x * stem->c + q->turn_z * stem->s;
+  vf turn_a = stem->inverse_r + (q->turn_z * stem->c - q->turn_x * stem->s);
+  vf left = omega - q->turn_y, whole = rho_r * turn_a - rho_a * turn_r;
+  vf inverse = splat(1.0f) / sel(lt(vabs(whole), splat(1e-9f)), splat(1e-9f), whole);
+  vf radial = (zero - stem->rho_y * turn_a - rho_a * left) * inverse;
+  vf round = (rho_r * left + turn_r * stem->rho_y) * inverse;
+  /* no fibre runs more than 70 degrees off the stem */
+  vf slope = radial * radial + round * round, most = splat(7.5f);
+  vf keep = sel(gt(slope, most), vsqrt(most / vmax(slope, most)), splat(1.0f));
+  *climb = radial * keep;
+  *around = round * keep;
 }
 
 /* The fibre's direction: theta' and rho are constant along it. */
@@ -302,13 +350,26 @@ INLINE void stage_fibre(block *k) {
   vf omega = k->grain.g_filtered * k->divisor;
   vf rho_r = stem->rho_x * stem->c + stem->rho_z * stem->s;
   vf rho_t = stem->r * (stem->rho_z * stem->c - stem->rho_x * stem->s);
-  vf climb = (zero - stem->rho_y - rho_t * omega) / vmax(rho_r, splat(0.05f));
-  vf around = stem->r * omega;
+  vf climb, around;
+  if (k->knot) {
+    stage_knot_slopes(k, omega, rho_r, &climb, &around);
+  } else {
+    climb = (zero - stem->rho_y - rho_t * omega) / vmax(rho_r, splat(0.05f));
+    around = stem->r * omega;
+  }
   f[0] = climb * stem->c - around * stem->s + stem->pith.dx;
   f[2] = climb * stem->s + around * stem->c + stem->pith.dz;
   f[1] = inverse_root(f[0] * f[0] + one + f[2] * f[2]);
   f[0] = f[0] * f[1];
   f[2] = f[2] * f[1];
+  if (k->knot && any(gt(k->knot->inside, zero))) {
+    vm in = gt(k->knot->inside, zero);
+    const vf *along = k->knot->along;
+    vf axis[3] = {along[0] + stem->pith.dx * along[1], along[1],
+                  along[2] + stem->pith.dz * along[1]};
+    unit_direction(axis);
+    for (int c = 0; c < 3; c++) f[c] = sel(in, axis[c], f[c]);
+  }
   k->sine = zero - (f[0] * k->nrm[0] + f[1] * k->nrm[1] + f[2] * k->nrm[2]);
 }
 
@@ -361,13 +422,28 @@ INLINE void section_arc_row(const block *k, vf a[3]) {
   a[0] = tx - shear * k->b[0];
   a[1] = zero - tx * stem->pith.dx - tz * stem->pith.dz - g - shear * k->b[1];
   a[2] = tz - shear * k->b[2];
+  if (k->knot) {
+    const knot_place *q = k->knot;
+    a[0] = a[0] + stem->rho * q->turn_x;
+    a[1] = a[1] + stem->rho * (q->turn_y - q->turn_x * stem->pith.dx - q->turn_z * stem->pith.dz);
+    a[2] = a[2] + stem->rho * q->turn_z;
+  }
 }
 
 /* The footprint over (arc, rho) of the reference section. */
 INLINE footprint2 footprint_in_section(const kernel_io *io, const block *k) {
   vf a[3];
   section_arc_row(k, a);
-  return footprint_through(a, k->b, k->nrm, !io->in->normal[0], k->s);
+  if (!k->knot || !any(gt(k->knot->inside, splat(0.0f)))) {
+    return footprint_through(a, k->b, k->nrm, !io->in->normal[0], k->s);
+  }
+  vf b[3];
+  vm in = gt(k->knot->inside, splat(0.0f));
+  for (int c = 0; c < 3; c++) {
+    a[c] = sel(in, k->knot->round[c], a[c]);
+    b[c] = sel(in, k->knot->out[c], k->b[c]);
+  }
+  return footprint_through(a, b, k->nrm, !io->in->normal[0], k->s);
 }
 
 INLINE vessel_place vessel_place_of(int boards, const block *k) {
@@ -427,6 +503,7 @@ INLINE void stage_cover(const wood_constants *w, const kernel_io *io, block *k) 
     vf expected = rings_across(w, MEAN_ROW, stem, &k->ring, k->b, k->nrm, ball, k->s, k->reach);
     rows = mix(rows, splat(w->row.coverage) * expected, v->rows_faded);
   }
+  if (k->knot) rows = rows * (one - k->knot->cover); /* branches have no wide earlywood vessels */
   k->cover = pores + rows - pores * rows; /* they stand where they like */
   k->ray = zero;
   if (!w->has_rays) store_lanes(io, WOOD_RAY, k, zero);
@@ -450,12 +527,18 @@ INLINE void stage_rays(const wood_constants *w, const kernel_io *io, block *k) {
   vf share, nearest = ray_body_cover(w, &k->rays, &k->ray_at, &k->ray_in);
   vf found = rays_cover(w, &k->rays, &k->ray_at, nearest, &share);
   k->ray = rays_faded(w, &k->rays, found, share);
+  if (k->knot) k->ray = k->ray * (splat(1.0f) - k->knot->cover);
   store_lanes(io, WOOD_RAY, k, k->ray);
 }
 
 INLINE void stage_canals(const wood_constants *w, int boards, const kernel_io *io, block *k) {
   vessel_place place = vessel_place_of(boards, k);
   k->canal = canals_at(w, &place);
+  if (k->knot) {
+    vf stem = splat(1.0f) - k->knot->cover;
+    k->canal.whole = k->canal.whole * stem;
+    k->canal.core = k->canal.core * stem;
+  }
   store_lanes(io, WOOD_CANAL, k, k->canal.whole);
 }
 
@@ -502,6 +585,17 @@ INLINE void stage_spalt_colour(block *k) {
   }
 }
 
+INLINE void stage_knot_colour(const wood_constants *w, block *k, vf late) {
+  const knot_place *q = k->knot;
+  if (!any(gt(q->cover + q->bark, splat(0.0f)))) return;
+  for (int c = 0; c < 3; c++) {
+    vf own = mix(splat(w->knot_early[c]), splat(w->knot_late[c]), late) * k->shift;
+    k->albedo[c] = mix(k->albedo[c], own, q->cover * splat(w->knot_stain));
+    k->albedo[c] = k->albedo[c] * (splat(1.0f) - splat(0.8f) * q->check);
+    k->albedo[c] = mix(k->albedo[c], splat(w->knot_bark[c]) * k->shift, q->bark);
+  }
+}
+
 INLINE void stage_colour(const wood_constants *w, int boards, const kernel_io *io, block *k) {
   vf one = splat(1.0f), zero = splat(0.0f);
   /* earlywood rows stand where there is no latewood; pores everywhere */
@@ -530,6 +624,7 @@ INLINE void stage_colour(const wood_constants *w, int boards, const kernel_io *i
     }
     k->albedo[c] = tissue;
   }
+  if (k->knot) stage_knot_colour(w, k, late);
   if (w->has_spalt) stage_spalt_colour(k);
   for (int c = 0; c < 3; c++) {
     if (boards) k->albedo[c] = board_albedo(w, &k->board, c, k->albedo[c]);
@@ -552,8 +647,10 @@ INLINE void stage_picture(const wood_constants *w, int boards, const kernel_io *
   store_lanes(io, WOOD_RAY, k, k->ray);
   store_lanes(io, WOOD_CANAL, k, k->ray);
   vf shift = fibre_shift(w, own_of(boards, k), p.x, p.z, f.aa + f.bb);
+  for (int c = 0; c < 3; c++) k->albedo[c] = k->albedo[c] * shift;
+  k->shift = shift;
+  if (k->knot) stage_knot_colour(w, k, picture_late(w, k->albedo));
   for (int c = 0; c < 3; c++) {
-    k->albedo[c] = k->albedo[c] * shift;
     if (boards) k->albedo[c] = board_albedo(w, &k->board, c, k->albedo[c]);
     store_lanes(io, WOOD_ALBEDO + c, k, k->albedo[c]);
   }
@@ -700,6 +797,11 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const kern
   EACH(stage_undulation(w, boards, 1, &blocks[k]));
   if (w->has_curl || w->has_quilt || w->has_eyes) EACH(stage_figure(w, boards, &blocks[k]));
   EACH(stage_rho(w, &blocks[k]));
+  if (w->knots) {
+    EACH(stage_knots(w, io, boards ? knot_shift(&blocks[k]) : splat(0.0f), &blocks[k]));
+  } else {
+    EACH(store_lanes(io, WOOD_KNOT, &blocks[k], splat(0.0f)));
+  }
   EACH(stage_ring(w, io, &blocks[k]));
   if (want->section) {
     EACH(stage_years(w, boards, &blocks[k]));
@@ -784,6 +886,7 @@ static void evaluate(const void *constants, const kernel_io *io, uint32_t from, 
   wood_wants want = wants_of(w, io);
   block blocks[BLOCKS];
   surface_relief reliefs[BLOCKS];
+  knot_place knots[BLOCKS];
   for (uint32_t i = from; i < to;) {
     uint32_t count = 0;
     for (; count < BLOCKS && i < to; count++, i += LANES) {
@@ -791,6 +894,7 @@ static void evaluate(const void *constants, const kernel_io *io, uint32_t from, 
       k->i = i;
       k->n = to - i < LANES ? to - i : LANES;
       k->whole = k->n == LANES && !io->in->active;
+      k->knot = w->knots ? &knots[count] : NULL;
     }
     if (w->boards.layout.kind != LAYOUT_NONE) {
       evaluate_boards(w, io, &want, blocks, reliefs, count);

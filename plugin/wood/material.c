@@ -60,7 +60,17 @@ static const char *instruction_set(const void *state) {
   return ((const wood_state *)state)->use.wide->name;
 }
 
-const material wood_material = {describe, sizeof(wood_state), build, evaluate, instruction_set};
+static void release(void *state, const sozai_host *host) {
+  wood_release_knots(&((wood_state *)state)->constants, host);
+}
+
+static uint64_t bytes(const void *state) {
+  const wood_knots *knots = ((const wood_state *)state)->constants.knots;
+  return knots ? knots->bytes : 0;
+}
+
+const material wood_material = {describe,        sizeof(wood_state), build, evaluate,
+                                instruction_set, release,            bytes};
 
 /* ---- sozai.wood/1 ----------------------------------------------------- */
 

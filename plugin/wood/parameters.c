@@ -262,6 +262,104 @@ static const sozai_parameter eye_length = {
    .doc = "How far an eye goes on along the radius, at most.",
    .hard_min = 5, .hard_max = 500, .soft_min = 20, .soft_max = 150, .default_number = {60}};
 
+static const sozai_parameter tree = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_TEXT,
+   .id = "tree", .label = "Tree", .group = "knots", .unit = "",
+   .doc = "A species of tree, whose branches are this wood's knots: an id of `sozai describe tree`. It grows from `seed` to `tree_age`. Empty: no knots but those of tree_field or of the table knots.",
+   .default_text = ""};
+
+static const sozai_parameter tree_age = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "tree_age", .label = "Age of the tree", .group = "knots", .unit = "years",
+   .doc = "Years since it sprouted, when it was felled.",
+   .hard_min = 1, .hard_max = 300, .soft_min = 5, .soft_max = 120, .default_number = {45}};
+
+static const sozai_parameter tree_field = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_TEXT,
+   .id = "tree_field", .label = "Field table", .group = "knots", .unit = "",
+   .doc = "The text of a measured tree (docs/tree.md), whose branches are the knots; with `tree`, of that species.",
+   .default_text = ""};
+
+static const sozai_parameter tree_rings = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_BOOL,
+   .id = "tree_rings", .label = "Rings of the tree", .group = "knots", .unit = "",
+   .doc = "The tree's yearly growth at log_height gives the widths of the rings, in place of ring_width; ring_variation varies them.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {1}};
+
+static const sozai_parameter log_height = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "log_height", .label = "Height of the log", .group = "knots", .unit = "mm",
+   .doc = "Where on the stem the log's y = 0 lies. Below the live crown knots are dead, or have been grown over.",
+   .hard_min = 0, .hard_max = 100000, .soft_min = 0, .soft_max = 15000, .default_number = {3000}};
+
+static const sozai_parameter knots = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_BUFFER,
+   .id = "knots", .label = "Knots", .group = "knots", .unit = "",
+   .doc = "A table of knots in place of a tree: the columns of the generator tree's table of that name (branch, birth, death, shed, azimuth, inclination, height, radius, first, count).",
+   .buffer_kind = SOZAI_BUFFER_TABLE};
+
+static const sozai_parameter knot_radii = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_BUFFER,
+   .id = "knot_radii", .label = "Radii of the knots", .group = "knots", .unit = "",
+   .doc = "With knots: their radii from year to year (knot, year, radius). Without it they slow down by half.",
+   .buffer_kind = SOZAI_BUFFER_TABLE};
+
+static const sozai_parameter stem_rings = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_BUFFER,
+   .id = "stem_rings", .label = "Rings of the stem", .group = "knots", .unit = "",
+   .doc = "With knots: the stem's radius by year and height (year, height, radius). Without it the rings are those of ring_width.",
+   .buffer_kind = SOZAI_BUFFER_TABLE};
+
+static const sozai_parameter knot_size = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "knot_size", .label = "Knot size", .group = "knots", .unit = "",
+   .doc = "Factor of the knots' radii.",
+   .hard_min = 0.1, .hard_max = 3, .soft_min = 0.5, .soft_max = 2, .default_number = {1}};
+
+static const sozai_parameter knot_collar = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "knot_collar", .label = "Knot collar", .group = "knots", .unit = "",
+   .doc = "How far the rings about a knot bend out to it: 1 by two fifths of its radius at its sides, and by all of it above and below.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {1}};
+
+static const sozai_parameter knot_grain = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "knot_grain", .label = "Knot grain", .group = "knots", .unit = "",
+   .doc = "How far the fibres part round a knot: 0 not, 1 wholly.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {1}};
+
+static const sozai_parameter knot_bark = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "knot_bark", .label = "Knot bark", .group = "knots", .unit = "mm",
+   .doc = "Thickness of the bark that a dead knot sits in.",
+   .hard_min = 0, .hard_max = 10, .soft_min = 0, .soft_max = 4, .default_number = {0.8}};
+
+static const sozai_parameter knot_checks = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "knot_checks", .label = "Knot checks", .group = "knots", .unit = "",
+   .doc = "How far knots have split in drying: 1, by a twelfth of their radius.",
+   .hard_min = 0, .hard_max = 2, .soft_min = 0, .soft_max = 1, .default_number = {0.4}};
+
+static const sozai_parameter knot_colour = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "knot_colour", .label = "Knot colour", .group = "knots", .unit = "",
+   .doc = "Of a knot's earlywood; its latewood has half of it.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.58, 0.36, 0.20},
+   .default_text = "sRGB"};
+
+static const sozai_parameter knot_stain = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "knot_stain", .label = "Knot stain", .group = "knots", .unit = "",
+   .doc = "From the wood's own colour, 0, to knot_colour, 1.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.75}};
+
+static const sozai_parameter knot_bark_colour = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "knot_bark_colour", .label = "Knot bark colour", .group = "knots", .unit = "",
+   .doc = "Of the bark about a dead knot.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.20, 0.12, 0.07},
+   .default_text = "sRGB"};
+
 static const char *const porosity_choices[] = {"none", "diffuse", "semi_ring", "ring"};
 static const char *const porosity_docs[] = {
    "no vessels: a conifer",
@@ -965,6 +1063,22 @@ const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_EYE_DIAMETER] = &eye_diameter,
    [P_EYE_DEPTH] = &eye_depth,
    [P_EYE_LENGTH] = &eye_length,
+   [P_TREE] = &tree,
+   [P_TREE_AGE] = &tree_age,
+   [P_TREE_FIELD] = &tree_field,
+   [P_TREE_RINGS] = &tree_rings,
+   [P_LOG_HEIGHT] = &log_height,
+   [P_KNOTS] = &knots,
+   [P_KNOT_RADII] = &knot_radii,
+   [P_STEM_RINGS] = &stem_rings,
+   [P_KNOT_SIZE] = &knot_size,
+   [P_KNOT_COLLAR] = &knot_collar,
+   [P_KNOT_GRAIN] = &knot_grain,
+   [P_KNOT_BARK] = &knot_bark,
+   [P_KNOT_CHECKS] = &knot_checks,
+   [P_KNOT_COLOUR] = &knot_colour,
+   [P_KNOT_STAIN] = &knot_stain,
+   [P_KNOT_BARK_COLOUR] = &knot_bark_colour,
    [P_POROSITY] = &porosity,
    [P_PORE_DENSITY] = &pore_density,
    [P_PORE_DIAMETER] = &pore_diameter,
@@ -1212,6 +1326,13 @@ static const sozai_channel channel_canal = {
    .id = "canal", .unit = "", .suffixes = "",
    .doc = "Share of the footprint that resin canals cover, 0 to 1."};
 
+static const sozai_channel channel_knot = {
+   .size = sizeof(sozai_channel), .first = WOOD_KNOT, .components = 1,
+   .needs = SOZAI_INPUT_POINT,
+   .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
+   .id = "knot", .unit = "", .suffixes = "",
+   .doc = "Share of the footprint that knots cover, 0 to 1, without their bark."};
+
 static const sozai_channel channel_height = {
    .size = sizeof(sozai_channel), .first = WOOD_HEIGHT, .components = 1,
    .needs = SOZAI_INPUT_POINT,
@@ -1221,6 +1342,6 @@ static const sozai_channel channel_height = {
 
 const sozai_channel *const wood_channels[] = {
    &channel_albedo, &channel_radiance, &channel_fiber, &channel_dive, &channel_specular, &channel_roughness, &channel_time, &channel_latewood, &channel_vessel, &channel_reference, &channel_cone_colour, &channel_cone_width, &channel_coat, &channel_ray,
-   &channel_board_id, &channel_board_u, &channel_board_v, &channel_board_edge, &channel_normal, &channel_height, &channel_canal};
+   &channel_board_id, &channel_board_u, &channel_board_v, &channel_board_edge, &channel_normal, &channel_height, &channel_canal, &channel_knot};
 /* clang-format on */
 const uint32_t wood_channel_count = COUNT(wood_channels);

@@ -7,6 +7,7 @@
  *   object space -> log space          cut (a turn and a shift)
  *   log space -> about the pith        pith(y)
  *   -> (rho, theta)                    rho = r s(y) / (1 + w(theta)) - u(x, y, z)
+ *   rho about knots         the front of stem and branch together
  *   rho -> (year, phase of the ring)   a table of ring boundaries
  *   theta' = theta - phi(t, y)         the grain transform
  *   -> reference section               rho (1 + w(theta')) at theta', y = 0
@@ -20,6 +21,7 @@
 #include "../../api/sozai_colour.h"
 #include "../core/kernel.h"
 #include "../layout/layout.h"
+#include "knot_table.h"
 #include "surface/surface.h"
 
 #define WOOD_RINGS 256      /* rings before the table repeats */
@@ -60,7 +62,8 @@ enum {
   SEED_TYLOSES,
   SEED_RIMS,
   SEED_SPALT,
-  WOOD_SEEDS = SEED_SPALT + 2
+  SEED_KNOTS = SEED_SPALT + 2,
+  WOOD_SEEDS
 };
 
 /* A layer of vessels of normally distributed radius. inverse_square[i] is
@@ -197,6 +200,11 @@ typedef struct {
   /* mm^2: up to which squared extent an octave is whole; 1/mm^2: how it fades from there */
   float fibre_near[WOOD_FIBRE_OCTAVES], fibre_fade[WOOD_FIBRE_OCTAVES];
 
+  /* knots */
+  wood_knots *knots; /* NULL: none */
+  float knot_early[3], knot_late[3], knot_bark[3];
+  float knot_stain; /* how much of its colour a knot has */
+
   /* colour, working space */
   float early[3], late[3], vessel[3], ray[3];
 
@@ -272,7 +280,8 @@ enum {
   WOOD_NORMAL = 27,
   WOOD_HEIGHT = 30,
   WOOD_CANAL = 31,
-  WOOD_COMPONENTS = 32
+  WOOD_KNOT = 32,
+  WOOD_COMPONENTS = 33
 };
 
 typedef void wood_radius(const wood_constants *w, uint32_t count, const float *t,

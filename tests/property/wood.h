@@ -55,7 +55,8 @@ enum {
   BOARD_EDGE,
   NORMAL,
   HEIGHT = 30,
-  CANAL
+  CANAL,
+  KNOT
 };
 
 void points_clear(points *p);

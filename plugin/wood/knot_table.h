@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * The knots of a stem as the kernel reads them: a list, a grid of cells that
+ * says which are near a place, and the share of knots in larger and larger
+ * cells. The stem repeats after its period.
+ */
+#ifndef SOZAI_WOOD_KNOT_TABLE_H
+#define SOZAI_WOOD_KNOT_TABLE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "../../api/sozai.h"
+
+#define KNOT_NEAR 24.0f  /* mm: footprints up to twice this see single knots */
+#define KNOT_WINDOW 5.0f /* (radii)^2 to the side within which fibres part; */
+#define KNOT_STREAM 2.0f /* along the stem this many times as far */
+/* Width of the collar to the sides, in radii, and what is more above and below. */
+#define KNOT_WIDE 0.8f
+#define KNOT_WIDE_RISING 2.4f
+#define KNOT_LEVELS 5
+
+/* Lengths in mm; K and e as in knots.h; rho is the stem's radius as its rings
+ * are reckoned. */
+typedef struct {
+  float c, s;           /* direction from the pith: x, z */
+  float height, slope;  /* of its axis: where it leaves the pith; rise over run */
+  float cosine;         /* of its inclination */
+  float squash, lean;   /* d^2 = a^2 + squash h^2 + 2 lean a h */
+  float born;           /* rho at which it begins */
+  float length;         /* in rho, until it grew no more */
+  float inverse_length;
+  float radius; /* at that time */
+  float inverse_radius;
+  float q;        /* 0..1: how much its growth slowed down */
+  float high, high_rising; /* of the collar, likewise, over the branch's radius */
+  float death;    /* rho; 1e6: alive */
+  float end;      /* rho at which it had been shed; 1e6: still there */
+  float reach;    /* along u: how far it has any effect, */
+  float farthest; /* and d */
+  float check_c, check_s; /* across the check, in its section */
+  float apart;    /* its section is looked up so far from the stem's */
+} wood_knot;
+
+typedef struct {
+  wood_knot *list;
+  int32_t *first; /* of each cell in index; a cell without any comes last */
+  int32_t *index; /* of list; rising within a cell */
+  float *far;     /* shares of knots, level by level */
+  size_t bytes;   /* of the one block that all of them are in, this included */
+  uint32_t count;
+  int32_t across, tall, cells;
+  float low, inverse_cell;      /* of the cells across the stem */
+  float period, inverse_period; /* along it */
+  float grain, bark, check; /* share; mm; of the radius */
+  int32_t far_first[KNOT_LEVELS], far_across[KNOT_LEVELS], far_tall[KNOT_LEVELS];
+  float far_scale[KNOT_LEVELS];
+} wood_knots;
+
+#endif

@@ -1,0 +1,359 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * From a tree's tables to the knots that the kernel reads.
+ */
+#include <string.h>
+
+#include "../core/hash1.h"
+#include "../core/scalar.h"
+#include "../core/status.h"
+#include "build.h"
+#include "parameters.h"
+
+#define PI 3.14159265358979323846
+#define NEVER 1e6        /* mm of rho: what has not come about */
+#define NARROWEST 0.2    /* mm: of a knot's radius */
+#define WIDEST 0.44      /* of the stem's: farther from the pith than this, knots of a whorl meet */
+#define SLOWEST 0.8      /* q */
+#define HIGH 0.4         /* of the collar at a knot's side, over its radius */
+#define HIGH_RISING 0.6  /* and what is more above and below */
+#define WITHOUT_AGE 60.0 /* years, where a table of knots alone tells none */
+
+/* ---- one knot ---------------------------------------------------------- */
+
+/* rho of the stem about a knot, by the year. */
+typedef struct {
+  const wood_constants *w;
+  const knot_source *from;
+  double height, birth, scale; /* scale: what taper makes of a radius at that height */
+} knot_clock;
+
+static double ring_start(const wood_constants *w, double years) {
+  if (years <= 0.0) return 0.0;
+  double turns = (double)(int64_t)(years / WOOD_RINGS), left = years - turns * WOOD_RINGS;
+  int j = (int)left;
+  return turns * (double)w->ring_period + (double)w->start[j] +
+         (left - j) / (double)w->inverse_width[j];
+}
+
+static double rho_in(const knot_clock *c, double year) {
+  if (!c->from->rings.count) return ring_start(c->w, year - c->birth);
+  return c->scale * knot_source_radius(c->from, c->height, year);
+}
+
+/* q by least squares: share of the stem's growth tau = e + q (e^2 - e). */
+static double slowing(const knot_clock *c, const float *row, double born, double length) {
+  double over = 0.0, under = 0.0, last = (double)row[KNOT_RADIUS];
+  const float *radii = c->from->radii.rows;
+  if (!c->from->radii.count) return 0.5;
+  for (uint64_t i = 0; i < (uint64_t)row[KNOT_COUNT]; i++) {
+    const float *at = radii + ((uint64_t)row[KNOT_FIRST] + i) * RADIUS_COLUMNS;
+    double e = (double)at[RADIUS_RADIUS] / last;
+    double tau = (rho_in(c, (double)at[RADIUS_YEAR]) - born) / length, curve = e * e - e;
+    over += (tau - e) * curve;
+    under += curve * curve;
+  }
+  double q = under > 0.0 ? over / under : 0.0;
+  return q < 0.0 ? 0.0 : q > SLOWEST ? SLOWEST : q;
+}
+
+static double even(uint32_t seed, uint32_t k) { return hash1(seed + k * 0x9e3779b9u) / 4294967296.0; }
+
+/* How far from its axis a knot has any effect: the collar's, the fibres', the
+ * widest footprint's. */
+static double farthest(double radius, double bark) {
+  double far = (double)KNOT_STREAM * __builtin_sqrt((double)KNOT_WINDOW);
+  double collar = 1.0 + (double)(KNOT_WIDE + KNOT_WIDE_RISING);
+  if (far < collar) far = collar;
+  far *= 1.15 * radius;
+  double wide = radius + bark + 1.2 * (double)KNOT_NEAR;
+  return far > wide ? far : wide;
+}
+
+/* As high as is asked for, and no higher than rings of the stem, and the branch's
+ * own, keep in turn: the branch's growth over the stem's is fastest at the pith. */
+static void raise_collar(wood_knot *k, double collar) {
+  double fastest = (double)k->radius / ((double)k->length * (1.0 - (double)k->q));
+  double side = HIGH * collar, rising = HIGH_RISING * collar;
+  double most = 0.85 / (fastest * (1.0 + 3.0 / (double)KNOT_WIDE));
+  double most_above = 0.85 / (fastest * (1.0 + 3.0 / (double)(KNOT_WIDE + KNOT_WIDE_RISING)));
+  if (side > most) side = most;
+  if (side + rising > most_above) rising = most_above - side;
+  k->high = (float)side;
+  k->high_rising = (float)(rising > 0.0 ? rising : 0.0);
+}
+
+/* 0: there is nothing of it in the wood. */
+static int make_knot(wood_knot *k, const wood_constants *w, const knot_source *from,
+                     const settings *s, const float *row, uint32_t seed) {
+  double low = number_at(s, P_LOG_HEIGHT), height = (double)row[KNOT_HEIGHT];
+  double lean = 1.0 + (double)w->taper * (height - low);
+  double size = number_at(s, P_KNOT_SIZE), age = from->age > 0.0 ? from->age : WITHOUT_AGE;
+  knot_clock c = {w, from, height, (double)row[KNOT_BIRTH], lean < 0.1 ? 0.1 : lean};
+  int lives = row[KNOT_DEATH] < 0.0f, stays = lives || row[KNOT_SHED] < 0.0f;
+  double born = rho_in(&c, c.birth), now = rho_in(&c, age);
+  double end = lives ? now : rho_in(&c, (double)row[KNOT_DEATH]);
+  double radius = size * (double)row[KNOT_RADIUS], length = end - born;
+  if (radius > WIDEST * end) radius = WIDEST * end;
+  if (radius < NARROWEST || length < 1.0) return 0;
+  memset(k, 0, sizeof *k);
+  double azimuth = (double)row[KNOT_AZIMUTH], rise = (double)row[KNOT_INCLINATION];
+  k->c = (float)scalar_cos(azimuth);
+  k->s = (float)scalar_sin(azimuth);
+  k->cosine = (float)scalar_cos(rise);
+  k->slope = (float)(scalar_sin(rise) / scalar_cos(rise));
+  k->height = (float)(height - low);
+  /* oblong by up to a seventh, in a direction of its own */
+  double oblong = 0.14 * even(seed, 1), turn = 2.0 * PI * even(seed, 2);
+  k->squash = (float)(1.0 + oblong * scalar_cos(turn));
+  k->lean = (float)(0.5 * oblong * scalar_sin(turn));
+  k->born = (float)born;
+  k->length = (float)length;
+  k->inverse_length = (float)(1.0 / length);
+  k->radius = (float)radius;
+  k->inverse_radius = (float)(1.0 / radius);
+  k->q = (float)slowing(&c, row, born, length);
+  k->death = (float)(lives ? NEVER : end);
+  k->end = (float)(stays ? NEVER : rho_in(&c, (double)row[KNOT_SHED]));
+  if (k->end < k->death + 0.5f && !lives) k->end = k->death + 0.5f;
+  double reach = 1.2 * now + 20.0;
+  /* a scar closes within three radii */
+  if (!stays && (double)k->end + 12.0 * radius < reach) reach = (double)k->end + 12.0 * radius;
+  k->reach = (float)reach;
+  k->farthest = (float)farthest(radius, number_at(s, P_KNOT_BARK));
+  raise_collar(k, number_at(s, P_KNOT_COLLAR));
+  k->check_c = (float)scalar_cos(2.0 * PI * even(seed, 4));
+  k->check_s = (float)scalar_sin(2.0 * PI * even(seed, 4));
+  k->apart = (float)(300.0 + 3000.0 * even(seed, 3));
+  return 1;
+}
+
+/* ---- the grid ---------------------------------------------------------- */
+
+typedef struct {
+  wood_knots *all;
+  int32_t *stamp; /* of each cell: the last knot put into it, + 1 */
+  int32_t *fill;  /* counting: how many; then where the next goes */
+  int writing;
+} grid_pen;
+
+static int32_t floor_of(double x) {
+  int32_t i = (int32_t)x;
+  return (double)i > x ? i - 1 : i;
+}
+
+static void put_cell(grid_pen *g, int32_t x, int32_t y, int32_t z, int32_t knot) {
+  wood_knots *all = g->all;
+  if (x < 0 || z < 0 || x >= all->across || z >= all->across) return;
+  y %= all->tall;
+  if (y < 0) y += all->tall;
+  int32_t cell = (y * all->across + z) * all->across + x;
+  if (g->stamp[cell] == knot + 1) return;
+  g->stamp[cell] = knot + 1;
+  if (g->writing) all->index[g->fill[cell]] = knot;
+  g->fill[cell]++;
+}
+
+/* Every cell that holds a point within `farthest` of the axis. */
+static void put_knot(grid_pen *g, int32_t n) {
+  const wood_knot *k = &g->all->list[n];
+  double per_mm = (double)g->all->inverse_cell, cell = 1.0 / per_mm, step = 0.5 * cell;
+  double tall = (double)g->all->tall * (double)g->all->inverse_period;
+  double side = 1.12 * (double)k->farthest + step, rise = side / (double)k->cosine;
+  for (double u = 0.0; u < (double)k->reach + step; u += step) {
+    double x = u * (double)k->c - (double)g->all->low, z = u * (double)k->s - (double)g->all->low;
+    double y = (double)k->height + u * (double)k->slope, up = rise + step * (double)k->slope;
+    if (k->slope < 0.0f) up = rise - step * (double)k->slope;
+    int32_t x0 = floor_of((x - side) * per_mm), x1 = floor_of((x + side) * per_mm);
+    int32_t z0 = floor_of((z - side) * per_mm), z1 = floor_of((z + side) * per_mm);
+    int32_t y0 = floor_of((y - up) * tall - 0.01), y1 = floor_of((y + up) * tall + 0.01);
+    if (y1 - y0 >= g->all->tall) y1 = y0 + g->all->tall - 1;
+    for (int32_t j = y0; j <= y1; j++) {
+      for (int32_t i = z0; i <= z1; i++) {
+        for (int32_t h = x0; h <= x1; h++) put_cell(g, h, j, i, n);
+      }
+    }
+  }
+}
+
+static void put_all(grid_pen *g, int writing) {
+  g->writing = writing;
+  memset(g->stamp, 0, (size_t)g->all->cells * sizeof *g->stamp);
+  for (uint32_t i = 0; i < g->all->count; i++) put_knot(g, (int32_t)i);
+}
+
+/* ---- shares of knots in large cells ------------------------------------- */
+
+static void put_share(wood_knots *all, double x, double y, double z, double volume) {
+  double per_mm = (double)all->inverse_cell, tall = (double)all->tall / (double)all->period;
+  int32_t ix = floor_of((x - (double)all->low) * per_mm);
+  int32_t iz = floor_of((z - (double)all->low) * per_mm), iy = floor_of(y * tall) % all->tall;
+  if (ix < 0 || iz < 0 || ix >= all->across || iz >= all->across) return;
+  if (iy < 0) iy += all->tall;
+  all->far[(iy * all->across + iz) * all->across + ix] += (float)(volume * per_mm * per_mm * tall);
+}
+
+static void far_knot(wood_knots *all, const wood_knot *k) {
+  enum { PARTS = 7 }; /* of its section: the middle and six about it */
+  double q = (double)k->q, end = (double)k->end < (double)k->reach ? (double)k->end : (double)k->reach;
+  for (double u = 1.0; u < end; u += 2.0) {
+    double front = u < (double)k->death ? u : (double)k->death;
+    double tau = (front - (double)k->born) / (double)k->length;
+    if (tau <= 0.0) continue;
+    double e = 2.0 * tau / (1.0 - q + __builtin_sqrt((1.0 - q) * (1.0 - q) + 4.0 * q * tau));
+    double radius = (double)k->radius * e, away = 0.7 * radius;
+    double volume = PI * radius * radius * 2.0 / (double)k->cosine / PARTS;
+    for (int i = 0; i < PARTS; i++) {
+      double a = i ? away * scalar_cos(i * PI / 3.0) : 0.0;
+      double h = i ? away * scalar_sin(i * PI / 3.0) : 0.0;
+      put_share(all, u * (double)k->c - a * (double)k->s,
+                (double)k->height + u * (double)k->slope + h / (double)k->cosine,
+                u * (double)k->s + a * (double)k->c, volume);
+    }
+  }
+}
+
+static void average_levels(wood_knots *all) {
+  for (int l = 1; l < KNOT_LEVELS; l++) {
+    const float *fine = all->far + all->far_first[l - 1];
+    float *coarse = all->far + all->far_first[l];
+    int32_t n = all->far_across[l], m = all->far_across[l - 1];
+    for (int32_t y = 0; y < all->far_tall[l]; y++) {
+      for (int32_t z = 0; z < n; z++) {
+        for (int32_t x = 0; x < n; x++) {
+          float sum = 0.0f;
+          for (int i = 0; i < 8; i++) {
+            int32_t fx = 2 * x + (i & 1), fy = 2 * y + (i >> 1 & 1), fz = 2 * z + (i >> 2);
+            sum += fine[(fy * m + fz) * m + fx];
+          }
+          coarse[(y * n + z) * n + x] = 0.125f * sum;
+        }
+      }
+    }
+  }
+}
+
+/* ---- the whole ---------------------------------------------------------- */
+
+/* Cells of about 40 mm, a whole number of the largest level's to each side. */
+static void lay_out(wood_knots *all, const wood_knot *list, double height) {
+  enum { STEP = 1 << (KNOT_LEVELS - 1) };
+  double reach = 0.0, top = height;
+  for (uint32_t i = 0; i < all->count; i++) {
+    double r = (double)list[i].reach + (double)list[i].farthest;
+    if (r > reach) reach = r;
+  }
+  if (top < 1000.0) top = 1000.0;
+  int blocks = (int)(2.0 * reach / (40.0 * STEP)) + 1;
+  if (blocks > 3) blocks = 3;
+  double cell = 2.0 * reach / (blocks * STEP);
+  int tall = (int)(top / (cell * STEP)) + 1;
+  if (tall > 64) tall = 64;
+  all->across = blocks * STEP;
+  all->tall = tall * STEP;
+  all->cells = all->across * all->across * all->tall;
+  all->low = (float)-reach;
+  all->inverse_cell = (float)(1.0 / cell);
+  all->period = (float)top;
+  all->inverse_period = (float)(1.0 / (double)all->period);
+  int32_t first = 0;
+  for (int l = 0; l < KNOT_LEVELS; l++) {
+    all->far_first[l] = first;
+    all->far_across[l] = all->across >> l;
+    all->far_tall[l] = all->tall >> l;
+    all->far_scale[l] = 1.0f / (float)(1 << l);
+    first += all->far_across[l] * all->far_across[l] * all->far_tall[l];
+  }
+}
+
+static size_t far_count(const wood_knots *all) {
+  const int last = KNOT_LEVELS - 1;
+  return (size_t)(all->far_first[last] +
+                  all->far_across[last] * all->far_across[last] * all->far_tall[last]);
+}
+
+/* One block of memory: the head, the list, the cells, what is in them. */
+static wood_knots *gather_block(const wood_knots *plan, const sozai_host *host,
+                                const wood_knot *list, size_t entries) {
+  size_t list_bytes = plan->count * sizeof *list, cells = (size_t)plan->cells + 2;
+  size_t bytes = sizeof *plan + list_bytes +
+                 (cells + entries + 1) * sizeof(int32_t) + far_count(plan) * sizeof(float);
+  wood_knots *all = host_alloc(host, bytes, 64);
+  if (!all) return NULL;
+  *all = *plan;
+  all->bytes = bytes;
+  all->list = (wood_knot *)(all + 1);
+  memcpy(all->list, list, list_bytes);
+  all->first = (int32_t *)(all->list + plan->count);
+  all->index = all->first + cells;
+  all->far = (float *)(all->index + entries + 1);
+  memset(all->far, 0, far_count(plan) * sizeof(float));
+  all->index[entries] = INT32_MAX;
+  return all;
+}
+
+static int32_t fill_grid(wood_knots **out, const wood_knots *plan, const sozai_host *host,
+                         wood_knot *list) {
+  size_t cells = (size_t)plan->cells, bytes = 2 * cells * sizeof(int32_t);
+  wood_knots counting = *plan, *all;
+  int32_t *work = host_alloc(host, bytes, 64);
+  if (!work) return SOZAI_ERROR_MEMORY;
+  counting.list = list;
+  grid_pen g = {&counting, work, work + cells, 0};
+  memset(g.fill, 0, cells * sizeof *g.fill);
+  put_all(&g, 0);
+  size_t entries = 0;
+  for (size_t i = 0; i < cells; i++) entries += (size_t)g.fill[i];
+  all = gather_block(plan, host, list, entries);
+  if (all) {
+    int32_t at = 0;
+    for (size_t i = 0; i < cells; i++) {
+      all->first[i] = at;
+      at += g.fill[i];
+      g.fill[i] = all->first[i];
+    }
+    all->first[cells] = all->first[cells + 1] = at;
+    g.all = all;
+    put_all(&g, 1);
+    for (uint32_t i = 0; i < all->count; i++) far_knot(all, &all->list[i]);
+    average_levels(all);
+  }
+  host_free(host, work, bytes, 64);
+  *out = all;
+  return all ? SOZAI_OK : SOZAI_ERROR_MEMORY;
+}
+
+int32_t wood_build_knots(wood_constants *w, const sozai_host *host, const settings *s,
+                         const knot_source *from, const float (*colours)[3]) {
+  double stain = number_at(s, P_KNOT_STAIN);
+  w->knot_stain = (float)stain;
+  for (int c = 0; c < 3; c++) {
+    w->knot_early[c] = colours[P_KNOT_COLOUR][c];
+    w->knot_late[c] = 0.5f * colours[P_KNOT_COLOUR][c];
+    w->knot_bark[c] = colours[P_KNOT_BARK_COLOUR][c];
+  }
+  if (!from->knots.count) return SOZAI_OK;
+  size_t bytes = (size_t)from->knots.count * sizeof(wood_knot);
+  wood_knot *list = host_alloc(host, bytes, 64);
+  if (!list) return SOZAI_ERROR_MEMORY;
+  wood_knots plan = {.grain = (float)(0.85 * number_at(s, P_KNOT_GRAIN)),
+                     .bark = (float)number_at(s, P_KNOT_BARK),
+                     .check = (float)(0.08 * number_at(s, P_KNOT_CHECKS))};
+  for (uint64_t i = 0; i < from->knots.count; i++) {
+    const float *row = from->knots.rows + i * KNOT_COLUMNS;
+    uint32_t seed = hash1(w->seeds[SEED_KNOTS] + 0x9e3779b9u * (uint32_t)i);
+    plan.count += (uint32_t)make_knot(&list[plan.count], w, from, s, row, seed);
+  }
+  int32_t r = SOZAI_OK;
+  if (plan.count) {
+    lay_out(&plan, list, from->height);
+    r = fill_grid(&w->knots, &plan, host, list);
+  }
+  host_free(host, list, bytes, 64);
+  return r;
+}
+
+void wood_release_knots(wood_constants *w, const sozai_host *host) {
+  if (w->knots) host_free(host, w->knots, w->knots->bytes, 64);
+  w->knots = NULL;
+}
