@@ -15,15 +15,36 @@ static sozai_value number(const char *id, double x) {
   return (sozai_value){.id = id, .kind = SOZAI_KIND_FLOAT, .number = {x}};
 }
 
+enum { KNOTS_MOST = 2000, KNOT_COLUMNS = 10 };
+
+/* Alive, 6 mm thick, one above the other at the golden angle. */
+static void fill_knots(float (*rows)[KNOT_COLUMNS], int count) {
+  for (int i = 0; i < count; i++) {
+    const double row[KNOT_COLUMNS] = {
+        -1, 0, -1, -1, 2.39996 * (i % 1000), 0.3, 20000.0 * (i + 0.5) / count, 6, 0, 0};
+    for (int c = 0; c < KNOT_COLUMNS; c++) rows[i][c] = (float)row[c];
+  }
+}
+
 bool wood_create(const wood *w, const char *picture, const plugin *p, sozai_texture **out,
                  failure *why) {
-  sozai_value values[14] = {choice("cut", w->cut ? w->cut : "flat"),
+  sozai_value values[16] = {choice("cut", w->cut ? w->cut : "flat"),
                             choice("grain", w->grain ? w->grain : "compound")};
   uint32_t count = 2;
   if (w->porosity) values[count++] = choice("porosity", w->porosity);
   if (w->layout) values[count++] = choice("layout", w->layout);
   if (w->surface) values[count++] = choice("surface", w->surface);
   if (w->no_rays) values[count++] = number("ray_density", 0);
+  static float rows[KNOTS_MOST][KNOT_COLUMNS];
+  sozai_buffer knots = {.size = sizeof knots,
+                        .kind = SOZAI_BUFFER_TABLE,
+                        .dims = {(uint64_t)w->knots, KNOT_COLUMNS},
+                        .data = rows[0]};
+  if (w->knots) {
+    fill_knots(rows, w->knots);
+    values[count++] = (sozai_value){.id = "knots", .kind = SOZAI_KIND_BUFFER, .buffer = &knots};
+    values[count++] = number("log_height", 9000);
+  }
   if (w->reflection) values[count++] = choice("reflection", w->reflection);
   if (w->pictured) {
     values[count++] = (sozai_value){.id = "section", .kind = SOZAI_KIND_IMAGE, .text = picture};

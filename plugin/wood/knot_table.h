@@ -13,6 +13,7 @@
 #include "../../api/sozai.h"
 
 #define KNOT_NEAR 24.0f  /* mm: footprints up to twice this see single knots */
+#define KNOT_FAR 100.0f /* mm: likewise, without their effects */
 #define KNOT_WINDOW 5.0f /* (radii)^2 to the side within which fibres part; */
 #define KNOT_STREAM 2.0f /* along the stem this many times as far */
 /* Width of the collar to the sides, in radii, and what is more above and below. */
@@ -44,7 +45,9 @@ typedef struct {
 
 typedef struct {
   wood_knot *list;
-  int32_t *first; /* of each cell in index; a cell without any comes last */
+  /* of each cell in index, a cell without any comes last; and once more, those
+   * within KNOT_FAR */
+  int32_t *first;
   int32_t *index; /* of list; rising within a cell */
   float *far;     /* shares of knots, level by level */
   size_t bytes;   /* of the one block that all of them are in, this included */

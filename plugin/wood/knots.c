@@ -13,7 +13,7 @@
 #define PI 3.14159265358979323846
 #define NEVER 1e6        /* mm of rho: what has not come about */
 #define NARROWEST 0.2    /* mm: of a knot's radius */
-#define WIDEST 0.44      /* of the stem's: farther from the pith than this, knots of a whorl meet */
+#define WIDEST 0.44      /* of a branch's growth over the stem's: none reaches to the pith's other side */
 #define SLOWEST 0.8      /* q */
 #define HIGH 0.4         /* of the collar at a knot's side, over its radius */
 #define HIGH_RISING 0.6  /* and what is more above and below */
@@ -42,19 +42,20 @@ static double rho_in(const knot_clock *c, double year) {
 }
 
 /* q by least squares: share of the stem's growth tau = e + q (e^2 - e). */
-static double slowing(const knot_clock *c, const float *row, double born, double length) {
+static double slowing(const knot_clock *c, const float *row, double born, double length,
+                      double radius) {
   double over = 0.0, under = 0.0, last = (double)row[KNOT_RADIUS];
   const float *radii = c->from->radii.rows;
-  if (!c->from->radii.count) return 0.5;
-  for (uint64_t i = 0; i < (uint64_t)row[KNOT_COUNT]; i++) {
+  for (uint64_t i = 0; radii && i < (uint64_t)row[KNOT_COUNT]; i++) {
     const float *at = radii + ((uint64_t)row[KNOT_FIRST] + i) * RADIUS_COLUMNS;
     double e = (double)at[RADIUS_RADIUS] / last;
     double tau = (rho_in(c, (double)at[RADIUS_YEAR]) - born) / length, curve = e * e - e;
     over += (tau - e) * curve;
     under += curve * curve;
   }
-  double q = under > 0.0 ? over / under : 0.0;
-  return q < 0.0 ? 0.0 : q > SLOWEST ? SLOWEST : q;
+  double q = under > 0.0 ? over / under : radii ? 0.0 : 0.5, most = 1.0 - radius / (WIDEST * length);
+  if (most > SLOWEST) most = SLOWEST;
+  return q < 0.0 ? 0.0 : q > most ? most : q;
 }
 
 static double even(uint32_t seed, uint32_t k) { return hash1(seed + k * 0x9e3779b9u) / 4294967296.0; }
@@ -94,7 +95,7 @@ static int make_knot(wood_knot *k, const wood_constants *w, const knot_source *f
   double born = rho_in(&c, c.birth), now = rho_in(&c, age);
   double end = lives ? now : rho_in(&c, (double)row[KNOT_DEATH]);
   double radius = size * (double)row[KNOT_RADIUS], length = end - born;
-  if (radius > WIDEST * end) radius = WIDEST * end;
+  if (radius > WIDEST * length) radius = WIDEST * length;
   if (radius < NARROWEST || length < 1.0) return 0;
   memset(k, 0, sizeof *k);
   double azimuth = (double)row[KNOT_AZIMUTH], rise = (double)row[KNOT_INCLINATION];
@@ -112,7 +113,7 @@ static int make_knot(wood_knot *k, const wood_constants *w, const knot_source *f
   k->inverse_length = (float)(1.0 / length);
   k->radius = (float)radius;
   k->inverse_radius = (float)(1.0 / radius);
-  k->q = (float)slowing(&c, row, born, length);
+  k->q = (float)slowing(&c, row, born, length, radius);
   k->death = (float)(lives ? NEVER : end);
   k->end = (float)(stays ? NEVER : rho_in(&c, (double)row[KNOT_SHED]));
   if (k->end < k->death + 0.5f && !lives) k->end = k->death + 0.5f;
@@ -135,6 +136,7 @@ typedef struct {
   int32_t *stamp; /* of each cell: the last knot put into it, + 1 */
   int32_t *fill;  /* counting: how many; then where the next goes */
   int writing;
+  double more; /* mm about the axis; 0: each knot's own reach */
 } grid_pen;
 
 static int32_t floor_of(double x) {
@@ -154,13 +156,14 @@ static void put_cell(grid_pen *g, int32_t x, int32_t y, int32_t z, int32_t knot)
   g->fill[cell]++;
 }
 
-/* Every cell that holds a point within `farthest` of the axis. */
+/* Every cell that holds a point so near to the axis. */
 static void put_knot(grid_pen *g, int32_t n) {
   const wood_knot *k = &g->all->list[n];
   double per_mm = (double)g->all->inverse_cell, cell = 1.0 / per_mm, step = 0.5 * cell;
   double tall = (double)g->all->tall * (double)g->all->inverse_period;
-  double side = 1.12 * (double)k->farthest + step, rise = side / (double)k->cosine;
-  for (double u = 0.0; u < (double)k->reach + step; u += step) {
+  double far = g->more > 0.0 ? (double)k->radius + g->more : (double)k->farthest;
+  double side = 1.12 * far + step, rise = side / (double)k->cosine;
+  for (double u = -g->more; u < (double)k->reach + g->more + step; u += step) {
     double x = u * (double)k->c - (double)g->all->low, z = u * (double)k->s - (double)g->all->low;
     double y = (double)k->height + u * (double)k->slope, up = rise + step * (double)k->slope;
     if (k->slope < 0.0f) up = rise - step * (double)k->slope;
@@ -176,10 +179,16 @@ static void put_knot(grid_pen *g, int32_t n) {
   }
 }
 
+/* Both of the lists: of effects, and of what a wide footprint sees. */
 static void put_all(grid_pen *g, int writing) {
+  size_t cells = (size_t)g->all->cells;
   g->writing = writing;
-  memset(g->stamp, 0, (size_t)g->all->cells * sizeof *g->stamp);
-  for (uint32_t i = 0; i < g->all->count; i++) put_knot(g, (int32_t)i);
+  for (int wide = 0; wide < 2; wide++, g->fill += cells + 1) {
+    g->more = wide ? 1.2 * (double)KNOT_FAR : 0.0;
+    memset(g->stamp, 0, cells * sizeof *g->stamp);
+    for (uint32_t i = 0; i < g->all->count; i++) put_knot(g, (int32_t)i);
+  }
+  g->fill -= 2 * (cells + 1);
 }
 
 /* ---- shares of knots in large cells ------------------------------------- */
@@ -275,7 +284,7 @@ static size_t far_count(const wood_knots *all) {
 /* One block of memory: the head, the list, the cells, what is in them. */
 static wood_knots *gather_block(const wood_knots *plan, const sozai_host *host,
                                 const wood_knot *list, size_t entries) {
-  size_t list_bytes = plan->count * sizeof *list, cells = (size_t)plan->cells + 2;
+  size_t list_bytes = plan->count * sizeof *list, cells = 2 * ((size_t)plan->cells + 1) + 1;
   size_t bytes = sizeof *plan + list_bytes +
                  (cells + entries + 1) * sizeof(int32_t) + far_count(plan) * sizeof(float);
   wood_knots *all = host_alloc(host, bytes, 64);
@@ -294,12 +303,14 @@ static wood_knots *gather_block(const wood_knots *plan, const sozai_host *host,
 
 static int32_t fill_grid(wood_knots **out, const wood_knots *plan, const sozai_host *host,
                          wood_knot *list) {
-  size_t cells = (size_t)plan->cells, bytes = 2 * cells * sizeof(int32_t);
+  /* a cell without any after those of each list */
+  size_t cells = 2 * ((size_t)plan->cells + 1);
+  size_t bytes = (cells + (size_t)plan->cells) * sizeof(int32_t);
   wood_knots counting = *plan, *all;
   int32_t *work = host_alloc(host, bytes, 64);
   if (!work) return SOZAI_ERROR_MEMORY;
   counting.list = list;
-  grid_pen g = {&counting, work, work + cells, 0};
+  grid_pen g = {&counting, work + cells, work, 0, 0.0};
   memset(g.fill, 0, cells * sizeof *g.fill);
   put_all(&g, 0);
   size_t entries = 0;
@@ -312,7 +323,7 @@ static int32_t fill_grid(wood_knots **out, const wood_knots *plan, const sozai_h
       at += g.fill[i];
       g.fill[i] = all->first[i];
     }
-    all->first[cells] = all->first[cells + 1] = at;
+    all->first[cells] = at;
     g.all = all;
     put_all(&g, 1);
     for (uint32_t i = 0; i < all->count; i++) far_knot(all, &all->list[i]);

@@ -29,80 +29,17 @@
 #ifndef SOZAI_WOOD_KNOTS_H
 #define SOZAI_WOOD_KNOTS_H
 
-#include "../core/filter.h"
-#include "knot_table.h"
-#include "stem.h"
-
-typedef struct {
-  vf cover, bark, check;             /* shares of the footprint; a check is within its knot */
-  vf turn, turn_x, turn_y, turn_z;   /* radians by which the fibres part; as rho's derivatives */
-  vf inside;                         /* 1: the point is in a knot, and what follows is of it */
-  vf a, h;                           /* mm in its section, moved apart from the stem's */
-  vf along[3];                       /* its axis */
-  vf out[3], round[3];               /* rows: from space to its section, radially and round */
-} knot_place;
-
-INLINE knot_place knot_none(void) {
-  vf o = splat(0.0f);
-  return (knot_place){.cover = o, .bark = o, .check = o, .turn = o, .turn_x = o, .turn_y = o,
-                      .turn_z = o, .inside = o, .a = o, .h = o, .along = {o, o, o},
-                      .out = {o, o, o}, .round = {o, o, o}};
-}
-
-/* Length of row g within the surface. */
-INLINE vf knot_extent(const vf g[3], const vf n[3], int ball) {
-  vf square = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
-  if (!ball) {
-    vf gn = g[0] * n[0] + g[1] * n[1] + g[2] * n[2];
-    square = vmax(square - gn * gn, splat(0.0f));
-  }
-  return vsqrt(square);
-}
-
-/* Share of -e/2 .. e/2 about x that is within -half .. half. */
-INLINE vf knot_overlap(vf x, vf half, vf e) {
-  vf low = vmax(x - splat(0.5f) * e, splat(0.0f) - half), high = vmin(x + splat(0.5f) * e, half);
-  return clamp01((high - low) / e);
-}
-
-/* The footprint over a knot's section. */
-typedef struct {
-  vf a, h, d, beyond;  /* mm; beyond: to the outside of the knot's surface */
-  vf wa, wh, wd;       /* mm: how far the footprint reaches along each */
-  vf radius;           /* mm, there */
-} knot_window;
-
-/* Share of it within `more` mm of the knot: while it is small by the distance
- * from the knot's edge, and when it is large by a square of the same area. */
-INLINE vf knot_share(const knot_window *q, vf more) {
-  vf edge = clamp01(splat(0.5f) - (q->beyond - more) / q->wd);
-  vf large = smooth_step(splat(0.6f), splat(1.2f), q->wd / q->radius);
-  if (!any(gt(large, splat(0.0f)))) return edge;
-  vf half = splat(0.8862f) * (q->radius + more);
-  vf part = knot_overlap(q->a, half, q->wa) * knot_overlap(q->h, half, q->wh);
-  return sel(gt(large, splat(0.0f)), mix(edge, part, large), edge);
-}
+#include "knot_cover.h"
 
 /* One of them. */
-INLINE void knot_add(const wood_knots *all, const wood_knot *k, vf y,
-                     vf s, const vf n[3], int ball, stem_place *p, knot_place *out) {
-  vf zero = splat(0.0f), one = splat(1.0f), half = splat(0.5f), two = splat(2.0f);
-  vf kc = splat(k->c), ks = splat(k->s), cosine = splat(k->cosine);
-  vf u = p->x * kc + p->z * ks, a = p->z * kc - p->x * ks;
-  vf away = y - splat(k->height);
-  vi unused;
-  away = away - splat(all->period) * vfloor(away * splat(all->inverse_period) + half, &unused);
-  vf h = cosine * (away - splat(k->slope) * u);
-  vf hx = splat(-k->cosine * k->slope * k->c), hz = splat(-k->cosine * k->slope * k->s);
-
-  /* the section */
-  vf square = a * a + splat(k->squash) * h * h + splat(2.0f * k->lean) * a * h;
-  vm grown = and_(gt(u, zero), lt(u, splat(k->reach)));
-  vm near = and_(grown, lt(square, splat(k->farthest * k->farthest)));
+INLINE void knot_add(const wood_knots *all, const wood_knot *k, vf y, vf rho0, vf s, const vf n[3],
+                     int ball, vf close, stem_place *p, knot_place *out) {
+  vf zero = splat(0.0f), one = splat(1.0f), two = splat(2.0f);
+  const knot_section o = knot_section_of(all, k, y, p);
+  vf kc = splat(k->c), ks = splat(k->s), cosine = splat(k->cosine), a = o.a, h = o.h, d = o.d;
+  vf da = o.da, dh = o.dh, hx = o.hx, hz = o.hz;
+  vm near = and_(o.grown, lt(o.square, splat(k->farthest * k->farthest)));
   if (!any(near)) return;
-  vf inverse_d = inverse_root(vmax(square, splat(1e-6f))), d = square * inverse_d;
-  vf da = (a + splat(k->lean) * h) * inverse_d;
-  vf dh = (splat(k->squash) * h + splat(k->lean) * a) * inverse_d;
 
   /* the branch's front, and its radius, when the stem's was here */
   vf rho = p->rho, born = splat(k->born), dead = splat(k->death);
@@ -112,8 +49,7 @@ INLINE void knot_add(const wood_knots *all, const wood_knot *k, vf y,
   vf own = born + splat(k->length) * e * (straight + q * e);
   vf own_d = splat(k->length * k->inverse_radius) * (straight + two * q * e);
   vf since = vmax(front - born, splat(0.05f)), tau = since * splat(k->inverse_length);
-  vf now = two * tau / (straight + vsqrt(straight * straight + splat(4.0f * k->q) * tau));
-  vf radius = splat(k->radius) * now;
+  vf now = knot_grown(k, tau), radius = splat(k->radius) * now;
   vf radius_rho = lives * splat(k->radius * k->inverse_length) / (straight + two * q * now);
 
   /* after its death, and after it fell */
@@ -181,41 +117,7 @@ INLINE void knot_add(const wood_knots *all, const wood_knot *k, vf y,
     out->turn_z = out->turn_z + sel(parting, tz, zero);
   }
 
-  /* how much of it the footprint sees */
-  vf row_a[3] = {zero - ks, zero, kc}, row_h[3] = {hx, cosine, hz}, row_d[3];
-  for (int c = 0; c < 3; c++) row_d[c] = da * row_a[c] + dh * row_h[c];
-  knot_window q_ = {a, h, d, (zero - x) / own_d, s, s, s, vmax(radius, splat(0.05f))};
-  q_.beyond = sel(alive, q_.beyond, d - splat(k->radius));
-  q_.wd = vmax(s * knot_extent(row_d, n, ball), splat(0.08f));
-  q_.wa = vmax(s * knot_extent(row_a, n, ball), splat(0.08f));
-  q_.wh = vmax(s * knot_extent(row_h, n, ball), splat(0.08f));
-  vf close = one - smooth_step(splat(KNOT_NEAR), splat(2.0f * KNOT_NEAR), s);
-  vf ends = clamp01(half - (rho - splat(k->end)) / (s + splat(0.2f)));
-  vf share = sel(near, knot_share(&q_, zero) * ends * close, zero);
-  vf shell = splat(all->bark) * clamp01((rho - dead) * splat(0.3f));
-  vf skin = zero;
-  if (any(gt(shell, zero))) {
-    vf with = sel(near, knot_share(&q_, shell) * ends * close, zero);
-    skin = vmax(with - share, zero);
-    /* and over the end of what is left of it */
-    vf past = vabs(rho - splat(k->end) - half * shell);
-    vf cap = clamp01(half - (past - half * shell) / (s + splat(0.2f))) * close;
-    vf face = clamp01(half - (d - splat(k->radius)) / q_.wd);
-    skin = vmax(skin, sel(near, cap * face * vmin(shell / (s + splat(0.2f)), one), zero));
-  }
-  /* a dry branch has split across its pith, most in the middle */
-  if (all->check > 0.0f) {
-    vf cc = splat(k->check_c), cs = splat(k->check_s), line = a * cc + h * cs, row[3];
-    for (int c = 0; c < 3; c++) row[c] = cc * row_a[c] + cs * row_h[c];
-    vf from = vmax(one - square * splat(1.3f * k->inverse_radius * k->inverse_radius), zero);
-    vf gap = splat(all->check * k->radius) * from * sel(alive, half, one);
-    vf e = vmax(s * knot_extent(row, n, ball), splat(0.04f));
-    vf low = vmax(line - half * e, zero - half * gap), high_ = vmin(line + half * e, half * gap);
-    vf split = clamp01((high_ - low) / e) * close;
-    out->check = vmax(out->check, sel(in, split, zero));
-  }
-  out->cover = vmax(out->cover, share);
-  out->bark = vmax(out->bark, skin);
+  knot_see(all, k, &o, rho0, s, n, ball, close, near, out);
 
   /* in it, its section is the reference */
   if (any(in)) {
@@ -224,9 +126,10 @@ INLINE void knot_add(const wood_knots *all, const wood_knot *k, vf y,
     out->a = sel(in, a + far, out->a);
     out->h = sel(in, h - far, out->h);
     vf along[3] = {kc, splat(k->slope), ks};
+    vf row_a[3] = {zero - ks, zero, kc}, row_h[3] = {hx, cosine, hz};
     for (int c = 0; c < 3; c++) {
       out->along[c] = sel(in, along[c] * cosine, out->along[c]);
-      out->out[c] = sel(in, row_d[c], out->out[c]);
+      out->out[c] = sel(in, da * row_a[c] + dh * row_h[c], out->out[c]);
       out->round[c] = sel(in, da * row_h[c] - dh * row_a[c], out->round[c]);
     }
   }
@@ -254,44 +157,6 @@ INLINE vi knot_next(const wood_knots *all, vi at, vi end) {
   return seli(lti(at, end), found, splati(INT32_MAX));
 }
 
-/* Share of knots in a cell of the level's, between those about the point. */
-INLINE vf knots_in_cells(const wood_knots *all, vi level, vf x, vf turns, vf z) {
-  vi nx = gatheri(all->far_across, level), ny = gatheri(all->far_tall, level);
-  vf inverse = splat(all->inverse_cell) * gather(all->far_scale, level), half = splat(0.5f);
-  vi ix, iy, iz;
-  vf fx = (x - splat(all->low)) * inverse - half, fz = (z - splat(all->low)) * inverse - half;
-  vf fy = turns * to_float(ny) - half;
-  vf most = to_float(nx);
-  fx = clamp(fx, splat(-1.0f), most);
-  fz = clamp(fz, splat(-1.0f), most);
-  fx = fx - vfloor(fx, &ix);
-  fy = fy - vfloor(fy, &iy);
-  fz = fz - vfloor(fz, &iz);
-  vf sum = splat(0.0f);
-  for (int k = 0; k < 8; k++) {
-    vi cx = ix + splati(k & 1), cy = iy + splati(k >> 1 & 1), cz = iz + splati(k >> 2);
-    vf weight = (k & 1 ? fx : splat(1.0f) - fx) * (k >> 1 & 1 ? fy : splat(1.0f) - fy) *
-                (k >> 2 ? fz : splat(1.0f) - fz);
-    cy = seli(lti(cy, splati(0)), cy + ny, cy);
-    cy = seli(lti(cy, ny), cy, cy - ny);
-    vm within = and_(lti(splati(-1), cx), lti(cx, nx));
-    within = and_(within, and_(lti(splati(-1), cz), lti(cz, nx)));
-    vi at = gatheri(all->far_first, level) + (cy * nx + cz) * nx + cx;
-    sum = sum + weight * sel(within, gather(all->far, seli(within, at, splati(0))), splat(0.0f));
-  }
-  return sum;
-}
-
-/* What a footprint wider than single knots sees of them. */
-INLINE vf knots_far(const wood_knots *all, vf x, vf turns, vf z, vf s) {
-  vf level = log2_(vmax(s * splat(0.7f * all->inverse_cell), splat(1.0f)));
-  vi low;
-  level = vmin(level, splat(KNOT_LEVELS - 1.0f));
-  vf part = level - vfloor(level, &low);
-  vi high = seli(lti(low, splati(KNOT_LEVELS - 1)), low + splati(1), low);
-  return mix(knots_in_cells(all, low, x, turns, z), knots_in_cells(all, high, x, turns, z), part);
-}
-
 /* All that are near, in their order. shift: of the board's log, in turns of the
  * period. */
 INLINE void knots_add(const wood_knots *all, vf shift, vf y, vf s, const vf n[3], int ball,
@@ -311,20 +176,36 @@ INLINE void knots_add(const wood_knots *all, vf shift, vf y, vf s, const vf n[3]
   vi cell = (iy * splati(all->across) + iz) * splati(all->across) + ix;
   cell = seli(within, cell, splati(all->cells));
   vi at = gatheri(all->first, cell), end = gatheri(all->first, cell + splati(1));
-  vf px = p->x, pz = p->z;
+  vf rho0 = p->rho, height = y + shift * splat(all->period), one = splat(1.0f);
+  vf middle = smooth_step(splat(KNOT_NEAR), splat(2.0f * KNOT_NEAR), s), close = one - middle;
   if (any(lti(at, end))) {
-    vf height = y + shift * splat(all->period);
     vi next = knot_next(all, at, end);
     for (int32_t m = knot_least(next); m != INT32_MAX; m = knot_least(next)) {
-      knot_add(all, &all->list[m], height, s, n, ball, p, out);
+      knot_add(all, &all->list[m], height, rho0, s, n, ball, close, p, out);
       at = at + seli(eqi(next, splati(m)), splati(1), splati(0));
       next = knot_next(all, at, end);
     }
   }
-  vf wide = smooth_step(splat(KNOT_NEAR), splat(2.0f * KNOT_NEAR), s);
-  if (any(gt(wide, zero))) {
-    out->cover = out->cover + sel(gt(wide, zero), wide * knots_far(all, px, turns, pz, s), zero);
+  if (!any(gt(middle, zero))) return;
+  vf far = smooth_step(splat(KNOT_FAR), splat(2.0f * KNOT_FAR), s);
+  middle = middle * (one - far);
+  cell = cell + splati(all->cells + 1);
+  at = gatheri(all->first, cell);
+  end = gatheri(all->first, cell + splati(1));
+  if (any(lti(at, end))) {
+    vi next = knot_next(all, at, end);
+    for (int32_t m = knot_least(next); m != INT32_MAX; m = knot_least(next)) {
+      const wood_knot *k = &all->list[m];
+      knot_section o = knot_section_of(all, k, height, p);
+      vf reach = splat(k->radius + KNOT_FAR * 1.2f);
+      vm near = and_(lt(o.square, reach * reach), o.grown_wide);
+      if (any(near)) knot_see(all, k, &o, rho0, s, n, ball, middle, near, out);
+      at = at + seli(eqi(next, splati(m)), splati(1), splati(0));
+      next = knot_next(all, at, end);
+    }
   }
+  if (!any(gt(far, zero))) return;
+  out->cover = out->cover + sel(gt(far, zero), far * knots_far(all, p->x, turns, p->z, s), zero);
 }
 
 #endif

@@ -66,7 +66,10 @@ static const char *const surfaces[] = {"smooth",  "band_sawn",   "circular_sawn"
                                        "brushed", "charred",     "weathered"};
 static const char *const finishes[] = {"raw", "oiled", "lacquered"};
 
-/* Every fourth preset, with every kind of slope, surface and finish. */
+/* Whose branches are knots. */
+static const char *const trees[] = {"", "sugi", "akamatsu", "keyaki"};
+
+/* Every fourth preset, with every kind of slope, surface, finish and tree. */
 static int make_woods(void) {
   static const char *const cuts[] = {"log", "flat", "quarter", "rift", "end"};
   const sozai_texture_info *info = host.textures->find("wood");
@@ -89,8 +92,10 @@ static int make_woods(void) {
         {.id = "finish", .kind = SOZAI_KIND_CHOICE, .text = finishes[i / 4u % 3u]},
         {.id = "age_years", .kind = SOZAI_KIND_FLOAT, .number = {i / 4u % 2u * 7.0}},
         {.id = "streak_share", .kind = SOZAI_KIND_FLOAT, .number = {i / 4u % 4u * 0.01}},
-        {.id = "mark_angle", .kind = SOZAI_KIND_FLOAT, .number = {i % 3u * 30.0}}};
-    r = make("wood", i ? info->presets[i - 1]->id : NULL, values, 12);
+        {.id = "mark_angle", .kind = SOZAI_KIND_FLOAT, .number = {i % 3u * 30.0}},
+        {.id = "tree", .kind = SOZAI_KIND_TEXT, .text = trees[i / 4u % 4u]},
+        {.id = "log_height", .kind = SOZAI_KIND_FLOAT, .number = {2000.0 + 500.0 * (i % 7u)}}};
+    r = make("wood", i ? info->presets[i - 1]->id : NULL, values, 14);
   }
   return r;
 }
@@ -112,8 +117,9 @@ static int make_layouts(void) {
         {.id = "board_flip", .kind = SOZAI_KIND_CHOICE, .text = flips[i % 3u]},
         {.id = "grain", .kind = SOZAI_KIND_CHOICE, .text = "compound"},
         {.id = "reflection", .kind = SOZAI_KIND_CHOICE, .text = i % 2u ? "fibre_cone" : "kawai"},
-        {.id = "surface", .kind = SOZAI_KIND_CHOICE, .text = surfaces[(i + 1u) % 9u]}};
-    r = make("wood", info->presets[i % info->preset_count]->id, values, 8);
+        {.id = "surface", .kind = SOZAI_KIND_CHOICE, .text = surfaces[(i + 1u) % 9u]},
+        {.id = "tree", .kind = SOZAI_KIND_TEXT, .text = trees[i % 4u]}};
+    r = make("wood", info->presets[i % info->preset_count]->id, values, 9);
   }
   return r;
 }

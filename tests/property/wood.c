@@ -30,6 +30,8 @@ int wood_setup(void **state) {
   return textures && woods ? 0 : 1;
 }
 
+const void *wood_factory(const char *id) { return entry->get_factory(id); }
+
 int wood_teardown(void **state) {
   (void)state;
   entry->deinit();
@@ -86,7 +88,7 @@ static float **array_of(points *p, unsigned k) {
   if (k < 12) return &p->view[k - 9];
   return k == 12 ? &p->footprint : &p->out[k - 13];
 }
-#define OUTS 32
+#define OUTS 33
 #define ARRAYS (13 + OUTS)
 
 void points_clear(points *p) { p->count = 0; }

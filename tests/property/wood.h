@@ -14,6 +14,9 @@ extern const sozai_wood_1 *woods;
 int wood_setup(void **state);
 int wood_teardown(void **state);
 
+/* Another table of the plugin's. */
+const void *wood_factory(const char *id);
+
 /* A wood of a preset (NULL: none) with parameters as "a=1; b=2"; fails the
  * test when it cannot be made. */
 sozai_texture *wood_make(const char *preset, const char *parameters);
@@ -32,7 +35,7 @@ const char *wood_preset(unsigned i);
 typedef struct {
   unsigned count, room;
   float *point[3], *normal[3], *light[3], *view[3], *footprint;
-  float *out[32];
+  float *out[33];
 } points;
 
 /* Components, as describe lists them. */
