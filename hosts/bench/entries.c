@@ -64,9 +64,10 @@ const entry entries[] = {
     ALONE("section", .wood = {.pictured = true}),
     ALONE("section_end", .channel = "albedo",
           .wood = {.pictured = true, .cut = "end", .grain = "straight"}),
-    ALONE("knots_20", .wood = {.knots = 20}),
-    ALONE("knots_200", .wood = {.knots = 200}),
-    ALONE("knots_2000", .wood = {.knots = 2000}),
+    /* as many as a sugi's, 25 to a metre of the stem, and four times that */
+    ALONE("knots_20", .wood = {.knots = 20, .knots_metre = 25}),
+    ALONE("knots_2000", .wood = {.knots = 2000, .knots_metre = 25}),
+    ALONE("knots_dense", .wood = {.knots = 2000, .knots_metre = 100}),
     SURFACE("smooth"),
     SURFACE("band_sawn"),
     SURFACE("circular_sawn"),

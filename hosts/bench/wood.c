@@ -18,10 +18,10 @@ static sozai_value number(const char *id, double x) {
 enum { KNOTS_MOST = 2000, KNOT_COLUMNS = 10 };
 
 /* Alive, 6 mm thick, one above the other at the golden angle. */
-static void fill_knots(float (*rows)[KNOT_COLUMNS], int count) {
+static void fill_knots(float (*rows)[KNOT_COLUMNS], int count, int metre) {
   for (int i = 0; i < count; i++) {
     const double row[KNOT_COLUMNS] = {
-        -1, 0, -1, -1, 2.39996 * (i % 1000), 0.3, 20000.0 * (i + 0.5) / count, 6, 0, 0};
+        -1, 0, -1, -1, 2.39996 * (i % 40), 0.3, 1000.0 * (i + 0.5) / metre, 6, 0, 0};
     for (int c = 0; c < KNOT_COLUMNS; c++) rows[i][c] = (float)row[c];
   }
 }
@@ -41,9 +41,9 @@ bool wood_create(const wood *w, const char *picture, const plugin *p, sozai_text
                         .dims = {(uint64_t)w->knots, KNOT_COLUMNS},
                         .data = rows[0]};
   if (w->knots) {
-    fill_knots(rows, w->knots);
+    fill_knots(rows, w->knots, w->knots_metre);
     values[count++] = (sozai_value){.id = "knots", .kind = SOZAI_KIND_BUFFER, .buffer = &knots};
-    values[count++] = number("log_height", 9000);
+    values[count++] = number("log_height", 500.0 * w->knots / w->knots_metre - 400);
   }
   if (w->reflection) values[count++] = choice("reflection", w->reflection);
   if (w->pictured) {

@@ -15,7 +15,8 @@ typedef struct wood {
   const char *layout;     /* NULL: one piece */
   const char *surface;    /* NULL: smooth, and height and normal are not asked for */
   bool pictured;          /* its section is the yardstick's picture */
-  int knots;              /* how many in a stem 20 m high */
+  int knots;              /* how many, */
+  int knots_metre;        /* so many to a metre of the stem */
   const char *stone;      /* a preset of stone, in place of all this but cpu */
 } wood;
 

@@ -264,7 +264,10 @@ INLINE vf knot_shift(const block *k) {
 static __attribute__((noinline)) void stage_knots(const wood_constants *w, const kernel_io *io,
                                                   vf shift, block *k) {
   knots_add(w->knots, shift, k->p[1], k->s, k->nrm, !io->in->normal[0], &k->stem, k->knot);
-  store_lanes(io, WOOD_KNOT, k, k->knot->cover);
+  const knot_place *q = k->knot;
+  store_lanes(io, WOOD_KNOT, k, q->cover);
+  /* a point that no knot has to do with is as in wood without knots, to the bit */
+  if (!any(gt(q->near + q->cover + q->bark, splat(0.0f)))) k->knot = NULL;
 }
 
 INLINE void stage_ring(const wood_constants *w, const kernel_io *io, block *k) {
@@ -326,6 +329,8 @@ INLINE void stage_section(const wood_constants *w, const kernel_io *io, block *k
 /* Near knots rho and theta' both depend on all three coordinates: slopes along
  * the radius and round from the two equations. */
 INLINE void stage_knot_slopes(const block *k, vf omega, vf rho_r, vf *climb, vf *around) {
+  vm near = gt(k->knot->near, splat(0.0f));
+  if (!any(near)) return;
   const stem_place *stem = &k->stem;
   const knot_place *q = k->knot;
   vf zero = splat(0.0f);
@@ -339,8 +344,8 @@ INLINE void stage_knot_slopes(const block *k, vf omega, vf rho_r, vf *climb, vf 
   /* no fibre runs more than 70 degrees off the stem */
   vf slope = radial * radial + round * round, most = splat(7.5f);
   vf keep = sel(gt(slope, most), vsqrt(most / vmax(slope, most)), splat(1.0f));
-  *climb = radial * keep;
-  *around = round * keep;
+  *climb = sel(near, radial * keep, *climb);
+  *around = sel(near, round * keep, *around);
 }
 
 /* The fibre's direction: theta' and rho are constant along it. */
@@ -350,13 +355,9 @@ INLINE void stage_fibre(block *k) {
   vf omega = k->grain.g_filtered * k->divisor;
   vf rho_r = stem->rho_x * stem->c + stem->rho_z * stem->s;
   vf rho_t = stem->r * (stem->rho_z * stem->c - stem->rho_x * stem->s);
-  vf climb, around;
-  if (k->knot) {
-    stage_knot_slopes(k, omega, rho_r, &climb, &around);
-  } else {
-    climb = (zero - stem->rho_y - rho_t * omega) / vmax(rho_r, splat(0.05f));
-    around = stem->r * omega;
-  }
+  vf climb = (zero - stem->rho_y - rho_t * omega) / vmax(rho_r, splat(0.05f));
+  vf around = stem->r * omega;
+  if (k->knot) stage_knot_slopes(k, omega, rho_r, &climb, &around);
   f[0] = climb * stem->c - around * stem->s + stem->pith.dx;
   f[2] = climb * stem->s + around * stem->c + stem->pith.dz;
   f[1] = inverse_root(f[0] * f[0] + one + f[2] * f[2]);

@@ -13,6 +13,7 @@
 
 typedef struct {
   vf cover, bark, check;             /* shares of the footprint; a check is within its knot */
+  vf near;                           /* 1: within reach of a knot */
   vf turn, turn_x, turn_y, turn_z;   /* radians by which the fibres part; as rho's derivatives */
   vf inside;                         /* 1: the point is in a knot, and what follows is of it */
   vf a, h;                           /* mm in its section, moved apart from the stem's */
@@ -22,7 +23,7 @@ typedef struct {
 
 INLINE knot_place knot_none(void) {
   vf o = splat(0.0f);
-  return (knot_place){.cover = o, .bark = o, .check = o, .turn = o, .turn_x = o, .turn_y = o,
+  return (knot_place){.cover = o, .bark = o, .check = o, .near = o, .turn = o, .turn_x = o, .turn_y = o,
                       .turn_z = o, .inside = o, .a = o, .h = o, .along = {o, o, o},
                       .out = {o, o, o}, .round = {o, o, o}};
 }

@@ -12,7 +12,7 @@
 
 #include "../../api/sozai.h"
 
-#define KNOT_NEAR 24.0f  /* mm: footprints up to twice this see single knots */
+#define KNOT_NEAR 12.0f  /* mm: footprints up to twice this see single knots */
 #define KNOT_FAR 100.0f /* mm: likewise, without their effects */
 #define KNOT_WINDOW 5.0f /* (radii)^2 to the side within which fibres part; */
 #define KNOT_STREAM 2.0f /* along the stem this many times as far */
@@ -38,7 +38,8 @@ typedef struct {
   float death;    /* rho; 1e6: alive */
   float end;      /* rho at which it had been shed; 1e6: still there */
   float reach;    /* along u: how far it has any effect, */
-  float farthest; /* and d */
+  float bends;    /* likewise d; */
+  float sees;     /* and d of what a point sees */
   float check_c, check_s; /* across the check, in its section */
   float apart;    /* its section is looked up so far from the stem's */
 } wood_knot;

@@ -60,15 +60,12 @@ static double slowing(const knot_clock *c, const float *row, double born, double
 
 static double even(uint32_t seed, uint32_t k) { return hash1(seed + k * 0x9e3779b9u) / 4294967296.0; }
 
-/* How far from its axis a knot has any effect: the collar's, the fibres', the
- * widest footprint's. */
-static double farthest(double radius, double bark) {
+/* How far from its axis a knot has any effect: the collar's, the fibres'. */
+static double bends(double radius) {
   double far = (double)KNOT_STREAM * __builtin_sqrt((double)KNOT_WINDOW);
   double collar = 1.0 + (double)(KNOT_WIDE + KNOT_WIDE_RISING);
   if (far < collar) far = collar;
-  far *= 1.15 * radius;
-  double wide = radius + bark + 1.2 * (double)KNOT_NEAR;
-  return far > wide ? far : wide;
+  return 1.15 * far * radius;
 }
 
 /* As high as is asked for, and no higher than rings of the stem, and the branch's
@@ -121,7 +118,8 @@ static int make_knot(wood_knot *k, const wood_constants *w, const knot_source *f
   /* a scar closes within three radii */
   if (!stays && (double)k->end + 12.0 * radius < reach) reach = (double)k->end + 12.0 * radius;
   k->reach = (float)reach;
-  k->farthest = (float)farthest(radius, number_at(s, P_KNOT_BARK));
+  k->bends = (float)bends(radius);
+  k->sees = (float)(1.3 * (radius + number_at(s, P_KNOT_BARK)) + 0.2);
   raise_collar(k, number_at(s, P_KNOT_COLLAR));
   k->check_c = (float)scalar_cos(2.0 * PI * even(seed, 4));
   k->check_s = (float)scalar_sin(2.0 * PI * even(seed, 4));
@@ -135,8 +133,7 @@ typedef struct {
   wood_knots *all;
   int32_t *stamp; /* of each cell: the last knot put into it, + 1 */
   int32_t *fill;  /* counting: how many; then where the next goes */
-  int writing;
-  double more; /* mm about the axis; 0: each knot's own reach */
+  int writing, wide;
 } grid_pen;
 
 static int32_t floor_of(double x) {
@@ -161,9 +158,11 @@ static void put_knot(grid_pen *g, int32_t n) {
   const wood_knot *k = &g->all->list[n];
   double per_mm = (double)g->all->inverse_cell, cell = 1.0 / per_mm, step = 0.5 * cell;
   double tall = (double)g->all->tall * (double)g->all->inverse_period;
-  double far = g->more > 0.0 ? (double)k->radius + g->more : (double)k->farthest;
+  double sees = (double)k->sees + 1.5 * (double)(g->wide ? KNOT_FAR : KNOT_NEAR);
+  double far = !g->wide && (double)k->bends > sees ? (double)k->bends : sees;
+  double before = g->wide ? (double)KNOT_FAR : 0.0;
   double side = 1.12 * far + step, rise = side / (double)k->cosine;
-  for (double u = -g->more; u < (double)k->reach + g->more + step; u += step) {
+  for (double u = -before; u < (double)k->reach + before + step; u += step) {
     double x = u * (double)k->c - (double)g->all->low, z = u * (double)k->s - (double)g->all->low;
     double y = (double)k->height + u * (double)k->slope, up = rise + step * (double)k->slope;
     if (k->slope < 0.0f) up = rise - step * (double)k->slope;
@@ -183,8 +182,7 @@ static void put_knot(grid_pen *g, int32_t n) {
 static void put_all(grid_pen *g, int writing) {
   size_t cells = (size_t)g->all->cells;
   g->writing = writing;
-  for (int wide = 0; wide < 2; wide++, g->fill += cells + 1) {
-    g->more = wide ? 1.2 * (double)KNOT_FAR : 0.0;
+  for (g->wide = 0; g->wide < 2; g->wide++, g->fill += cells + 1) {
     memset(g->stamp, 0, cells * sizeof *g->stamp);
     for (uint32_t i = 0; i < g->all->count; i++) put_knot(g, (int32_t)i);
   }
@@ -249,7 +247,7 @@ static void lay_out(wood_knots *all, const wood_knot *list, double height) {
   enum { STEP = 1 << (KNOT_LEVELS - 1) };
   double reach = 0.0, top = height;
   for (uint32_t i = 0; i < all->count; i++) {
-    double r = (double)list[i].reach + (double)list[i].farthest;
+    double r = (double)list[i].reach + (double)list[i].bends;
     if (r > reach) reach = r;
   }
   if (top < 1000.0) top = 1000.0;
@@ -310,7 +308,7 @@ static int32_t fill_grid(wood_knots **out, const wood_knots *plan, const sozai_h
   int32_t *work = host_alloc(host, bytes, 64);
   if (!work) return SOZAI_ERROR_MEMORY;
   counting.list = list;
-  grid_pen g = {&counting, work + cells, work, 0, 0.0};
+  grid_pen g = {&counting, work + cells, work, 0, 0};
   memset(g.fill, 0, cells * sizeof *g.fill);
   put_all(&g, 0);
   size_t entries = 0;

@@ -31,15 +31,14 @@
 
 #include "knot_cover.h"
 
-/* One of them. */
-INLINE void knot_add(const wood_knots *all, const wood_knot *k, vf y, vf rho0, vf s, const vf n[3],
-                     int ball, vf close, stem_place *p, knot_place *out) {
+/* Its effect on front and fibres. */
+INLINE void knot_bend(const wood_knots *all, const wood_knot *k, const knot_section *section,
+                      vm near, vf s, stem_place *p, knot_place *out) {
   vf zero = splat(0.0f), one = splat(1.0f), two = splat(2.0f);
-  const knot_section o = knot_section_of(all, k, y, p);
+  const knot_section o = *section;
   vf kc = splat(k->c), ks = splat(k->s), cosine = splat(k->cosine), a = o.a, h = o.h, d = o.d;
   vf da = o.da, dh = o.dh, hx = o.hx, hz = o.hz;
-  vm near = and_(o.grown, lt(o.square, splat(k->farthest * k->farthest)));
-  if (!any(near)) return;
+  out->near = sel(near, splat(1.0f), out->near);
 
   /* the branch's front, and its radius, when the stem's was here */
   vf rho = p->rho, born = splat(k->born), dead = splat(k->death);
@@ -117,8 +116,6 @@ INLINE void knot_add(const wood_knots *all, const wood_knot *k, vf y, vf rho0, v
     out->turn_z = out->turn_z + sel(parting, tz, zero);
   }
 
-  knot_see(all, k, &o, rho0, s, n, ball, close, near, out);
-
   /* in it, its section is the reference */
   if (any(in)) {
     vf far = splat(k->apart);
@@ -141,6 +138,17 @@ INLINE void knot_add(const wood_knots *all, const wood_knot *k, vf y, vf rho0, v
   p->rho_x = sel(touched, nx, p->rho_x);
   p->rho_y = sel(touched, ny, p->rho_y);
   p->rho_z = sel(touched, nz, p->rho_z);
+}
+
+/* One of them. rho0: the clear stem's. */
+INLINE void knot_add(const wood_knots *all, const wood_knot *k, vf y, vf rho0, vf s, const vf n[3],
+                     int ball, vf close, stem_place *p, knot_place *out) {
+  knot_section o = knot_section_of(all, k, y, p);
+  vf bends = splat(k->bends), sees = splat(k->sees) + splat(0.75f) * s;
+  vm bent = and_(o.grown, lt(o.square, bends * bends));
+  vm seen = and_(o.grown, lt(o.square, sees * sees));
+  if (any(bent)) knot_bend(all, k, &o, bent, s, p, out);
+  if (any(seen)) knot_see(all, k, &o, rho0, s, n, ball, close, seen, out);
 }
 
 INLINE int32_t knot_least(vi x) {
@@ -197,7 +205,7 @@ INLINE void knots_add(const wood_knots *all, vf shift, vf y, vf s, const vf n[3]
     for (int32_t m = knot_least(next); m != INT32_MAX; m = knot_least(next)) {
       const wood_knot *k = &all->list[m];
       knot_section o = knot_section_of(all, k, height, p);
-      vf reach = splat(k->radius + KNOT_FAR * 1.2f);
+      vf reach = splat(k->sees) + splat(0.75f) * s;
       vm near = and_(lt(o.square, reach * reach), o.grown_wide);
       if (any(near)) knot_see(all, k, &o, rho0, s, n, ball, middle, near, out);
       at = at + seli(eqi(next, splati(m)), splati(1), splati(0));
