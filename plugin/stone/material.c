@@ -58,4 +58,5 @@ static const char *instruction_set(const void *state) {
   return ((const stone_state *)state)->use.wide->name;
 }
 
-const material stone_material = {describe, sizeof(stone_state), build, evaluate, instruction_set, NULL, NULL};
+const material stone_material = {
+    describe, sizeof(stone_state), build, evaluate, instruction_set, NULL, NULL};

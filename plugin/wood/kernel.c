@@ -505,7 +505,7 @@ INLINE void stage_cover(const wood_constants *w, const kernel_io *io, block *k) 
     rows = mix(rows, splat(w->row.coverage) * expected, v->rows_faded);
   }
   if (k->knot) rows = rows * (one - k->knot->cover); /* branches have no wide earlywood vessels */
-  k->cover = pores + rows - pores * rows; /* they stand where they like */
+  k->cover = pores + rows - pores * rows;            /* they stand where they like */
   k->ray = zero;
   if (!w->has_rays) store_lanes(io, WOOD_RAY, k, zero);
   store_lanes(io, WOOD_VESSEL, k, k->cover);
@@ -799,7 +799,8 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const kern
   if (w->has_curl || w->has_quilt || w->has_eyes) EACH(stage_figure(w, boards, &blocks[k]));
   EACH(stage_rho(w, &blocks[k]));
   if (w->knots) {
-    EACH(stage_knots(w, io, boards && !w->peeled ? knot_shift(&blocks[k]) : splat(0.0f), &blocks[k]));
+    EACH(stage_knots(w, io, boards && !w->peeled ? knot_shift(&blocks[k]) : splat(0.0f),
+                     &blocks[k]));
   } else {
     EACH(store_lanes(io, WOOD_KNOT, &blocks[k], splat(0.0f)));
   }

@@ -12,20 +12,31 @@
 #include "stem.h"
 
 typedef struct {
-  vf cover, bark, check;             /* shares of the footprint; a check is within its knot */
-  vf near;                           /* 1: within reach of a knot */
-  vf turn, turn_x, turn_y, turn_z;   /* radians by which the fibres part; as rho's derivatives */
-  vf inside;                         /* 1: the point is in a knot, and what follows is of it */
-  vf a, h;                           /* mm in its section, moved apart from the stem's */
-  vf along[3];                       /* its axis */
-  vf out[3], round[3];               /* rows: from space to its section, radially and round */
+  vf cover, bark, check;           /* shares of the footprint; a check is within its knot */
+  vf near;                         /* 1: within reach of a knot */
+  vf turn, turn_x, turn_y, turn_z; /* radians by which the fibres part; as rho's derivatives */
+  vf inside;                       /* 1: the point is in a knot, and what follows is of it */
+  vf a, h;                         /* mm in its section, moved apart from the stem's */
+  vf along[3];                     /* its axis */
+  vf out[3], round[3];             /* rows: from space to its section, radially and round */
 } knot_place;
 
 INLINE knot_place knot_none(void) {
   vf o = splat(0.0f);
-  return (knot_place){.cover = o, .bark = o, .check = o, .near = o, .turn = o, .turn_x = o, .turn_y = o,
-                      .turn_z = o, .inside = o, .a = o, .h = o, .along = {o, o, o},
-                      .out = {o, o, o}, .round = {o, o, o}};
+  return (knot_place){.cover = o,
+                      .bark = o,
+                      .check = o,
+                      .near = o,
+                      .turn = o,
+                      .turn_x = o,
+                      .turn_y = o,
+                      .turn_z = o,
+                      .inside = o,
+                      .a = o,
+                      .h = o,
+                      .along = {o, o, o},
+                      .out = {o, o, o},
+                      .round = {o, o, o}};
 }
 
 /* A point in the section of a knot; see knots.h. */
@@ -61,8 +72,7 @@ INLINE knot_section knot_section_of(const wood_knots *all, const wood_knot *k, v
 /* e when the stem had grown by the share tau: the inverse of K. */
 INLINE vf knot_grown(const wood_knot *k, vf tau) {
   vf straight = splat(1.0f - k->q);
-  return splat(2.0f) * tau /
-         (straight + vsqrt(straight * straight + splat(4.0f * k->q) * tau));
+  return splat(2.0f) * tau / (straight + vsqrt(straight * straight + splat(4.0f * k->q) * tau));
 }
 
 /* Length of row g within the surface. */

@@ -42,9 +42,9 @@ static int32_t check_table(const char *id, const sozai_buffer *b, uint64_t colum
 
 static int32_t check_knots(knot_source *k, const sozai_buffer *b) {
   static const column_range ranges[] = {
-      {KNOT_BIRTH, 0, 10000},    {KNOT_DEATH, -1, 10000},     {KNOT_SHED, -1, 10000},
+      {KNOT_BIRTH, 0, 10000},    {KNOT_DEATH, -1, 10000},       {KNOT_SHED, -1, 10000},
       {KNOT_AZIMUTH, -100, 100}, {KNOT_INCLINATION, -1.3, 1.3}, {KNOT_HEIGHT, -2e5, 2e5},
-      {KNOT_RADIUS, 0, 1000},    {KNOT_FIRST, 0, ROWS_MOST},  {KNOT_COUNT, 0, 10000}};
+      {KNOT_RADIUS, 0, 1000},    {KNOT_FIRST, 0, ROWS_MOST},    {KNOT_COUNT, 0, 10000}};
   return check_table("knots", b, KNOT_COLUMNS, KNOTS_MOST, tree_table_infos[TABLE_KNOTS], ranges,
                      sizeof ranges / sizeof *ranges, &k->knots);
 }
@@ -219,8 +219,10 @@ int32_t knot_source_open(knot_source *k, const sozai_host *host, const settings 
   int tree = *s->list[P_TREE].text || *s->list[P_TREE_FIELD].text;
   int32_t r = SOZAI_OK;
   if (s->list[P_KNOTS].buffer) {
-    r = tree ? fail(SOZAI_ERROR_RANGE, "tree: \"%.80s\" and the table knots are both given; one of "
-                                       "them", s->list[P_TREE].text)
+    r = tree ? fail(SOZAI_ERROR_RANGE,
+                    "tree: \"%.80s\" and the table knots are both given; one of "
+                    "them",
+                    s->list[P_TREE].text)
              : take_tables(k, s);
   } else if (s->list[P_KNOT_RADII].buffer || s->list[P_STEM_RINGS].buffer) {
     r = fail(SOZAI_ERROR_RANGE, "%s: given without the table knots",

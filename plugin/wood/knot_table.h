@@ -13,7 +13,7 @@
 #include "../../api/sozai.h"
 
 #define KNOT_NEAR 12.0f  /* mm: footprints up to twice this see single knots */
-#define KNOT_FAR 100.0f /* mm: likewise, without their effects */
+#define KNOT_FAR 100.0f  /* mm: likewise, without their effects */
 #define KNOT_WINDOW 5.0f /* (radii)^2 to the side within which fibres part; */
 #define KNOT_STREAM 2.0f /* along the stem this many times as far */
 /* Width of the collar to the sides, in radii, and what is more above and below. */
@@ -24,24 +24,24 @@
 /* Lengths in mm; K and e as in knots.h; rho is the stem's radius as its rings
  * are reckoned. */
 typedef struct {
-  float c, s;           /* direction from the pith: x, z */
-  float height, slope;  /* of its axis: where it leaves the pith; rise over run */
-  float cosine;         /* of its inclination */
-  float squash, lean;   /* d^2 = a^2 + squash h^2 + 2 lean a h */
-  float born;           /* rho at which it begins */
-  float length;         /* in rho, until it grew no more */
+  float c, s;          /* direction from the pith: x, z */
+  float height, slope; /* of its axis: where it leaves the pith; rise over run */
+  float cosine;        /* of its inclination */
+  float squash, lean;  /* d^2 = a^2 + squash h^2 + 2 lean a h */
+  float born;          /* rho at which it begins */
+  float length;        /* in rho, until it grew no more */
   float inverse_length;
   float radius; /* at that time */
   float inverse_radius;
-  float q;        /* 0..1: how much its growth slowed down */
+  float q;                 /* 0..1: how much its growth slowed down */
   float high, high_rising; /* of the collar, likewise, over the branch's radius */
-  float death;    /* rho; 1e6: alive */
-  float end;      /* rho at which it had been shed; 1e6: still there */
-  float reach;    /* along u: how far it has any effect, */
-  float bends;    /* likewise d; */
-  float sees;     /* and d of what a point sees */
-  float check_c, check_s; /* across the check, in its section */
-  float apart;    /* its section is looked up so far from the stem's */
+  float death;             /* rho; 1e6: alive */
+  float end;               /* rho at which it had been shed; 1e6: still there */
+  float reach;             /* along u: how far it has any effect, */
+  float bends;             /* likewise d; */
+  float sees;              /* and d of what a point sees */
+  float check_c, check_s;  /* across the check, in its section */
+  float apart;             /* its section is looked up so far from the stem's */
 } wood_knot;
 
 typedef struct {
@@ -56,7 +56,7 @@ typedef struct {
   int32_t across, tall, cells;
   float low, inverse_cell;      /* of the cells across the stem */
   float period, inverse_period; /* along it */
-  float grain, bark, check; /* share; mm; of the radius */
+  float grain, bark, check;     /* share; mm; of the radius */
   int32_t far_first[KNOT_LEVELS], far_across[KNOT_LEVELS], far_tall[KNOT_LEVELS];
   float far_scale[KNOT_LEVELS];
 } wood_knots;

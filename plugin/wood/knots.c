@@ -11,9 +11,10 @@
 #include "parameters.h"
 
 #define PI 3.14159265358979323846
-#define NEVER 1e6        /* mm of rho: what has not come about */
-#define NARROWEST 0.2    /* mm: of a knot's radius */
-#define WIDEST 0.44      /* of a branch's growth over the stem's: none reaches to the pith's other side */
+#define NEVER 1e6     /* mm of rho: what has not come about */
+#define NARROWEST 0.2 /* mm: of a knot's radius */
+#define WIDEST                                                                                     \
+  0.44 /* of a branch's growth over the stem's: none reaches to the pith's other side */
 #define SLOWEST 0.8      /* q */
 #define HIGH 0.4         /* of the collar at a knot's side, over its radius */
 #define HIGH_RISING 0.6  /* and what is more above and below */
@@ -53,12 +54,17 @@ static double slowing(const knot_clock *c, const float *row, double born, double
     over += (tau - e) * curve;
     under += curve * curve;
   }
-  double q = under > 0.0 ? over / under : radii ? 0.0 : 0.5, most = 1.0 - radius / (WIDEST * length);
+  double q = under > 0.0 ? over / under
+             : radii     ? 0.0
+                         : 0.5,
+         most = 1.0 - radius / (WIDEST * length);
   if (most > SLOWEST) most = SLOWEST;
   return q < 0.0 ? 0.0 : q > most ? most : q;
 }
 
-static double even(uint32_t seed, uint32_t k) { return hash1(seed + k * 0x9e3779b9u) / 4294967296.0; }
+static double even(uint32_t seed, uint32_t k) {
+  return hash1(seed + k * 0x9e3779b9u) / 4294967296.0;
+}
 
 /* How far from its axis a knot has any effect: the collar's, the fibres'. */
 static double bends(double radius) {
@@ -202,7 +208,8 @@ static void put_share(wood_knots *all, double x, double y, double z, double volu
 
 static void far_knot(wood_knots *all, const wood_knot *k) {
   enum { PARTS = 7 }; /* of its section: the middle and six about it */
-  double q = (double)k->q, end = (double)k->end < (double)k->reach ? (double)k->end : (double)k->reach;
+  double q = (double)k->q,
+         end = (double)k->end < (double)k->reach ? (double)k->end : (double)k->reach;
   for (double u = 1.0; u < end; u += 2.0) {
     double front = u < (double)k->death ? u : (double)k->death;
     double tau = (front - (double)k->born) / (double)k->length;
@@ -283,8 +290,8 @@ static size_t far_count(const wood_knots *all) {
 static wood_knots *gather_block(const wood_knots *plan, const sozai_host *host,
                                 const wood_knot *list, size_t entries) {
   size_t list_bytes = plan->count * sizeof *list, cells = 2 * ((size_t)plan->cells + 1) + 1;
-  size_t bytes = sizeof *plan + list_bytes +
-                 (cells + entries + 1) * sizeof(int32_t) + far_count(plan) * sizeof(float);
+  size_t bytes = sizeof *plan + list_bytes + (cells + entries + 1) * sizeof(int32_t) +
+                 far_count(plan) * sizeof(float);
   wood_knots *all = host_alloc(host, bytes, 64);
   if (!all) return NULL;
   *all = *plan;

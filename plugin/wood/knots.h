@@ -102,8 +102,7 @@ INLINE void knot_bend(const wood_knots *all, const wood_knot *k, const knot_sect
     vf g = splat(all->grain) * fade * keep * p->inverse_r, shift = zero - g * a * whole;
     vf t_radius = zero - two * t * radius * inverse_r2;
     vf turn_a = zero - g * (whole + a * slope * two * a * inverse_r2);
-    vf turn_h =
-        zero - g * a * slope * splat(2.0f / (KNOT_STREAM * KNOT_STREAM)) * h * inverse_r2;
+    vf turn_h = zero - g * a * slope * splat(2.0f / (KNOT_STREAM * KNOT_STREAM)) * h * inverse_r2;
     vf turn_rho = zero - g * a * slope * t_radius * radius_rho -
                   splat(all->grain) * fade_rho * keep * p->inverse_r * a * whole;
     vf spread = zero - shift * p->inverse_r;

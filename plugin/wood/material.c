@@ -69,8 +69,8 @@ static uint64_t bytes(const void *state) {
   return knots ? knots->bytes : 0;
 }
 
-const material wood_material = {describe,        sizeof(wood_state), build, evaluate,
-                                instruction_set, release,            bytes};
+const material wood_material = {
+    describe, sizeof(wood_state), build, evaluate, instruction_set, release, bytes};
 
 /* ---- sozai.wood/1 ----------------------------------------------------- */
 

@@ -47,13 +47,17 @@ static void one_branch(double death, double shed, double azimuth, double rise) {
 
 static sozai_texture *with_tables(int with_radii, int with_rings) {
   static const char *const plain[][2] = {
-      {"pith_wander", "0"}, {"undulation", "0"},       {"section_wobble", "0"}, {"taper", "0"},
-      {"slope_noise", "0"}, {"fibre_brightness", "0"}, {"ring_variation", "0"}, {"log_height", "2000"},
-      {"ring_width", "2"},  {"porosity", "none"},      {"knot_bark", "1.5"},    {"knot_checks", "0"}};
+      {"pith_wander", "0"},    {"undulation", "0"},    {"section_wobble", "0"},
+      {"taper", "0"},          {"slope_noise", "0"},   {"fibre_brightness", "0"},
+      {"ring_variation", "0"}, {"log_height", "2000"}, {"ring_width", "2"},
+      {"porosity", "none"},    {"knot_bark", "1.5"},   {"knot_checks", "0"}};
   const sozai_buffer buffers[3] = {
       {.size = sizeof(sozai_buffer), .kind = SOZAI_BUFFER_TABLE, .dims = {1, 10}, .data = knot[0]},
       {.size = sizeof(sozai_buffer), .kind = SOZAI_BUFFER_TABLE, .dims = {60, 3}, .data = radii[0]},
-      {.size = sizeof(sozai_buffer), .kind = SOZAI_BUFFER_TABLE, .dims = {120, 3}, .data = rings[0]}};
+      {.size = sizeof(sozai_buffer),
+       .kind = SOZAI_BUFFER_TABLE,
+       .dims = {120, 3},
+       .data = rings[0]}};
   static const char *const ids[3] = {"knots", "knot_radii", "stem_rings"};
   sozai_value values[16];
   unsigned n = 0;
@@ -126,7 +130,8 @@ static void axis_and_years(void **state) {
       double u = 15 + 0.9 * i, y = u * tan(rise);
       points_add(&p, u * cos(azimuth), y, u * sin(azimuth), 0);
       /* 3 mm to the side: of the year in which the branch had that radius */
-      points_add(&p, u * cos(azimuth) - 3 * sin(azimuth), y, u * sin(azimuth) + 3 * cos(azimuth), 0);
+      points_add(&p, u * cos(azimuth) - 3 * sin(azimuth), y, u * sin(azimuth) + 3 * cos(azimuth),
+                 0);
     }
     points_ask(&p, t);
     for (int i = 0; i < 100; i++) {
@@ -141,10 +146,11 @@ static void axis_and_years(void **state) {
     textures->destroy(t);
   }
   points_free(&p);
-  CHECK(off < 0.5 && late < 1 && young < 0.35,
-        "60 branches: the axis within %.3g mm (0.5) of its place, no older than %.2f years (1); the "
-        "ring 3 mm out within %.0f %% of its year (35: collar, oblong)\n",
-        off, late, 100 * young);
+  CHECK(
+      off < 0.5 && late < 1 && young < 0.35,
+      "60 branches: the axis within %.3g mm (0.5) of its place, no older than %.2f years (1); the "
+      "ring 3 mm out within %.0f %% of its year (35: collar, oblong)\n",
+      off, late, 100 * young);
 }
 
 /* ---- the tree's branches ------------------------------------------------ */
@@ -173,9 +179,8 @@ static void branches_cross_the_board(void **state) {
     char text[512];
     snprintf(text, sizeof text, PLAIN "%s", trees[k][1]);
     sozai_texture *t = wood_make(NULL, text);
-    sozai_value values[2] = {
-        {.id = "age", .kind = SOZAI_KIND_FLOAT, .number = {age}},
-        {.id = "orders", .kind = SOZAI_KIND_INT, .number = {1}}};
+    sozai_value values[2] = {{.id = "age", .kind = SOZAI_KIND_FLOAT, .number = {age}},
+                             {.id = "orders", .kind = SOZAI_KIND_INT, .number = {1}}};
     sozai_geometry *g;
     assert_int_equal(geometry->grow(NULL, "tree", trees[k][0], values, 2, &g), SOZAI_OK);
     sozai_table branches = {.size = sizeof branches};
@@ -397,9 +402,12 @@ static int setup(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(radius_bark_and_scar),      cmocka_unit_test(axis_and_years),
-      cmocka_unit_test(branches_cross_the_board),  cmocka_unit_test(rings_never_cross),
-      cmocka_unit_test(a_walk_stays_on_its_fibre), cmocka_unit_test(against_1024_samples),
+      cmocka_unit_test(radius_bark_and_scar),
+      cmocka_unit_test(axis_and_years),
+      cmocka_unit_test(branches_cross_the_board),
+      cmocka_unit_test(rings_never_cross),
+      cmocka_unit_test(a_walk_stays_on_its_fibre),
+      cmocka_unit_test(against_1024_samples),
       cmocka_unit_test(refusals),
   };
   return cmocka_run_group_tests(tests, setup, wood_teardown);
