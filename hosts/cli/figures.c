@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include "figures_sawn.h"
 #include "figures_stone.h"
 #include "figures_tree.h"
 #include "figures_wood.h"
@@ -53,7 +54,8 @@ static bool draw_all(const session_options *shared, const char *folder, failure 
             fail(why, EXIT_FAILURE, "cannot make the folder %s: %s", folder, strerror(errno));
   ok = ok && draw_each(&s, wood_figures, wood_figure_count, folder, why) &&
        draw_each(&s, stone_figures, stone_figure_count, folder, why) &&
-       draw_each(&s, tree_figures, tree_figure_count, folder, why);
+       draw_each(&s, tree_figures, tree_figure_count, folder, why) &&
+       draw_each(&s, sawn_figures, sawn_figure_count, folder, why);
   session_close(&s);
   return ok;
 }
