@@ -10,8 +10,8 @@
 
 #define WIDTH 420u
 #define HEIGHT 900u
-#define PIXEL 0.75  /* mm, of the boards */
-#define LOW 5000.0  /* mm up the stem, where the boards' middle is */
+#define PIXEL 0.75 /* mm, of the boards */
+#define LOW 5000.0 /* mm up the stem, where the boards' middle is */
 #define AGE "45"
 
 /* The same stem three times: what `sozai saw` would cut through its heart, beside
@@ -57,8 +57,8 @@ static void count_crossings(const face *f, const sozai_table *knots, json *j, fa
   for (uint64_t i = 0; i < knots->rows; i++) {
     double azimuth = growth_number(knots, i, "azimuth"), z = f->view.centre[2] + 60;
     double u = z / sin(azimuth), x = u * cos(azimuth);
-    double y = growth_number(knots, i, "height") - LOW +
-               u * tan(growth_number(knots, i, "inclination"));
+    double y =
+        growth_number(knots, i, "height") - LOW + u * tan(growth_number(knots, i, "inclination"));
     int column = (int)floor(x / PIXEL + 0.5 * WIDTH), row = (int)floor(0.5 * HEIGHT - y / PIXEL);
     if (u < 0 || u > 150 || column < 0 || row < 0 || column >= (int)WIDTH || row >= (int)HEIGHT)
       continue;
@@ -75,8 +75,9 @@ static void count_crossings(const face *f, const sozai_table *knots, json *j, fa
 
 static bool paint_board(plate *p, uint32_t panel, const board *b, const sozai_table *knots,
                         session *s, json *j, failure *why) {
-  const char *const parameters[] = {"tree=sugi", "tree_age=" AGE, "log_height=5000", "pith_wander=0",
-                                    "cut_height=0", b->cut, b->distance, NULL};
+  const char *const parameters[] = {
+      "tree=sugi",    "tree_age=" AGE, "log_height=5000", "pith_wander=0",
+      "cut_height=0", b->cut,          b->distance,       NULL};
   const face_view view = {.right = {1, 0, 0},
                           .up = {0, 1, 0},
                           .light = {-0.4, 0.5, 0.77},
@@ -128,5 +129,6 @@ static bool draw(session *s, const char *folder, const char *name, json *j, fail
 }
 
 const figure sawn_figures[] = {
-    {"tree-sawn", "A sugi of 45 years, and its stem 5 m up: flat-sawn, quarter-sawn, across", draw}};
+    {"tree-sawn", "A sugi of 45 years, and its stem 5 m up: flat-sawn, quarter-sawn, across",
+     draw}};
 const size_t sawn_figure_count = sizeof sawn_figures / sizeof *sawn_figures;

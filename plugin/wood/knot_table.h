@@ -20,6 +20,7 @@
 #define KNOT_WIDE 0.8f
 #define KNOT_WIDE_RISING 2.4f
 #define KNOT_LEVELS 5
+#define KNOT_COARSE 2 /* the level whose cells say what wide footprints see */
 
 /* Lengths in mm; K and e as in knots.h; rho is the stem's radius as its rings
  * are reckoned. */
@@ -46,14 +47,14 @@ typedef struct {
 
 typedef struct {
   wood_knot *list;
-  /* of each cell in index, a cell without any comes last; and once more, those
-   * within KNOT_FAR */
+  /* of each cell in index, a cell without any comes last; and then of the coarse cells,
+   * those within KNOT_FAR */
   int32_t *first;
   int32_t *index; /* of list; rising within a cell */
   float *far;     /* shares of knots, level by level */
   size_t bytes;   /* of the one block that all of them are in, this included */
   uint32_t count;
-  int32_t across, tall, cells;
+  int32_t across, tall, cells, coarse;
   float low, inverse_cell;      /* of the cells across the stem */
   float period, inverse_period; /* along it */
   float grain, bark, check;     /* share; mm; of the radius */

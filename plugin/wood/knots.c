@@ -148,22 +148,24 @@ static int32_t floor_of(double x) {
 }
 
 static void put_cell(grid_pen *g, int32_t x, int32_t y, int32_t z, int32_t knot) {
-  wood_knots *all = g->all;
-  if (x < 0 || z < 0 || x >= all->across || z >= all->across) return;
-  y %= all->tall;
-  if (y < 0) y += all->tall;
-  int32_t cell = (y * all->across + z) * all->across + x;
+  int level = g->wide ? KNOT_COARSE : 0;
+  int32_t across = g->all->far_across[level], tall = g->all->far_tall[level];
+  if (x < 0 || z < 0 || x >= across || z >= across) return;
+  y %= tall;
+  if (y < 0) y += tall;
+  int32_t cell = (y * across + z) * across + x;
   if (g->stamp[cell] == knot + 1) return;
   g->stamp[cell] = knot + 1;
-  if (g->writing) all->index[g->fill[cell]] = knot;
+  if (g->writing) g->all->index[g->fill[cell]] = knot;
   g->fill[cell]++;
 }
 
 /* Every cell that holds a point so near to the axis. */
 static void put_knot(grid_pen *g, int32_t n) {
   const wood_knot *k = &g->all->list[n];
-  double per_mm = (double)g->all->inverse_cell, cell = 1.0 / per_mm, step = 0.5 * cell;
-  double tall = (double)g->all->tall * (double)g->all->inverse_period;
+  int level = g->wide ? KNOT_COARSE : 0;
+  double per_mm = (double)g->all->inverse_cell * (double)g->all->far_scale[level];
+  double tall = g->all->far_tall[level] * (double)g->all->inverse_period, step = 0.5 / per_mm;
   double sees = (double)k->sees + 1.5 * (double)(g->wide ? KNOT_FAR : KNOT_NEAR);
   double far = !g->wide && (double)k->bends > sees ? (double)k->bends : sees;
   double before = g->wide ? (double)KNOT_FAR : 0.0;
@@ -175,7 +177,7 @@ static void put_knot(grid_pen *g, int32_t n) {
     int32_t x0 = floor_of((x - side) * per_mm), x1 = floor_of((x + side) * per_mm);
     int32_t z0 = floor_of((z - side) * per_mm), z1 = floor_of((z + side) * per_mm);
     int32_t y0 = floor_of((y - up) * tall - 0.01), y1 = floor_of((y + up) * tall + 0.01);
-    if (y1 - y0 >= g->all->tall) y1 = y0 + g->all->tall - 1;
+    if (y1 - y0 >= g->all->far_tall[level]) y1 = y0 + g->all->far_tall[level] - 1;
     for (int32_t j = y0; j <= y1; j++) {
       for (int32_t i = z0; i <= z1; i++) {
         for (int32_t h = x0; h <= x1; h++) put_cell(g, h, j, i, n);
@@ -188,11 +190,12 @@ static void put_knot(grid_pen *g, int32_t n) {
 static void put_all(grid_pen *g, int writing) {
   size_t cells = (size_t)g->all->cells;
   g->writing = writing;
+  int32_t *fill = g->fill;
   for (g->wide = 0; g->wide < 2; g->wide++, g->fill += cells + 1) {
     memset(g->stamp, 0, cells * sizeof *g->stamp);
     for (uint32_t i = 0; i < g->all->count; i++) put_knot(g, (int32_t)i);
   }
-  g->fill -= 2 * (cells + 1);
+  g->fill = fill;
 }
 
 /* ---- shares of knots in large cells ------------------------------------- */
@@ -258,8 +261,8 @@ static void lay_out(wood_knots *all, const wood_knot *list, double height) {
     if (r > reach) reach = r;
   }
   if (top < 1000.0) top = 1000.0;
-  int blocks = (int)(2.0 * reach / (40.0 * STEP)) + 1;
-  if (blocks > 3) blocks = 3;
+  int blocks = (int)(2.0 * reach / (36.0 * STEP));
+  blocks = blocks < 1 ? 1 : blocks > 3 ? 3 : blocks;
   double cell = 2.0 * reach / (blocks * STEP);
   int tall = (int)(top / (cell * STEP)) + 1;
   if (tall > 64) tall = 64;
@@ -276,7 +279,9 @@ static void lay_out(wood_knots *all, const wood_knot *list, double height) {
     all->far_across[l] = all->across >> l;
     all->far_tall[l] = all->tall >> l;
     all->far_scale[l] = 1.0f / (float)(1 << l);
-    first += all->far_across[l] * all->far_across[l] * all->far_tall[l];
+    int32_t cells = all->far_across[l] * all->far_across[l] * all->far_tall[l];
+    if (l == KNOT_COARSE) all->coarse = cells;
+    first += cells;
   }
 }
 
@@ -286,10 +291,15 @@ static size_t far_count(const wood_knots *all) {
                   all->far_across[last] * all->far_across[last] * all->far_tall[last]);
 }
 
+/* Of both lists, and after each a cell without any. */
+static size_t cell_count(const wood_knots *all) {
+  return (size_t)all->cells + 1 + (size_t)all->coarse + 1;
+}
+
 /* One block of memory: the head, the list, the cells, what is in them. */
 static wood_knots *gather_block(const wood_knots *plan, const sozai_host *host,
                                 const wood_knot *list, size_t entries) {
-  size_t list_bytes = plan->count * sizeof *list, cells = 2 * ((size_t)plan->cells + 1) + 1;
+  size_t list_bytes = plan->count * sizeof *list, cells = cell_count(plan) + 1;
   size_t bytes = sizeof *plan + list_bytes + (cells + entries + 1) * sizeof(int32_t) +
                  far_count(plan) * sizeof(float);
   wood_knots *all = host_alloc(host, bytes, 64);
@@ -308,8 +318,7 @@ static wood_knots *gather_block(const wood_knots *plan, const sozai_host *host,
 
 static int32_t fill_grid(wood_knots **out, const wood_knots *plan, const sozai_host *host,
                          wood_knot *list) {
-  /* a cell without any after those of each list */
-  size_t cells = 2 * ((size_t)plan->cells + 1);
+  size_t cells = cell_count(plan);
   size_t bytes = (cells + (size_t)plan->cells) * sizeof(int32_t);
   wood_knots counting = *plan, *all;
   int32_t *work = host_alloc(host, bytes, 64);

@@ -196,7 +196,9 @@ INLINE void knots_add(const wood_knots *all, vf shift, vf y, vf s, const vf n[3]
   if (!any(gt(middle, zero))) return;
   vf far = smooth_step(splat(KNOT_FAR), splat(2.0f * KNOT_FAR), s);
   middle = middle * (one - far);
-  cell = cell + splati(all->cells + 1);
+  vi coarse = splati(all->far_across[KNOT_COARSE]);
+  cell = ((iy >> KNOT_COARSE) * coarse + (iz >> KNOT_COARSE)) * coarse + (ix >> KNOT_COARSE);
+  cell = seli(within, cell, splati(all->coarse)) + splati(all->cells + 1);
   at = gatheri(all->first, cell);
   end = gatheri(all->first, cell + splati(1));
   if (any(lti(at, end))) {
