@@ -44,11 +44,11 @@ static void cycles(void **unused) {
     assert_int_equal(plugin_start(&p, path), 0);
     use(&p, i);
     plugin_stop(&p);
-    if (i == rounds / 10) early = resident_kib();
+    if (i == rounds / 5) early = resident_kib();
   }
   long grown = resident_kib() - early;
   if (early < 0) skip();
-  print_message("%u rounds; %ld kB more at the end than after a tenth\n", rounds, grown);
+  print_message("%u rounds; %ld kB more at the end than after a fifth\n", rounds, grown);
   /* a hundred bytes a round would show; instrumented memory is another matter */
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
   if (rounds >= 1000) assert_true(grown < 128);
