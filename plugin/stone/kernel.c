@@ -9,13 +9,7 @@
 #include "paper.h"
 #include "surface.h"
 
-#define PASTE_(a, b) a##b
-#define PASTE(a, b) PASTE_(a, b)
-#define NAMED(name) PASTE(name, SOZAI_KERNEL_SUFFIX)
-#define STRING_(a) #a
-#define STRING(a) STRING_(a)
-
-extern const stone_kernel NAMED(stone_kernel_);
+extern const stone_kernel KERNEL_NAME(stone_kernel_);
 
 /* A block of LANES points on its way through the stages. */
 typedef struct {
@@ -29,11 +23,7 @@ typedef struct {
   surface surface;
 } block;
 
-static int wanted(const stone_io *io, int first, int count) {
-  return (io->wanted >> first & ((1ull << count) - 1)) != 0;
-}
-
-INLINE void put(const stone_io *io, const block *k, int channel, vf x) {
+INLINE void put(const kernel_io *io, const block *k, int channel, vf x) {
   if (io->wanted >> channel & 1) store_active(io->in, io->out[channel], k->i, k->n, x);
 }
 
@@ -61,7 +51,7 @@ INLINE void square_sides(const vf n[3], vf t1[3], vf t2[3]) {
   t2[2] = n[0] * t1[1] - n[1] * t1[0];
 }
 
-INLINE void stage_load(const stone_constants *w, int paved, const stone_io *io, block *k) {
+INLINE void stage_load(const stone_constants *w, int paved, const kernel_io *io, block *k) {
   for (int c = 0; c < 3; c++) {
     k->at[c] = finite_coordinate(load_lanes(io->in->point[c], k->i, k->n));
     /* without a normal: a square that leans alike against every axis */
@@ -165,7 +155,7 @@ STAGE void stage_paper(const stone_constants *w, block *k) {
 }
 
 /* The number of the crystal at the point itself. */
-STAGE void stage_grain(const stone_constants *w, const stone_io *io, block *k) {
+STAGE void stage_grain(const stone_constants *w, const kernel_io *io, block *k) {
   const stone_cells *c = &w->layer[LAYER_GRAINS];
   vf q[3];
   cells_near near[2];
@@ -196,7 +186,7 @@ INLINE void from_bed(const stone_constants *w, int paved, const block *k, vf v[3
   if (paved) laid_turn_back(&k->laid, v);
 }
 
-INLINE void stage_height(const stone_io *io, block *k) {
+INLINE void stage_height(const kernel_io *io, block *k) {
   const surface *q = &k->surface;
   put(io, k, STONE_HEIGHT, q->height.v);
   put(io, k, STONE_MOSS, q->moss);
@@ -204,7 +194,7 @@ INLINE void stage_height(const stone_io *io, block *k) {
   put(io, k, STONE_OCCLUSION, q->occlusion);
 }
 
-INLINE void stage_surface(const stone_constants *w, int paved, const stone_io *io, block *k) {
+INLINE void stage_surface(const stone_constants *w, int paved, const kernel_io *io, block *k) {
   surface *q = &k->surface;
   *q = surface_none();
   field relief;
@@ -250,7 +240,7 @@ INLINE void stage_cover(const stone_constants *w, int paved, block *k) {
   k->speck = k->speck * (one - joint) * (one - q->moss);
 }
 
-INLINE void stage_light(const stone_constants *w, int paved, const stone_io *io, block *k,
+INLINE void stage_light(const stone_constants *w, int paved, const kernel_io *io, block *k,
                         int radiance) {
   const surface *q = &k->surface;
   vf n[3], zero = splat(0.0f), one = splat(1.0f);
@@ -297,7 +287,7 @@ INLINE void stage_light(const stone_constants *w, int paved, const stone_io *io,
 }
 
 /* The stone's own channels. */
-INLINE void stage_laid(const stone_constants *w, int paved, const stone_io *io, block *k) {
+INLINE void stage_laid(const stone_constants *w, int paved, const kernel_io *io, block *k) {
   vf zero = splat(0.0f);
   const laid *q = &k->laid;
   vf joint = paved ? q->joint : zero;
@@ -312,13 +302,15 @@ INLINE void stage_laid(const stone_constants *w, int paved, const stone_io *io, 
   put(io, k, STONE_EDGE, paved ? q->edge : zero);
 }
 
-INLINE void evaluate_as(int paved, const stone_constants *w, const stone_io *io, uint32_t from,
+INLINE void evaluate_as(int paved, const stone_constants *w, const kernel_io *io, uint32_t from,
                         uint32_t to) {
-  int radiance = wanted(io, STONE_RADIANCE, 3), albedo = wanted(io, STONE_ALBEDO, 3) || radiance;
-  int speck = wanted(io, STONE_SPECK, 1), hollow = w->layer[LAYER_HOLES].on;
-  int normal = wanted(io, STONE_NORMAL, 3) || wanted(io, STONE_ROUGHNESS, 2) || radiance;
+  int radiance = kernel_wants(io, STONE_RADIANCE, 3),
+      albedo = kernel_wants(io, STONE_ALBEDO, 3) || radiance;
+  int speck = kernel_wants(io, STONE_SPECK, 1), hollow = w->layer[LAYER_HOLES].on;
+  int normal =
+      kernel_wants(io, STONE_NORMAL, 3) || kernel_wants(io, STONE_ROUGHNESS, 2) || radiance;
   int covered = paved || w->weather.on;
-  int surface = normal || wanted(io, STONE_HEIGHT, 1) || wanted(io, STONE_MOSS, 3) ||
+  int surface = normal || kernel_wants(io, STONE_HEIGHT, 1) || kernel_wants(io, STONE_MOSS, 3) ||
                 (covered && (albedo || speck));
   int colour = albedo || speck || (hollow && surface);
   for (uint32_t i = from; i < to; i += LANES) {
@@ -339,21 +331,22 @@ INLINE void evaluate_as(int paved, const stone_constants *w, const stone_io *io,
       for (int c = 0; c < 3; c++) put(io, &k, STONE_ALBEDO + c, k.albedo[c]);
       put(io, &k, STONE_SPECK, k.speck);
     }
-    if (wanted(io, STONE_GRAIN, 1)) stage_grain(w, io, &k);
+    if (kernel_wants(io, STONE_GRAIN, 1)) stage_grain(w, io, &k);
     if (normal) stage_light(w, paved, io, &k, radiance);
   }
 }
 
 /* Twice in the code: a block that is one piece pays nothing for paving. */
-static __attribute__((noinline)) void evaluate_piece(const stone_constants *w, const stone_io *io,
+static __attribute__((noinline)) void evaluate_piece(const stone_constants *w, const kernel_io *io,
                                                      uint32_t from, uint32_t to) {
   evaluate_as(0, w, io, from, to);
 }
-static __attribute__((noinline)) void evaluate_paved(const stone_constants *w, const stone_io *io,
+static __attribute__((noinline)) void evaluate_paved(const stone_constants *w, const kernel_io *io,
                                                      uint32_t from, uint32_t to) {
   evaluate_as(1, w, io, from, to);
 }
-static void evaluate(const stone_constants *w, const stone_io *io, uint32_t from, uint32_t to) {
+static void evaluate(const void *constants, const kernel_io *io, uint32_t from, uint32_t to) {
+  const stone_constants *w = constants;
   if (w->paving.layout.kind != LAYOUT_NONE)
     evaluate_paved(w, io, from, to);
   else
@@ -467,5 +460,5 @@ static void scan_tile(const stone_constants *w, paper_scanned *out) {
   if (out->highest <= 0.0) out->highest = 256.0;
 }
 
-const stone_kernel NAMED(stone_kernel_) = {STRING(SOZAI_ISA_NAME), LANES,    evaluate, measure,
-                                           measure_laid,           scan_tile};
+const stone_kernel KERNEL_NAME(stone_kernel_) = {KERNEL_OF(evaluate), measure, measure_laid,
+                                                 scan_tile};

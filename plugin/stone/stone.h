@@ -18,6 +18,7 @@
 #include <stdint.h>
 
 #include "../../api/sozai_colour.h"
+#include "../core/kernel.h"
 #include "../layout/layout.h"
 
 /* A stage that is large and called from several places: once in the code. */
@@ -154,12 +155,6 @@ typedef struct {
   stone_weather weather;
 } stone_constants;
 
-typedef struct {
-  const sozai_batch *in;
-  float *const *out;
-  uint64_t wanted; /* bit c: out[c] is not NULL */
-} stone_io;
-
 /* Components of the output channels, in their order. */
 enum {
   STONE_ALBEDO = 0,
@@ -181,8 +176,6 @@ enum {
   STONE_COMPONENTS = 22
 };
 
-typedef void stone_evaluate(const stone_constants *w, const stone_io *io, uint32_t from,
-                            uint32_t to);
 /* Means of what has no formula, over `count` points: how much of a cell the
  * bodies of each layer fill, and the balls that stand for them; and the veins'
  * share. */
@@ -206,9 +199,7 @@ typedef void paper_scan(const stone_constants *w, paper_scanned *out);
 
 /* One compilation of the kernel. */
 typedef struct {
-  const char *name; /* of the instruction set */
-  uint32_t lanes;
-  stone_evaluate *evaluate;
+  kernel kernel;
   stone_measure *measure;
   stone_measure_laid *measure_laid;
   paper_scan *scan;

@@ -17,13 +17,7 @@
 #include "spalt.h"
 #include "vessels.h"
 
-#define PASTE_(a, b) a##b
-#define PASTE(a, b) PASTE_(a, b)
-#define NAMED(name) PASTE(name, SOZAI_KERNEL_SUFFIX)
-#define STRING_(a) #a
-#define STRING(a) STRING_(a)
-
-extern const wood_kernel NAMED(wood_kernel_);
+extern const wood_kernel KERNEL_NAME(wood_kernel_);
 
 /* What has been asked for, and the stages that it takes. */
 typedef struct {
@@ -31,29 +25,25 @@ typedef struct {
   int late, vessel, lobe, direction, section, picture, cone, board, relief;
 } wood_wants;
 
-static int wanted(const wood_io *io, int first, int count) {
-  return (io->wanted >> first & ((1ull << count) - 1)) != 0;
-}
-
-static wood_wants wants_of(const wood_constants *w, const wood_io *io) {
+static wood_wants wants_of(const wood_constants *w, const kernel_io *io) {
   wood_wants q;
-  q.radiance = wanted(io, WOOD_RADIANCE, 3);
-  q.colour = wanted(io, WOOD_ALBEDO, 3) || q.radiance;
-  q.fibre = wanted(io, WOOD_FIBER, 3);
-  q.dive = wanted(io, WOOD_DIVE, 1);
-  q.vessel = wanted(io, WOOD_VESSEL, 1) || wanted(io, WOOD_RAY, 1) || wanted(io, WOOD_CANAL, 1) ||
-             q.colour;
-  q.late = wanted(io, WOOD_LATEWOOD, 1) || q.vessel;
+  q.radiance = kernel_wants(io, WOOD_RADIANCE, 3);
+  q.colour = kernel_wants(io, WOOD_ALBEDO, 3) || q.radiance;
+  q.fibre = kernel_wants(io, WOOD_FIBER, 3);
+  q.dive = kernel_wants(io, WOOD_DIVE, 1);
+  q.vessel = kernel_wants(io, WOOD_VESSEL, 1) || kernel_wants(io, WOOD_RAY, 1) ||
+             kernel_wants(io, WOOD_CANAL, 1) || q.colour;
+  q.late = kernel_wants(io, WOOD_LATEWOOD, 1) || q.vessel;
   q.picture = w->picture && q.late;
   if (w->picture) q.late = q.vessel = 0;
-  q.lobe = wanted(io, WOOD_SPECULAR, 2) || q.radiance;
-  q.cone = wanted(io, WOOD_CONE_COLOUR, 5);
-  q.board = wanted(io, WOOD_BOARD_ID, WOOD_CANAL - WOOD_BOARD_ID);
-  q.relief = w->surface.relief &&
-             (q.lobe || q.cone || (w->surface.stains && q.colour) || wanted(io, WOOD_NORMAL, 4));
+  q.lobe = kernel_wants(io, WOOD_SPECULAR, 2) || q.radiance;
+  q.cone = kernel_wants(io, WOOD_CONE_COLOUR, 5);
+  q.board = kernel_wants(io, WOOD_BOARD_ID, WOOD_CANAL - WOOD_BOARD_ID);
+  q.relief = w->surface.relief && (q.lobe || q.cone || (w->surface.stains && q.colour) ||
+                                   kernel_wants(io, WOOD_NORMAL, 4));
   q.direction = q.fibre || q.dive || q.radiance || q.cone || q.relief;
-  q.section =
-      q.direction || q.vessel || q.picture || q.lobe || q.cone || wanted(io, WOOD_REFERENCE, 2);
+  q.section = q.direction || q.vessel || q.picture || q.lobe || q.cone ||
+              kernel_wants(io, WOOD_REFERENCE, 2);
   return q;
 }
 
@@ -156,7 +146,7 @@ static __attribute__((noinline)) void store_some(const uint8_t *active, const bl
   }
 }
 
-INLINE void store_lanes(const wood_io *io, int channel, const block *k, vf x) {
+INLINE void store_lanes(const kernel_io *io, int channel, const block *k, vf x) {
   float *p = io->out[channel];
   if (!p) return;
   if (__builtin_expect(k->whole, 1)) {
@@ -188,7 +178,7 @@ INLINE void to_log(const wood_constants *w, int boards, const block *k, const vf
 }
 
 /* The board's channels, and the normal of its bevelled edges and cupped face. */
-INLINE void stage_board(const wood_constants *w, int boards, const wood_io *io, block *k,
+INLINE void stage_board(const wood_constants *w, int boards, const kernel_io *io, block *k,
                         vf normal[3]) {
   vf zero = splat(0.0f), id = zero, u = zero, v = zero, edge = zero, height = zero;
   if (boards) {
@@ -215,7 +205,7 @@ INLINE void stage_board(const wood_constants *w, int boards, const wood_io *io, 
   store_lanes(io, WOOD_HEIGHT, k, height);
 }
 
-INLINE void stage_load(const wood_constants *w, int boards, const wood_io *io,
+INLINE void stage_load(const wood_constants *w, int boards, const kernel_io *io,
                        const wood_wants *want, block *k) {
   vf p[3];
   for (int c = 0; c < 3; c++) p[c] = finite_coordinate(load_lanes(io->in->point[c], k->i, k->n));
@@ -262,7 +252,7 @@ INLINE void stage_rho(const wood_constants *w, block *k) {
   stem_rho(w, k->p[1], &k->undulation, &k->stem);
 }
 
-INLINE void stage_ring(const wood_constants *w, const wood_io *io, block *k) {
+INLINE void stage_ring(const wood_constants *w, const kernel_io *io, block *k) {
   k->ring = ring_at(w, k->stem.rho);
   k->years = to_float(k->ring.ring) + k->ring.phase;
   store_lanes(io, WOOD_TIME, k, k->years);
@@ -296,7 +286,7 @@ INLINE void stage_turn(block *k) {
   k->sn = k->stem.s * c - k->stem.c * s;
 }
 
-INLINE void stage_section(const wood_constants *w, const wood_io *io, block *k) {
+INLINE void stage_section(const wood_constants *w, const kernel_io *io, block *k) {
   vf unused;
   vf radius = k->stem.rho * (splat(1.0f) + outline_at(w, k->c, k->sn, &unused));
   k->x = radius * k->c;
@@ -322,7 +312,7 @@ INLINE void stage_fibre(block *k) {
   k->sine = zero - (f[0] * k->nrm[0] + f[1] * k->nrm[1] + f[2] * k->nrm[2]);
 }
 
-INLINE void stage_direction(const wood_constants *w, int boards, const wood_io *io,
+INLINE void stage_direction(const wood_constants *w, int boards, const kernel_io *io,
                             const wood_wants *want, block *k) {
   const vf *f = k->fibre;
   if (want->fibre) {
@@ -348,12 +338,12 @@ INLINE void stem_row(block *k) {
   k->b[2] = stem->rho_z;
 }
 
-INLINE void stage_reach(const wood_io *io, block *k) {
+INLINE void stage_reach(const kernel_io *io, block *k) {
   stem_row(k);
   k->reach = rings_extent(&k->stem, k->b, k->nrm, !io->in->normal[0], k->s);
 }
 
-INLINE void stage_rings(const wood_constants *w, const wood_io *io, block *k) {
+INLINE void stage_rings(const wood_constants *w, const kernel_io *io, block *k) {
   k->late = rings_across(w, MEAN_LATE, &k->stem, &k->ring, k->b, k->nrm, !io->in->normal[0], k->s,
                          k->reach);
   store_lanes(io, WOOD_LATEWOOD, k, k->late);
@@ -374,7 +364,7 @@ INLINE void section_arc_row(const block *k, vf a[3]) {
 }
 
 /* The footprint over (arc, rho) of the reference section. */
-INLINE footprint2 footprint_in_section(const wood_io *io, const block *k) {
+INLINE footprint2 footprint_in_section(const kernel_io *io, const block *k) {
   vf a[3];
   section_arc_row(k, a);
   return footprint_through(a, k->b, k->nrm, !io->in->normal[0], k->s);
@@ -386,7 +376,7 @@ INLINE vessel_place vessel_place_of(int boards, const block *k) {
 
 /* Long footprints here; what is within one tap goes through the two stages
  * after this one. */
-INLINE void stage_vessel_parts(const wood_constants *w, int boards, const wood_io *io, block *k) {
+INLINE void stage_vessel_parts(const wood_constants *w, int boards, const kernel_io *io, block *k) {
   vf zero = splat(0.0f);
   k->f = footprint_in_section(io, k);
   k->vessels = (vessel_cover_t){zero, zero, zero, zero};
@@ -418,7 +408,7 @@ INLINE void stage_rows(const wood_constants *w, int boards, block *k) {
 }
 
 /* Where the vessels could not be looked up, what is to be expected. */
-INLINE void stage_cover(const wood_constants *w, const wood_io *io, block *k) {
+INLINE void stage_cover(const wood_constants *w, const kernel_io *io, block *k) {
   const stem_place *stem = &k->stem;
   const vessel_cover_t *v = &k->vessels;
   vf one = splat(1.0f), zero = splat(0.0f);
@@ -456,14 +446,14 @@ INLINE void stage_ray_body(const wood_constants *w, block *k) {
   k->ray_in = ray_body_of(w, &k->rays, &k->ray_at, splati(0));
 }
 
-INLINE void stage_rays(const wood_constants *w, const wood_io *io, block *k) {
+INLINE void stage_rays(const wood_constants *w, const kernel_io *io, block *k) {
   vf share, nearest = ray_body_cover(w, &k->rays, &k->ray_at, &k->ray_in);
   vf found = rays_cover(w, &k->rays, &k->ray_at, nearest, &share);
   k->ray = rays_faded(w, &k->rays, found, share);
   store_lanes(io, WOOD_RAY, k, k->ray);
 }
 
-INLINE void stage_canals(const wood_constants *w, int boards, const wood_io *io, block *k) {
+INLINE void stage_canals(const wood_constants *w, int boards, const kernel_io *io, block *k) {
   vessel_place place = vessel_place_of(boards, k);
   k->canal = canals_at(w, &place);
   store_lanes(io, WOOD_CANAL, k, k->canal.whole);
@@ -512,7 +502,7 @@ INLINE void stage_spalt_colour(block *k) {
   }
 }
 
-INLINE void stage_colour(const wood_constants *w, int boards, const wood_io *io, block *k) {
+INLINE void stage_colour(const wood_constants *w, int boards, const kernel_io *io, block *k) {
   vf one = splat(1.0f), zero = splat(0.0f);
   /* earlywood rows stand where there is no latewood; pores everywhere */
   vf season = w->has_eyes ? vmax(k->late, k->stem.eye) : k->late;
@@ -549,7 +539,7 @@ INLINE void stage_colour(const wood_constants *w, int boards, const wood_io *io,
 
 /* The same from a picture of the section: it shows rings, vessels and fibres
  * down to its pixels, and the fibres' noise goes on below them. */
-INLINE void stage_picture(const wood_constants *w, int boards, const wood_io *io, block *k) {
+INLINE void stage_picture(const wood_constants *w, int boards, const kernel_io *io, block *k) {
   const stem_place *stem = &k->stem;
   stem_row(k);
   footprint2 f = footprint_in_section(io, k);
@@ -571,7 +561,7 @@ INLINE void stage_picture(const wood_constants *w, int boards, const wood_io *io
 
 /* Figure, Kawai's equation (4): the lobe's normal dives with the fibre; slopes
  * that the footprint averages widen it instead. */
-INLINE void stage_lobe(const wood_constants *w, int boards, const wood_io *io, block *k) {
+INLINE void stage_lobe(const wood_constants *w, int boards, const kernel_io *io, block *k) {
   vf one = splat(1.0f);
   vf roughness = splat(w->roughness);
   k->exponent = splat(w->shininess);
@@ -602,7 +592,7 @@ INLINE void stage_lobe(const wood_constants *w, int boards, const wood_io *io, b
   store_lanes(io, WOOD_ROUGHNESS, k, roughness);
 }
 
-INLINE void stage_light(const wood_constants *w, int boards, const wood_io *io, block *k) {
+INLINE void stage_light(const wood_constants *w, int boards, const kernel_io *io, block *k) {
   vf one = splat(1.0f), zero = splat(0.0f), light[3], *l = k->light;
   for (int c = 0; c < 3; c++) light[c] = load_lanes(io->in->light[c], k->i, k->n);
   unit_direction(light);
@@ -616,7 +606,7 @@ INLINE void stage_light(const wood_constants *w, int boards, const wood_io *io, 
 }
 
 /* Radiance of a channel, under the light's colour. */
-INLINE void store_lit(const wood_io *io, const block *k, int c, vf r) {
+INLINE void store_lit(const kernel_io *io, const block *k, int c, vf r) {
   if (io->in->light_colour[c]) {
     vf e = load_lanes(io->in->light_colour[c], k->i, k->n);
     r = r * sel(lt(vabs(e), splat(1e30f)), e, splat(0.0f));
@@ -626,7 +616,7 @@ INLINE void store_lit(const wood_io *io, const block *k, int c, vf r) {
 
 /* Towards the eye, log space; the normal where no view is given, or none that
  * is a direction. */
-INLINE void view_of(const wood_constants *w, int boards, const wood_io *io, const block *k,
+INLINE void view_of(const wood_constants *w, int boards, const kernel_io *io, const block *k,
                     vf out[3]) {
   for (int c = 0; c < 3; c++) out[c] = k->nrm[c];
   if (!io->in->view[0]) return;
@@ -642,7 +632,7 @@ INLINE void view_of(const wood_constants *w, int boards, const wood_io *io, cons
 }
 
 /* What a host needs to build the cone itself. */
-INLINE void stage_cone(const wood_constants *w, const wood_io *io, block *k) {
+INLINE void stage_cone(const wood_constants *w, const kernel_io *io, block *k) {
   cone_dive dive = cone_dive_of(k->sine);
   vf scale = w->cone ? cone_along(w->cone_scale, &dive) : splat(1.0f);
   for (int c = 0; c < 3; c++) {
@@ -654,7 +644,8 @@ INLINE void stage_cone(const wood_constants *w, const wood_io *io, block *k) {
   store_lanes(io, WOOD_COAT, k, splat(w->coat));
 }
 
-INLINE void stage_cone_radiance(const wood_constants *w, int boards, const wood_io *io, block *k) {
+INLINE void stage_cone_radiance(const wood_constants *w, int boards, const kernel_io *io,
+                                block *k) {
   vf r[3], v[3], coat2 = splat(w->coat_alpha * w->coat_alpha);
   if (w->surface.relief) coat2 = vmin(coat2 + k->lost, splat(1.0f));
   view_of(w, boards, io, k, v);
@@ -679,7 +670,7 @@ INLINE void stage_cone_radiance(const wood_constants *w, int boards, const wood_
 
 INLINE void stage_gloss(block *k) { k->power = power01_log2(k->tilted, k->exponent); }
 
-INLINE void stage_radiance(const wood_constants *w, const wood_io *io, block *k) {
+INLINE void stage_radiance(const wood_constants *w, const kernel_io *io, block *k) {
   vf zero = splat(0.0f);
   vf gloss = k->strength * exp2_(k->power);
   vf diffuse = splat(w->diffuse) * vmax(k->incident, zero);
@@ -699,7 +690,7 @@ INLINE void stage_radiance(const wood_constants *w, const wood_io *io, block *k)
 
 /* restrict: what is stored is no constant, so that those are loaded before the
  * loops and not in them. */
-INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood_io *restrict io,
+INLINE void evaluate_as(int boards, const wood_constants *restrict w, const kernel_io *restrict io,
                         const wood_wants *restrict want, block *blocks, surface_relief *reliefs,
                         uint32_t count) {
   EACH(stage_load(w, boards, io, want, &blocks[k]));
@@ -774,21 +765,22 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
 /* Twice in the code, with boards and without: a wood that is one piece pays
  * nothing for them. */
 static __attribute__((noinline)) void evaluate_piece(const wood_constants *restrict w,
-                                                     const wood_io *restrict io,
+                                                     const kernel_io *restrict io,
                                                      const wood_wants *restrict want, block *blocks,
                                                      surface_relief *reliefs, uint32_t count) {
   evaluate_as(0, w, io, want, blocks, reliefs, count);
 }
 
 static __attribute__((noinline)) void evaluate_boards(const wood_constants *restrict w,
-                                                      const wood_io *restrict io,
+                                                      const kernel_io *restrict io,
                                                       const wood_wants *restrict want,
                                                       block *blocks, surface_relief *reliefs,
                                                       uint32_t count) {
   evaluate_as(1, w, io, want, blocks, reliefs, count);
 }
 
-static void evaluate(const wood_constants *w, const wood_io *io, uint32_t from, uint32_t to) {
+static void evaluate(const void *constants, const kernel_io *io, uint32_t from, uint32_t to) {
+  const wood_constants *w = constants;
   wood_wants want = wants_of(w, io);
   block blocks[BLOCKS];
   surface_relief reliefs[BLOCKS];
@@ -850,5 +842,4 @@ static void pith(const wood_constants *w, uint32_t count, const float *y, float 
   }
 }
 
-const wood_kernel NAMED(wood_kernel_) = {STRING(SOZAI_ISA_NAME), LANES, evaluate, ring_radius,
-                                         pith};
+const wood_kernel KERNEL_NAME(wood_kernel_) = {KERNEL_OF(evaluate), ring_radius, pith};

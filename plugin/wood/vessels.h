@@ -199,29 +199,49 @@ INLINE row_place row_at(const wood_constants *w, vu own, const ring_place *ring,
   return p;
 }
 
-/* Coverage by the rows, da along the arc and dr along rho from the point. The
- * two nearest vessels of a row hold everything within a spacing less half the
- * jitter. */
+/* Where a place stands in row m: da along the arc and dr along rho from the
+ * point. */
+typedef struct {
+  vu seed;
+  vi first; /* of the two nearest vessels: they hold all within a spacing less half the jitter */
+  vf within, radial;
+} row_spot;
+
+INLINE row_spot row_spot_of(const wood_constants *w, const row_place *p, int m, vf rho, vf da,
+                            vf dr) {
+  row_spot q;
+  vi unused;
+  q.seed = hash_upper(p->seed + splatu((uint32_t)m * HASH_X));
+  /* each row begins at an azimuth of its own */
+  vf u = p->turn + to_float((vi)(q.seed >> 8)) * splat(1.0f / 16777216.0f);
+  vf place = (u - vfloor(u, &unused)) * p->count - splat(0.5f) + da * p->per_arc;
+  q.within = place - vfloor(place, &q.first);
+  q.radial = rho + dr - p->start - splat(w->row_start + w->row_spacing * (float)m);
+  return q;
+}
+
+/* The hash of vessel first + a, and the place relative to its centre, mm. */
+INLINE vu row_vessel(const wood_constants *w, const row_place *p, const row_spot *q, int a, vf *x,
+                     vf *z) {
+  vi k = q->first + splati(a);
+  k = seli(lti(k, splati(0)), k + p->n, k);
+  k = seli(lti(k, p->n), k, k - p->n);
+  vu h = hash_upper((vu)k * splatu(HASH_Y) + q->seed);
+  *x = (q->within - splat((float)a) - hash_place(h) * splat(w->row_step_arc)) * p->arc;
+  *z = q->radial - hash_place2(h) * splat(w->row_step_radial);
+  return h;
+}
+
+/* Coverage by the rows, da along the arc and dr along rho from the point. */
 INLINE vf rows_cover(const wood_constants *w, const row_place *p, vf rho, vf da, vf dr,
                      const disc *d) {
-  vi unused;
   vf sum = splat(0.0f);
   for (int m = 0; m < w->rows; m++) {
-    vu row_seed = hash_upper(p->seed + splatu((uint32_t)m * HASH_X));
-    /* each row begins at an azimuth of its own */
-    vf u = p->turn + to_float((vi)(row_seed >> 8)) * splat(1.0f / 16777216.0f);
-    vf place = (u - vfloor(u, &unused)) * p->count - splat(0.5f) + da * p->per_arc;
-    vi k0;
-    vf within = place - vfloor(place, &k0);
-    vf radial = rho + dr - p->start - splat(w->row_start + w->row_spacing * (float)m);
+    row_spot q = row_spot_of(w, p, m, rho, da, dr);
     UNROLL(2)
     for (int a = 0; a < 2; a++) {
-      vi k = k0 + splati(a);
-      k = seli(lti(k, splati(0)), k + p->n, k);
-      k = seli(lti(k, p->n), k, k - p->n);
-      vu h = hash_upper((vu)k * splatu(HASH_Y) + row_seed);
-      vf x = (within - splat((float)a) - hash_place(h) * splat(w->row_step_arc)) * p->arc;
-      vf z = radial - hash_place2(h) * splat(w->row_step_radial);
+      vf x, z;
+      vu h = row_vessel(w, p, &q, a, &x, &z);
       sum = sum + vessel_cover(&w->row, d, h, disc_distance(d, x, z));
     }
   }

@@ -18,6 +18,7 @@
 #include <stdint.h>
 
 #include "../../api/sozai_colour.h"
+#include "../core/kernel.h"
 #include "../layout/layout.h"
 #include "surface/surface.h"
 
@@ -248,13 +249,6 @@ typedef struct {
   float bin[WOOD_BINS_MAX][2];
 } wood_constants;
 
-/* Inputs and outputs of the kernel, checked. */
-typedef struct {
-  const sozai_batch *in;
-  float *const *out; /* for every component */
-  uint64_t wanted;   /* bit c: out[c] is not NULL */
-} wood_io;
-
 /* Components of the output channels, in their order. */
 enum {
   WOOD_ALBEDO = 0,
@@ -281,7 +275,6 @@ enum {
   WOOD_COMPONENTS = 32
 };
 
-typedef void wood_evaluate(const wood_constants *w, const wood_io *io, uint32_t from, uint32_t to);
 typedef void wood_radius(const wood_constants *w, uint32_t count, const float *t,
                          const float *theta, const float *y, float *out_r);
 typedef void wood_pith(const wood_constants *w, uint32_t count, const float *y, float *out_x,
@@ -289,9 +282,7 @@ typedef void wood_pith(const wood_constants *w, uint32_t count, const float *y, 
 
 /* One compilation of the kernel. */
 typedef struct {
-  const char *name; /* of the instruction set */
-  uint32_t lanes;
-  wood_evaluate *evaluate;
+  kernel kernel;
   wood_radius *radius;
   wood_pith *pith;
 } wood_kernel;

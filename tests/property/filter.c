@@ -7,10 +7,10 @@
 #include <string.h>
 
 #include "cmocka_all.h"
-#include "wood.h"
+#include "truth.h"
 
 #define PI 3.14159265358979
-enum { SIDE = 32, SAMPLES = SIDE * SIDE, PLACES = 100 };
+enum { PLACES = 100 };
 
 static void against_1024_samples(void **state) {
   (void)state;
@@ -28,36 +28,19 @@ static void against_1024_samples(void **state) {
     int lines = strcmp(wood_preset(k), "spalted_beech") == 0;
     uniform_seed(51); /* so that a species' numbers do not depend on the others */
     for (unsigned f = 0; f < 11; f++) {
-      double square = 0, mean = 0;
-      unsigned n = 0;
+      truth_errors errors = {0};
       for (int c = 0; c < 4; c++) {
         char text[32];
         snprintf(text, sizeof text, "cut=%s", cuts[c]);
         sozai_texture *t = wood_make(wood_preset(k), text);
         for (int place = 0; place < PLACES; place++) {
           double x = 160 * (uniform() - 0.5), y = (c == 3 ? 80 : 1200) * (uniform() - 0.5);
-          double turn = 2 * PI * uniform(), co = cos(turn), si = sin(turn);
-          points_clear(&p);
-          for (int i = 0; i < SAMPLES; i++) {
-            double u = ((i % SIDE + uniform()) / SIDE - 0.5) * sizes[f];
-            double v = ((i / SIDE + uniform()) / SIDE - 0.5) * sizes[f];
-            points_add(&p, x + u * co - v * si, y + u * si + v * co, 0, 0);
-          }
-          points_add(&p, x, y, 0, sizes[f]);
-          points_ask(&p, t);
-          for (int ch = 0; ch < 3; ch++) {
-            double truth = 0;
-            for (int i = 0; i < SAMPLES; i++) truth += (double)p.out[ALBEDO + ch][i] / SAMPLES;
-            double error = (double)p.out[ALBEDO + ch][SAMPLES] - truth;
-            square += error * error;
-            mean += error;
-            n++;
-          }
+          truth_ask(&p, t, x, y, 2 * PI * uniform(), sizes[f]);
+          truth_add(&errors, &p);
         }
         textures->destroy(t);
       }
-      double rms = sqrt(square / n);
-      mean /= n;
+      double rms = truth_rms(&errors), mean = truth_mean(&errors);
       double *most = lines ? &spalted : &worst, *most_mean = lines ? &spalted_mean : &worst_mean;
       *most = fmax(*most, rms);
       *most_mean = fmax(*most_mean, fabs(mean));

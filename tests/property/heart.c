@@ -6,7 +6,7 @@
 #include <math.h>
 
 #include "cmocka_all.h"
-#include "wood.h"
+#include "truth.h"
 
 /* Heartwood red, sapwood blue, and nothing else: red is the share of heartwood. */
 #define BARE                                                                                       \
@@ -77,42 +77,27 @@ static void carried(void **state) {
 
 static void filtered(void **state) {
   (void)state;
-  enum { SIDE = 32, SAMPLES = SIDE * SIDE };
   static const double sizes[] = {0.1, 1, 3, 10, 30};
   static const char *const cuts[] = {"flat", "end"};
   points p = {0};
   uniform_seed(73);
   double worst = 0;
   for (int f = 0; f < 5; f++) {
-    double square = 0, mean = 0, n = 0;
+    truth_errors errors = {0};
     for (int c = 0; c < 2; c++) {
       char text[256];
       snprintf(text, sizeof text, "cut=%s; cut_distance=25; heartwood_years=15", cuts[c]);
       sozai_texture *t = wood_make("onigurumi", text);
       for (int place = 0; place < 400; place++) {
         double x = 80 * (uniform() - 0.5), y = (c ? 80 : 1200) * (uniform() - 0.5);
-        points_clear(&p);
-        for (int i = 0; i < SAMPLES; i++) {
-          points_add(&p, x + ((i % SIDE + uniform()) / SIDE - 0.5) * sizes[f],
-                     y + ((i / SIDE + uniform()) / SIDE - 0.5) * sizes[f], 0, 0);
-        }
-        points_add(&p, x, y, 0, sizes[f]);
-        points_ask(&p, t);
-        for (int ch = 0; ch < 3; ch++) {
-          double truth = 0;
-          for (int i = 0; i < SAMPLES; i++) truth += (double)p.out[ALBEDO + ch][i] / SAMPLES;
-          double error = (double)p.out[ALBEDO + ch][SAMPLES] - truth;
-          square += error * error;
-          mean += error;
-          n++;
-        }
+        truth_ask(&p, t, x, y, 0, sizes[f]);
+        truth_add(&errors, &p);
       }
       textures->destroy(t);
     }
-    double rms = sqrt(square / n);
-    worst = fmax(worst, fmax(rms, 5 * fabs(mean / n)));
-    print_message("footprint %g mm over the boundary: rms %.4f, mean %+.4f\n", sizes[f], rms,
-                  mean / n);
+    double rms = truth_rms(&errors), mean = truth_mean(&errors);
+    worst = fmax(worst, fmax(rms, 5 * fabs(mean)));
+    print_message("footprint %g mm over the boundary: rms %.4f, mean %+.4f\n", sizes[f], rms, mean);
   }
   points_free(&p);
   CHECK(worst <= 0.012, "worst %.4f\n", worst);

@@ -8,9 +8,9 @@
 #include <math.h>
 
 #include "cmocka_all.h"
-#include "wood.h"
+#include "truth.h"
 
-enum { SIDE = 32, SAMPLES = SIDE * SIDE, PLACES = 600 };
+enum { PLACES = 600 };
 
 static void against_1024_samples(void **state) {
   (void)state;
@@ -32,8 +32,7 @@ static void against_1024_samples(void **state) {
     print_message("%-12.12s%-10s", layout + 7, k & 1 ? " astride" : " anywhere");
     for (unsigned f = 0; f < 8; f++) {
       uniform_seed(91);
-      double square = 0, mean = 0;
-      unsigned n = 0;
+      truth_errors errors = {0};
       for (int place = 0; place < PLACES; place++) {
         double x = 3000 * (uniform() - 0.5), y = 3000 * (uniform() - 0.5);
         if (k & 1) { /* down the edge's slope, to a joint's middle */
@@ -53,25 +52,10 @@ static void against_1024_samples(void **state) {
           x += sizes[f] * (uniform() - 0.5);
           y += sizes[f] * (uniform() - 0.5);
         }
-        points_clear(&p);
-        for (int i = 0; i < SAMPLES; i++) {
-          double u = ((i % SIDE + uniform()) / SIDE - 0.5) * sizes[f];
-          double v = ((i / SIDE + uniform()) / SIDE - 0.5) * sizes[f];
-          points_add(&p, x + u, y + v, 0, 0);
-        }
-        points_add(&p, x, y, 0, sizes[f]);
-        points_ask(&p, t);
-        for (int c = 0; c < 3; c++) {
-          double truth = 0;
-          for (int i = 0; i < SAMPLES; i++) truth += (double)p.out[ALBEDO + c][i] / SAMPLES;
-          double error = (double)p.out[ALBEDO + c][SAMPLES] - truth;
-          square += error * error;
-          mean += error;
-          n++;
-        }
+        truth_ask(&p, t, x, y, 0, sizes[f]);
+        truth_add(&errors, &p);
       }
-      double rms = sqrt(square / n);
-      mean /= n;
+      double rms = truth_rms(&errors), mean = truth_mean(&errors);
       print_message("  %.4f/%+.4f", rms, mean);
       if (!(k & 1)) {
         worst = fmax(worst, rms);

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "cmocka_all.h"
-#include "wood.h"
+#include "truth.h"
 
 #define ROUND                                                                                      \
   "pith_wander=0; undulation=0; section_wobble=0; slope_noise=0; taper=0; porosity=none; "         \
@@ -160,7 +160,6 @@ static void carried(void **state) {
 
 static void filtered(void **state) {
   (void)state;
-  enum { SIDE = 32, SAMPLES = SIDE * SIDE };
   static const double sizes[] = {0.03, 0.1, 0.3, 1, 3, 10, 30};
   static const char *const cuts[] = {"flat", "quarter", "end"};
   points p = {0};
@@ -168,37 +167,27 @@ static void filtered(void **state) {
   double worst = 0;
   for (int f = 0; f < 7; f++) {
     for (int k = 0; k < 2; k++) {
-      double square = 0, mean = 0, n = 0;
+      truth_errors errors = {0};
       for (int c = 0; c < 3; c++) {
-        double part = 0;
+        truth_errors part = {0};
         char text[64];
         snprintf(text, sizeof text, "cut=%s; cut_distance=70", cuts[c]);
         sozai_texture *t = wood_make(k ? "itayakaede" : "mizunara", text);
         for (int place = 0; place < 400; place++) {
           double x = 80 * (uniform() - 0.5), y = (c == 2 ? 80 : 800) * (uniform() - 0.5);
-          points_clear(&p);
-          for (int i = 0; i < SAMPLES; i++) {
-            points_add(&p, x + ((i % SIDE + uniform()) / SIDE - 0.5) * sizes[f],
-                       y + ((i / SIDE + uniform()) / SIDE - 0.5) * sizes[f], 0, 0);
-          }
-          points_add(&p, x, y, 0, sizes[f]);
-          points_ask(&p, t);
-          for (int ch = 0; ch < 3; ch++) {
-            double truth = 0;
-            for (int i = 0; i < SAMPLES; i++) truth += (double)p.out[ALBEDO + ch][i] / SAMPLES;
-            double error = (double)p.out[ALBEDO + ch][SAMPLES] - truth;
-            square += error * error;
-            part += error * error / (3 * 400);
-            mean += error;
-            n++;
-          }
+          truth_ask(&p, t, x, y, 0, sizes[f]);
+          truth_add(&part, &p);
         }
         textures->destroy(t);
-        print_message("  %s %.4f", cuts[c], sqrt(part));
+        print_message("  %s %.4f", cuts[c], truth_rms(&part));
+        errors.square += part.square;
+        errors.mean += part.mean;
+        errors.n += part.n;
       }
+      double rms = truth_rms(&errors), mean = truth_mean(&errors);
       print_message("  %-10s footprint %-4g mm: albedo rms %.4f, mean %+.4f\n",
-                    k ? "itayakaede" : "mizunara", sizes[f], sqrt(square / n), mean / n);
-      worst = fmax(worst, fmax(sqrt(square / n), 5 * fabs(mean / n)));
+                    k ? "itayakaede" : "mizunara", sizes[f], rms, mean);
+      worst = fmax(worst, fmax(rms, 5 * fabs(mean)));
     }
   }
   points_free(&p);

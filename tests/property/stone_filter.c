@@ -11,22 +11,11 @@
 #include <string.h>
 
 #include "cmocka_all.h"
-#include "wood.h"
+#include "truth.h"
 
 #define PI 3.14159265358979
-enum { SIDE = 32, SAMPLES = SIDE * SIDE, PLACES = 96, SIZES = 9 };
+enum { PLACES = 96, SIZES = 9 };
 static const double sizes[SIZES] = {0.01, 0.03, 0.1, 0.3, 1, 3, 10, 30, 100};
-
-static void ask_albedo(points *p, const sozai_texture *t) {
-  sozai_batch b = {.size = sizeof b, .count = p->count, .footprint = p->footprint};
-  for (int c = 0; c < 3; c++) {
-    b.point[c] = p->point[c];
-    b.normal[c] = p->normal[c];
-  }
-  b.out = p->out;
-  b.out_count = 3;
-  assert_int_equal(textures->evaluate(t, &b), SOZAI_OK);
-}
 
 /* One face to an axis, and one that leans. */
 static void face(int k, double n[3], double u[3], double v[3]) {
@@ -39,33 +28,22 @@ static void face(int k, double n[3], double u[3], double v[3]) {
   memcpy(v, of[k][2], sizeof of[k][2]);
 }
 
-typedef struct {
-  double square, mean;
-  unsigned n;
-} errors;
-
-static void one_place(points *p, const sozai_texture *t, int k, double s, double turn, errors *e) {
+static void one_place(points *p, const sozai_texture *t, int k, double s, double turn,
+                      truth_errors *e) {
   double n[3], u[3], v[3], at[3];
   face(k, n, u, v);
   for (int c = 0; c < 3; c++) at[c] = 4000 * (uniform() - 0.5);
   points_clear(p);
-  for (int i = 0; i <= SAMPLES; i++) {
-    double a = i < SAMPLES ? ((i % SIDE + uniform()) / SIDE - 0.5) * s : 0;
-    double b = i < SAMPLES ? ((i / SIDE + uniform()) / SIDE - 0.5) * s : 0;
+  for (int i = 0; i <= TRUTH_SAMPLES; i++) {
+    double a = i < TRUTH_SAMPLES ? ((i % TRUTH_SIDE + uniform()) / TRUTH_SIDE - 0.5) * s : 0;
+    double b = i < TRUTH_SAMPLES ? ((i / TRUTH_SIDE + uniform()) / TRUTH_SIDE - 0.5) * s : 0;
     double x = a * cos(turn) - b * sin(turn), y = a * sin(turn) + b * cos(turn);
     unsigned j = points_add(p, at[0] + x * u[0] + y * v[0], at[1] + x * u[1] + y * v[1],
-                            at[2] + x * u[2] + y * v[2], i < SAMPLES ? 0 : s);
+                            at[2] + x * u[2] + y * v[2], i < TRUTH_SAMPLES ? 0 : s);
     for (int c = 0; c < 3; c++) p->normal[c][j] = (float)n[c];
   }
-  ask_albedo(p, t);
-  for (int ch = 0; ch < 3; ch++) {
-    double truth = 0;
-    for (int i = 0; i < SAMPLES; i++) truth += (double)p->out[ch][i] / SAMPLES;
-    double error = (double)p->out[ch][SAMPLES] - truth;
-    e->square += error * error;
-    e->mean += error;
-    e->n++;
-  }
+  points_ask_albedo(p, t);
+  truth_add(e, p);
 }
 
 static unsigned presets(void) { return textures->find("stone")->preset_count; }
@@ -88,9 +66,9 @@ static void table(double turned, double *worst, double *worst_mean) {
     assert_int_equal(textures->create(NULL, "stone", id, NULL, 0, &t), SOZAI_OK);
     print_message("%-14s", id);
     for (unsigned f = 0; f < SIZES; f++) {
-      errors e = {0};
+      truth_errors e = {0};
       for (int i = 0; i < PLACES; i++) one_place(&p, t, i % 4, sizes[f], turned * uniform(), &e);
-      double rms = sqrt(e.square / e.n), mean = e.mean / e.n;
+      double rms = truth_rms(&e), mean = truth_mean(&e);
       missed += rms > 0.01;
       beyond = fmax(beyond, fabs(mean) - 0.002 - 3 * rms / sqrt(PLACES));
       *worst = fmax(*worst, rms);

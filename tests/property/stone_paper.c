@@ -33,17 +33,6 @@ static double encoded(double x) {
   return 255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1 / 2.4) - 0.055);
 }
 
-static void ask(points *p, const sozai_texture *t) {
-  sozai_batch b = {.size = sizeof b, .count = p->count, .footprint = p->footprint};
-  for (int c = 0; c < 3; c++) {
-    b.point[c] = p->point[c];
-    b.normal[c] = p->normal[c];
-  }
-  b.out = p->out;
-  b.out_count = 3;
-  assert_int_equal(textures->evaluate(t, &b), SOZAI_OK);
-}
-
 static void codes_are_the_papers(void **state) {
   (void)state;
   sozai_texture *t = make("paper_rgb", 100, 40, 0.05, 0.1);
@@ -52,7 +41,7 @@ static void codes_are_the_papers(void **state) {
   for (int i = 0; i < N; i++) {
     points_add(&p, 900 * (uniform() - 0.5), 900 * (uniform() - 0.5), 900 * (uniform() - 0.5), 0);
   }
-  ask(&p, t);
+  points_ask_albedo(&p, t);
   double off = 0, mean[3] = {0}, square[3] = {0}, cross = 0, low[3] = {999, 999, 999},
          high[3] = {0};
   unsigned black = 0, white = 0, n = 0;
@@ -103,7 +92,7 @@ static void held_within_255(void **state) {
   points p = {0};
   double high = 0, least = 999;
   for (int i = 0; i < N; i++) points_add(&p, 2 * i + 1, 1, 1, 0);
-  ask(&p, t);
+  points_ask_albedo(&p, t);
   unsigned at = 0;
   for (int i = 0; i < N; i++) {
     double code = encoded((double)p.out[0][i]);
@@ -131,7 +120,7 @@ static void one_colour_to_a_texel(void **state) {
                  x[2] + 0.01 + 1.98 * uniform(), 0);
     }
   }
-  ask(&p, t);
+  points_ask_albedo(&p, t);
   unsigned differ = 0;
   for (unsigned i = 0; i < p.count; i += 2) differ += p.out[0][i] != p.out[0][i + 1];
   CHECK(differ == 0, "two points of a texel, 20000 times: %u differ\n", differ);
@@ -145,7 +134,7 @@ static void hue_holds(void **state) {
   sozai_texture *t = make("paper_lightness", 100, 40, 0, 0);
   points p = {0};
   for (int i = 0; i < 20000; i++) points_add(&p, 2 * i + 1, 1, 1, 0);
-  ask(&p, t);
+  points_ask_albedo(&p, t);
   const double luma = 0.2126 * 100 + 0.7152 * 130 + 0.0722 * 80;
   const double d[3] = {100 - luma, 130 - luma, 80 - luma};
   double worst = 0, low = 9, high = 0, light[2] = {999, 0};
@@ -193,7 +182,7 @@ static void footprint_is_the_mean(void **state) {
                      x[1] + ((i / 32 + uniform()) / 32 - 0.5) * sizes[f], x[2], 0);
         }
         points_add(&p, x[0], x[1], x[2], sizes[f]);
-        ask(&p, t);
+        points_ask_albedo(&p, t);
         double truth = 0;
         for (int i = 0; i < 1024; i++) truth += (double)p.out[0][i] / 1024;
         double error = (double)p.out[0][1024] - truth;

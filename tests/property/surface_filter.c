@@ -8,7 +8,7 @@
 #include <stdio.h>
 
 #include "cmocka_all.h"
-#include "wood.h"
+#include "truth.h"
 
 #define PI 3.14159265358979
 enum { SIDE = 32, SAMPLES = SIDE * SIDE, PLACES = 40, SIZES = 9 };
@@ -33,41 +33,25 @@ static void albedo_and_height(void **state) {
       double worst = 0, worst_mean = 0, worst_size = 0;
       uniform_seed(97);
       for (unsigned f = 0; f < SIZES; f++) {
-        double square = 0, mean = 0, low = 0;
-        unsigned n = 0;
+        truth_errors errors = {0};
+        double low = 0;
         for (int c = 0; c < 4; c++) {
           char text[120];
           snprintf(text, sizeof text, "cut=%s;%s", cuts[c], kinds[kind]);
           sozai_texture *t = wood_make(species[k], text);
           for (int place = 0; place < PLACES; place++) {
             double x = 160 * (uniform() - 0.5), y = (c == 3 ? 80 : 1200) * (uniform() - 0.5);
-            double turn = 2 * PI * uniform(), co = cos(turn), si = sin(turn);
-            points_clear(&p);
-            for (int i = 0; i < SAMPLES; i++) {
-              double u = ((i % SIDE + uniform()) / SIDE - 0.5) * sizes[f];
-              double v = ((i / SIDE + uniform()) / SIDE - 0.5) * sizes[f];
-              points_add(&p, x + u * co - v * si, y + u * si + v * co, 0, 0);
-            }
-            points_add(&p, x, y, 0, sizes[f]);
-            points_ask(&p, t);
-            for (int ch = 0; ch < 3; ch++) {
-              double truth = 0;
-              for (int i = 0; i < SAMPLES; i++) truth += (double)p.out[ALBEDO + ch][i] / SAMPLES;
-              double error = (double)p.out[ALBEDO + ch][SAMPLES] - truth;
-              square += error * error;
-              mean += error;
-              n++;
-            }
-            for (int i = 0; i < SAMPLES; i++) low += (double)p.out[HEIGHT][i] / SAMPLES;
-            low -= (double)p.out[HEIGHT][SAMPLES];
+            truth_ask(&p, t, x, y, 2 * PI * uniform(), sizes[f]);
+            truth_add(&errors, &p);
+            low -= truth_error(&p, HEIGHT);
           }
           textures->destroy(t);
         }
-        double rms = sqrt(square / n);
+        double rms = truth_rms(&errors), mean = truth_mean(&errors);
         if (rms > worst) worst_size = sizes[f];
         worst = fmax(worst, rms);
-        worst_mean = fmax(worst_mean, fabs(mean / n));
-        print_message("%g mm: %.4f/%+.4f, height %+.4f  ", sizes[f], rms, mean / n, 3 * low / n);
+        worst_mean = fmax(worst_mean, fabs(mean));
+        print_message("%g mm: %.4f/%+.4f, height %+.4f  ", sizes[f], rms, mean, 3 * low / errors.n);
       }
       print_message("\n");
       CHECK(worst <= 0.01 && worst_mean <= 0.002,

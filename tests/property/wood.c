@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "wood.h"
 
+#include "cmocka_all.h"
+
 #include <dlfcn.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -107,6 +109,17 @@ unsigned points_add(points *p, double x, double y, double z, double footprint) {
   const double v[13] = {x, y, z, 0, 0, 1, 0, 0, 1, 0, 0, 1, footprint};
   for (unsigned k = 0; k < 13; k++) (*array_of(p, k))[i] = (float)v[k];
   return i;
+}
+
+void points_ask_albedo(points *p, const sozai_texture *t) {
+  sozai_batch b = {.size = sizeof b, .count = p->count, .footprint = p->footprint};
+  for (int c = 0; c < 3; c++) {
+    b.point[c] = p->point[c];
+    b.normal[c] = p->normal[c];
+  }
+  b.out = p->out;
+  b.out_count = 3;
+  assert_int_equal(textures->evaluate(t, &b), SOZAI_OK);
 }
 
 void points_ask(points *p, const sozai_texture *t) {

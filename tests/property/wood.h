@@ -63,6 +63,8 @@ void points_free(points *p);
 /* Normal, light and view +z; returns the point's index. */
 unsigned points_add(points *p, double x, double y, double z, double footprint);
 void points_ask(points *p, const sozai_texture *t);
+/* For albedo, with points, normals and footprints alone. */
+void points_ask_albedo(points *p, const sozai_texture *t);
 
 /* A stream of numbers in 0..1, the same in every run. */
 double uniform(void);

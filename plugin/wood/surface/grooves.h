@@ -35,21 +35,11 @@ INLINE trough_sum grooves_rows(const wood_constants *w, const row_place *p, vf r
                                const disc *d) {
   vf zero = splat(0.0f), one = splat(1.0f), unused;
   trough_sum g = {zero, zero, zero, zero};
-  vi whole;
   for (int m = 0; m < w->rows; m++) {
-    vu row_seed = hash_upper(p->seed + splatu((uint32_t)m * HASH_X));
-    vf u = p->turn + to_float((vi)(row_seed >> 8)) * splat(1.0f / 16777216.0f);
-    vf place = (u - vfloor(u, &whole)) * p->count - splat(0.5f) + da * p->per_arc;
-    vi k0;
-    vf within = place - vfloor(place, &k0);
-    vf radial = rho + dr - p->start - splat(w->row_start + w->row_spacing * (float)m);
+    row_spot q = row_spot_of(w, p, m, rho, da, dr);
     for (int a = 0; a < 2; a++) {
-      vi k = k0 + splati(a);
-      k = seli(lti(k, splati(0)), k + p->n, k);
-      k = seli(lti(k, p->n), k, k - p->n);
-      vu h = hash_upper((vu)k * splatu(HASH_Y) + row_seed);
-      vf x = (within - splat((float)a) - hash_place(h) * splat(w->row_step_arc)) * p->arc;
-      vf z = radial - hash_place2(h) * splat(w->row_step_radial);
+      vf x, z;
+      vu h = row_vessel(w, p, &q, a, &x, &z);
       trough_add(d, one, lookup16(w->row.inverse_square, h >> 5), x, z, &g, &unused);
     }
   }

@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "truth.h"
+
+#include <math.h>
+
+void truth_ask(points *p, const sozai_texture *t, double x, double y, double turn, double size) {
+  double co = cos(turn), si = sin(turn);
+  points_clear(p);
+  for (int i = 0; i < TRUTH_SAMPLES; i++) {
+    double u = ((i % TRUTH_SIDE + uniform()) / TRUTH_SIDE - 0.5) * size;
+    double v = ((i / TRUTH_SIDE + uniform()) / TRUTH_SIDE - 0.5) * size;
+    points_add(p, x + u * co - v * si, y + u * si + v * co, 0, 0);
+  }
+  points_add(p, x, y, 0, size);
+  points_ask(p, t);
+}
+
+double truth_error(const points *p, int component) {
+  const float *out = p->out[component];
+  double truth = 0;
+  for (int i = 0; i < TRUTH_SAMPLES; i++) truth += (double)out[i] / TRUTH_SAMPLES;
+  return (double)out[TRUTH_SAMPLES] - truth;
+}
+
+void truth_add(truth_errors *e, const points *p) {
+  for (int ch = 0; ch < 3; ch++) {
+    double error = truth_error(p, ALBEDO + ch);
+    e->square += error * error;
+    e->mean += error;
+    e->n++;
+  }
+}
+
+double truth_rms(const truth_errors *e) { return sqrt(e->square / e->n); }
+
+double truth_mean(const truth_errors *e) { return e->mean / e->n; }
