@@ -8,13 +8,7 @@
 #include "lanes.h"
 #include "strand_light.h"
 
-#define PASTE_(a, b) a##b
-#define PASTE(a, b) PASTE_(a, b)
-#define NAMED(name) PASTE(name, SOZAI_KERNEL_SUFFIX)
-#define STRING_(a) #a
-#define STRING(a) STRING_(a)
-
-extern const fibertex_kernel NAMED(fibertex_kernel_);
+extern const fibertex_kernel KERNEL_NAME(fibertex_kernel_);
 
 /* Sums over what is seen; of colours the shares of the first and the second. */
 typedef struct {
@@ -54,11 +48,7 @@ typedef struct {
   } best;
 } block;
 
-static int wanted(const fibertex_io *io, int first, int count) {
-  return (io->wanted >> first & ((1ull << count) - 1)) != 0;
-}
-
-INLINE void put(const fibertex_io *io, const block *k, int channel, vf x) {
+INLINE void put(const kernel_io *io, const block *k, int channel, vf x) {
   if (io->wanted >> channel & 1) store_active(io->in, io->out[channel], k->i, k->n, x);
 }
 
@@ -137,7 +127,7 @@ STAGE void ground_cloth(const fibertex_constants *w, block *k, vf u, vf v, vf si
   g->h = q.h;
 }
 
-INLINE void stage_load(const fibertex_constants *w, int woven, const fibertex_io *io, block *k) {
+INLINE void stage_load(const fibertex_constants *w, int woven, const kernel_io *io, block *k) {
   const vf zero = splat(0.0f), one = splat(1.0f);
   vf v[3], axis[3], other[3];
   cloth_place cloth;
@@ -418,9 +408,9 @@ INLINE void blend(shown *a, const shown *b, vf far, int light) {
 #undef BLEND_
 }
 
-INLINE void put_vector(const fibertex_io *io, const block *k, int channel, const vf v[3],
+INLINE void put_vector(const kernel_io *io, const block *k, int channel, const vf v[3],
                        const vf otherwise[3]) {
-  if (!wanted(io, channel, 3)) return;
+  if (!kernel_wants(io, channel, 3)) return;
   const hull_frame *f = &k->f;
   vf square = dot3(v, v);
   vm none = not_(gt(square, splat(1e-12f)));
@@ -431,7 +421,7 @@ INLINE void put_vector(const fibertex_io *io, const block *k, int channel, const
   }
 }
 
-INLINE void stage_put(const fibertex_constants *w, const fibertex_io *io, const block *k,
+INLINE void stage_put(const fibertex_constants *w, const kernel_io *io, const block *k,
                       const shown *o, const vf tangent[3], vf far, int light) {
   const vf zero = splat(0.0f), one = splat(1.0f);
   vf cover = clamp01(o->cover), some = one / vmax(cover, splat(1e-6f));
@@ -456,7 +446,7 @@ INLINE void stage_put(const fibertex_constants *w, const fibertex_io *io, const 
   vf side = k->best.across, top = vsqrt(vmax(one - side * side, zero));
   vf seen = (k->most - k->next) * k->best.detail * (one - far);
   put(io, k, FIBERTEX_HEIGHT, splat(w->layer[0].radius) * top * seen - depth);
-  if (!wanted(io, FIBERTEX_NORMAL, 4)) return;
+  if (!kernel_wants(io, FIBERTEX_NORMAL, 4)) return;
   /* what no strand shows faces as the ground does, or the hull; what the mean has lost
    * in length is the normals' scatter */
   const ground *g = &k->ground;
@@ -472,10 +462,10 @@ INLINE void stage_put(const fibertex_constants *w, const fibertex_io *io, const 
   put_vector(io, k, FIBERTEX_NORMAL, n, k->f.n);
 }
 
-INLINE void evaluate_as(const fibertex_constants *w, int woven, const fibertex_io *io,
+INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io *io,
                         uint32_t from, uint32_t to) {
   const vf zero = splat(0.0f), one = splat(1.0f);
-  int light = wanted(io, FIBERTEX_RADIANCE, 3);
+  int light = kernel_wants(io, FIBERTEX_RADIANCE, 3);
   for (uint32_t i = from; i < to; i += LANES) {
     block k = {.i = i, .n = to - i < LANES ? to - i : LANES};
     looks q;
@@ -515,17 +505,17 @@ INLINE void evaluate_as(const fibertex_constants *w, int woven, const fibertex_i
 }
 
 static __attribute__((noinline)) void evaluate_hull(const fibertex_constants *w,
-                                                    const fibertex_io *io, uint32_t from,
+                                                    const kernel_io *io, uint32_t from,
                                                     uint32_t to) {
   evaluate_as(w, 0, io, from, to);
 }
 static __attribute__((noinline)) void evaluate_cloth(const fibertex_constants *w,
-                                                     const fibertex_io *io, uint32_t from,
+                                                     const kernel_io *io, uint32_t from,
                                                      uint32_t to) {
   evaluate_as(w, 1, io, from, to);
 }
-static void evaluate(const fibertex_constants *w, const fibertex_io *io, uint32_t from,
-                     uint32_t to) {
+static void evaluate(const void *constants, const kernel_io *io, uint32_t from, uint32_t to) {
+  const fibertex_constants *w = constants;
   if (w->structure == STRUCTURE_WOVEN)
     evaluate_cloth(w, io, from, to);
   else
@@ -602,4 +592,4 @@ static void measure(const fibertex_constants *w, uint32_t count, fibertex_means 
   if (w->structure == STRUCTURE_WOVEN) measure_cloth(w, count, out);
 }
 
-const fibertex_kernel NAMED(fibertex_kernel_) = {STRING(SOZAI_ISA_NAME), LANES, evaluate, measure};
+const fibertex_kernel KERNEL_NAME(fibertex_kernel_) = {KERNEL_OF(evaluate), measure};

@@ -4,43 +4,16 @@
  */
 #include "material.h"
 
-#include "../../core/cpu.h"
 #include "build.h"
-#include "presets.h"
 #include "parameters.h"
+#include "presets.h"
 #include "texture.h"
 
-#define PASTE_(a, b) a##b
-#define KERNEL(suffix) PASTE_(fibertex_kernel_, suffix)
-
-extern const fibertex_kernel KERNEL(scalar_1);
-#if defined(__x86_64__)
-extern const fibertex_kernel KERNEL(sse2_4), KERNEL(avx2_8), KERNEL(avx2_1), KERNEL(avx512_16),
-    KERNEL(avx512_4), KERNEL(avx512_1);
-#elif defined(__aarch64__)
-extern const fibertex_kernel KERNEL(neon_4);
-#endif
-
-/* For each instruction set the wide kernel, one for what a few lanes hold, and
- * one for a point alone: a mostly empty block costs what a full one does. */
-typedef struct {
-  const fibertex_kernel *wide, *narrow, *single;
-} fibertex_kernels;
-
-static const fibertex_kernels kernels[CPU_COUNT] = {
-#if defined(__x86_64__)
-    [CPU_AVX512] = {&KERNEL(avx512_16), &KERNEL(avx512_4), &KERNEL(avx512_1)},
-    [CPU_AVX2] = {&KERNEL(avx2_8), &KERNEL(avx2_8), &KERNEL(avx2_1)},
-    [CPU_SSE2] = {&KERNEL(sse2_4), &KERNEL(sse2_4), &KERNEL(scalar_1)},
-#elif defined(__aarch64__)
-    [CPU_NEON] = {&KERNEL(neon_4), &KERNEL(neon_4), &KERNEL(scalar_1)},
-#endif
-    [CPU_SCALAR] = {&KERNEL(scalar_1), &KERNEL(scalar_1), &KERNEL(scalar_1)},
-};
+KERNEL_SETS(fibertex_kernel, kernels);
 
 typedef struct {
   fibertex_constants constants;
-  fibertex_kernels use;
+  kernel_set use;
 } fibertex_state;
 
 static const sozai_texture_info *describe(void) {
@@ -70,29 +43,20 @@ static int32_t build(void *state, const sozai_host *host, const settings *s,
   fibertex_state *w = state;
   (void)host;
   (void)images;
-  int set;
-  int32_t r = cpu_choose(&set);
+  int32_t r = kernel_choose(kernels, &w->use);
   if (r) return r;
-  w->use = kernels[set];
-  return fibertex_build(&w->constants, s, colours, w->use.wide);
+  return fibertex_build(&w->constants, s, colours, (const fibertex_kernel *)w->use.wide);
 }
 
 static void evaluate(const void *state, const sozai_batch *b, float *const *out, uint64_t wanted) {
   const fibertex_state *w = state;
-  fibertex_io io = {b, out, wanted};
-  const fibertex_kernels *k = &w->use;
-  uint32_t lanes = k->wide->lanes, whole = b->count / lanes * lanes, rest = b->count - whole;
-  /* from half a block up the wide kernel is the cheaper */
-  if (rest > lanes / 2) {
-    whole = b->count;
-    rest = 0;
-  }
-  if (whole) k->wide->evaluate(&w->constants, &io, 0, whole);
-  if (rest) (rest == 1 ? k->single : k->narrow)->evaluate(&w->constants, &io, whole, b->count);
+  kernel_io io = {b, out, wanted};
+  kernel_run(&w->use, &w->constants, &io);
 }
 
 static const char *instruction_set(const void *state) {
   return ((const fibertex_state *)state)->use.wide->name;
 }
 
-const material fibertex_material = {describe, sizeof(fibertex_state), build, evaluate, instruction_set};
+const material fibertex_material = {describe, sizeof(fibertex_state), build, evaluate,
+                                    instruction_set};

@@ -18,7 +18,7 @@
 
 #include <stdint.h>
 
-#include "../../../api/sozai.h"
+#include "../../core/kernel.h"
 
 /* A stage that is large, or called from several places: once in the code. */
 #define STAGE static __attribute__((noinline, unused))
@@ -113,12 +113,6 @@ typedef struct {
   uint32_t seed;
 } fibertex_constants;
 
-typedef struct {
-  const sozai_batch *in;
-  float *const *out;
-  uint64_t wanted; /* bit c: out[c] is not NULL */
-} fibertex_io;
-
 /* Components of the output channels, in their order. */
 enum {
   FIBERTEX_ALBEDO = 0,
@@ -133,9 +127,6 @@ enum {
   FIBERTEX_COMPONENTS = 17
 };
 
-typedef void fibertex_evaluate(const fibertex_constants *w, const fibertex_io *io, uint32_t from,
-                               uint32_t to);
-
 /* Means over `count` points: of each layer's coverage at a point, of its bundles'
  * formula, and of its strands' nearness where they do not cover; and of a cloth
  * what share its warp and its weft show, and those in the shade of furrows. */
@@ -147,9 +138,7 @@ typedef void fibertex_measure(const fibertex_constants *w, uint32_t count, fiber
 
 /* One compilation of the kernel. */
 typedef struct {
-  const char *name; /* of the instruction set */
-  uint32_t lanes;
-  fibertex_evaluate *evaluate;
+  kernel kernel;
   fibertex_measure *measure;
 } fibertex_kernel;
 
