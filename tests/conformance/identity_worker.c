@@ -182,13 +182,13 @@ static int make_fibers(void) {
   return r;
 }
 
-/* A block's texture: of 64 blocks 56 are wood's, 7 fibre's and one stone's, since a
+/* A block's texture: of 64 blocks 60 are wood's, 3 fibre's and one stone's, since a
  * stone under a wide footprint takes many times as long. */
 static sozai_texture *texture_of(uint64_t block) {
-  if (block % 8 < 7) return textures[(block - block / 8) % wood_count];
+  if (block % 16 < 15) return textures[(block - block / 16) % wood_count];
   if (block % 64 == 63) return textures[wood_count + block / 64 % stone_count];
   uint32_t others = wood_count + stone_count;
-  return textures[others + (block / 8 - block / 64) % (texture_count - others)];
+  return textures[others + (block / 16 - block / 64) % (texture_count - others)];
 }
 
 static const sozai_texture_info *info_of(uint64_t block) {

@@ -15,6 +15,28 @@
 enum { PLACES = 60, SIZES = 8, KINDS = 3, COVERAGE = 6 };
 static const double sizes[SIZES] = {0.003, 0.01, 0.03, 0.1, 0.3, 1, 3, 10};
 
+/* As truth_ask, under a light and from an eye that are not above. */
+static void ask(points *p, const sozai_texture *t, double size) {
+  double x = 400 * (uniform() - 0.5), y = 400 * (uniform() - 0.5), turn = PI * uniform();
+  double co = cos(turn), si = sin(turn);
+  double from[2] = {2 * PI * uniform(), 2 * PI * uniform()};
+  double sine[2] = {0.85 * sqrt(uniform()), 0.7 * sqrt(uniform())};
+  points_clear(p);
+  for (int i = 0; i <= TRUTH_SAMPLES; i++) {
+    int sample = i < TRUTH_SAMPLES;
+    double u = sample ? ((i % TRUTH_SIDE + uniform()) / TRUTH_SIDE - 0.5) * size : 0;
+    double v = sample ? ((i / TRUTH_SIDE + uniform()) / TRUTH_SIDE - 0.5) * size : 0;
+    unsigned j = points_add(p, x + u * co - v * si, y + u * si + v * co, 0, sample ? 0 : size);
+    for (int k = 0; k < 2; k++) {
+      float **to = k ? p->view : p->light;
+      to[0][j] = (float)(sine[k] * cos(from[k]));
+      to[1][j] = (float)(sine[k] * sin(from[k]));
+      to[2][j] = (float)sqrt(1 - sine[k] * sine[k]);
+    }
+  }
+  points_ask(p, t);
+}
+
 static void add(truth_errors *e, const points *p, int first, int count) {
   for (int c = first; c < first + count; c++) {
     double error = truth_error(p, c);
@@ -42,8 +64,7 @@ static void against_1024_samples(void **state) {
     memset(e, 0, sizeof e);
     for (unsigned f = 0; f < SIZES; f++) {
       for (int i = 0; i < PLACES; i++) {
-        truth_ask(&p, t, 400 * (uniform() - 0.5), 400 * (uniform() - 0.5), PI * uniform(),
-                  sizes[f]);
+        ask(&p, t, sizes[f]);
         add(&e[f][0], &p, ALBEDO, 3);
         add(&e[f][1], &p, RADIANCE, 3);
         add(&e[f][2], &p, COVERAGE, 1);

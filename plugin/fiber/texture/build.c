@@ -13,9 +13,7 @@
 #define PI 3.14159265358979324
 #define RADIANS (PI / 180.0)
 #define MEASURED 4096u      /* points, for means that have no formula; whole blocks of every width */
-#define DENSEST 0.24        /* optical depth of a layer, at most: more of them in line look combed */
 #define FILL 0.55           /* of space by bundles, less the ends of their strands; about */
-#define CLOSEST 5.0         /* lanes apart, in radii, so that strands may stray */
 #define ON_YARN 4            /* layers */
 #define HULL_LOOKS 4
 #define WAVE_SLOPE2 21.3333 /* mean square of the wave's slope: of +-8, evenly */
@@ -34,18 +32,17 @@ static double tangent(double a) { return scalar_sin(a) / scalar_cos(a); }
 
 /* ---- the shell --------------------------------------------------------- */
 
-static void place_layer(fibertex_constants *w, int l, double size, double radius, double wanted,
-                        double level) {
+static void place_layer(fibertex_constants *w, int l, double size, double radius, double close,
+                        double wanted, double level) {
   fibertex_layer *c = &w->layer[l];
   /* sparse layers have their lanes apart, so that half of them are taken anyway */
-  double spacing = most(CLOSEST * radius, least(1.1 * FILL * radius / wanted, size / 10.0));
+  double spacing = most(close * radius, least(1.1 * FILL * radius / wanted, size / 10.0));
   c->size = (float)size;
   c->inverse_size = (float)(1.0 / size);
   c->reach2 = (float)(0.45 * 0.45 * size * size);
   c->spacing = (float)spacing;
   c->inverse_spacing = (float)(1.0 / spacing);
   c->radius = (float)radius;
-  c->inverse_radius = (float)(1.0 / radius);
   c->presence = (int32_t)(65536.0 * least(wanted * spacing / (2.0 * radius * FILL), 0.95));
   c->depth = (float)level;
   c->ends = 1;
@@ -59,8 +56,8 @@ static void place_layer(fibertex_constants *w, int l, double size, double radius
 static void place_round(fibertex_constants *w, int l, double radius, double wanted, double level,
                         double twist) {
   fibertex_layer *c = &w->layer[l];
-  place_layer(w, l, 40.0 * radius, radius, wanted, level);
-  double spacing = CLOSEST * radius * 0.8;
+  place_layer(w, l, 40.0 * radius, radius, 4.0, wanted, level);
+  double spacing = 4.0 * radius;
   c->spacing = (float)spacing;
   c->inverse_spacing = (float)(1.0 / spacing);
   c->presence = (int32_t)(65536.0 * least(wanted * spacing / (2.0 * radius), 0.95));
@@ -92,9 +89,13 @@ static void set_formulas(fibertex_constants *w) {
   }
 }
 
+/* Optical depth of a layer at most, and its lanes' distance in radii at least: strands on top
+ * need room to stray, or they look combed; below they close what is left. */
+static double densest(int k, int count) { return 0.13 + 0.42 * k / (count - 1); }
+static double closest(int k, int count) { return 8.0 - 4.6 * k / (count - 1); }
+
 /* From what is wanted to what is: the lanes' presence by a first measure, and by a
- * second what of the layers there is. Light is told by the wanted depths, which are
- * alike for all. */
+ * second what of the layers there is. */
 static void measure_layers(fibertex_constants *w, const settings *s, const fibertex_kernel *kernel,
                            const double wanted[FIBERTEX_LAYERS]) {
   fibertex_means m;
@@ -116,7 +117,12 @@ static void measure_layers(fibertex_constants *w, const settings *s, const fiber
     c->ambient = (float)(1.0 - darkening * (1.0 - scalar_exp(-1.3 * above)));
     above -= scalar_log(1.0 - least(m.point[l], 0.99));
   }
-  w->step = (float)(above / w->layers);
+  /* evenly more from each to the next, which two factors tell the kernel */
+  int n = w->layers;
+  double ratio = w->structure == STRUCTURE_WOVEN ? 1.0 : densest(1, 2) / densest(0, 2);
+  double first = above / (n * 0.5 * (1.0 + ratio));
+  w->step = (float)first;
+  w->step_more = (float)(first * (ratio - 1.0) / (n - 1));
   w->deep_above = (float)above;
   w->deep_ambient = (float)(1.0 - darkening * (1.0 - scalar_exp(-1.3 * above)));
   w->deep_depth = w->layer[w->layers - 1].depth;
@@ -132,23 +138,29 @@ static void build_shell(fibertex_constants *w, const settings *s, const fibertex
   int bulk = flown > 0.0 ? 1 : 0, woven = w->structure == STRUCTURE_WOVEN;
   w->layers = woven ? bulk + ON_YARN : FIBERTEX_LAYERS;
   int count = w->layers - bulk;
-  double each = woven ? 0.4 : least(total / count, DENSEST), covered = 1.0 - scalar_exp(-each);
-  double seen = thickness * least(1.0, each * count / total);
-  if (bulk) place_layer(w, 0, 2.6 * size, 0.5 * d, flown, 0.0);
+  double most_of = 0.0;
+  for (int k = 0; k < count; k++) most_of += densest(k, count);
+  double scale = least(1.0, total / most_of), seen = 0.0, shown = thickness / total;
+  if (bulk) place_layer(w, 0, 2.6 * size, 0.5 * d, 10.0, flown, 0.0);
   for (int k = 0; k < count; k++) {
     int l = bulk + k;
-    wanted[l] = covered;
+    double each = woven ? 0.4 : scale * densest(k, count);
+    wanted[l] = 1.0 - scalar_exp(-each);
     if (woven) {
       double twist = number_at(s, P_TWIST) * RADIANS + 0.12 * ((k * 3) % 5 - 2.0) / 2.0;
-      place_round(w, l, 0.5 * d, covered, over + d * k, twist);
+      place_round(w, l, 0.5 * d, wanted[l], over + d * k, twist);
     } else { /* sizes apart, lest lattices of one layer and the next keep step */
-      double scale = 0.8 + 0.4 * (double)((k * 5) % 7) / 6.0;
-      place_layer(w, l, size * scale, 0.5 * d, covered, over + seen * (k + 0.5) / count);
+      double apart = 0.8 + 0.4 * (double)((k * 5) % 7) / 6.0;
+      place_layer(w, l, size * apart, 0.5 * d, closest(k, count), wanted[l],
+                  over + shown * (seen + 0.5 * each));
+      /* the lowest end where the next bundle begins: nobody sees them so sharply */
+      if (k >= count - 2) w->layer[l].reach2 *= 1.75f;
     }
+    seen += each;
   }
   for (int l = 0; l < w->layers; l++) let_stray(w, &w->layer[l], waver);
   measure_layers(w, s, kernel, wanted);
-  double rest = woven ? 40.0 : most(total - each * count, 0.0);
+  double rest = woven ? 40.0 : most(total - seen, 0.0);
   w->deep = (float)(1.0 - scalar_exp(-rest));
   w->deep_above += (float)(0.5 * least(rest, 1.0));
   w->far[0] = 0.4f * w->layer[w->layers - 1].size;
@@ -160,7 +172,7 @@ static void build_bundles(fibertex_constants *w, const settings *s) {
   double height = per_mm > 0.0 ? least(number_at(s, P_CRIMP_HEIGHT), 1.0 / (8.0 * per_mm)) : 0.0;
   w->crimp = (float)height;
   w->crimp_frequency = (float)per_mm;
-  w->own_frequency = (float)(1.6 / bundle);
+  w->own_frequency = (float)(2.2 / bundle);
   w->contact = (float)(0.75 * number_at(s, P_DARKENING));
   w->curl = (float)(0.7 / bundle / 128.0);
   w->radius_spread = (float)number_at(s, P_DIAMETER_SPREAD);
@@ -194,8 +206,10 @@ static void build_yarns(fibertex_constants *w, const settings *s) {
   w->pair = v->pair;
   double spacing[2] = {number_at(s, P_YARN_SPACING), number_at(s, P_WEFT_SPACING)};
   if (spacing[1] <= 0.0) spacing[1] = spacing[0];
-  double thin = least(spacing[0], spacing[1]) * number_at(s, P_YARN_WIDTH);
+  double thin = least(spacing[0], spacing[1]) * least(number_at(s, P_YARN_WIDTH), 1.0);
   double rise = 0.3 * thin * number_at(s, P_YARN_FLATNESS), slub = number_at(s, P_SLUB);
+  /* the yarn that floats crowds over the one that it hides */
+  double over = rise * 0.9 * (2.0 * v->over / v->repeat - 1.0);
   for (int i = 0; i < 2; i++) {
     fibertex_yarn *y = &w->yarn[i];
     double half = 0.5 * spacing[i] * number_at(s, P_YARN_WIDTH);
@@ -203,15 +217,33 @@ static void build_yarns(fibertex_constants *w, const settings *s) {
     y->inverse_spacing = (float)(1.0 / spacing[i]);
     y->half = (float)half;
     y->inverse_half = (float)(1.0 / half);
-    y->height = (float)(half * number_at(s, P_YARN_FLATNESS));
+    y->height = (float)(0.5 * thin * number_at(s, P_YARN_FLATNESS));
     y->rise = (float)rise;
+    y->over = (float)(i ? -over : over);
     y->wander = (float)(0.16 * slub);
+    y->tone = (float)(0.22 * slub / 128.0);
     y->frequency = (float)(0.11 / spacing[i]);
   }
-  double high = rise + (double)w->yarn[0].height, low = 0.25 * high;
+  double high = rise + over + (double)w->yarn[0].height, low = 0.1 * high;
   w->low = (float)low;
   w->inverse_range = (float)(1.0 / (high - low));
   w->hollow = (float)number_at(s, P_HOLLOW);
+}
+
+/* Of the three looks at a yarn under light from right above: what they face of it, and
+ * what their flanks take. */
+static double look_up(const fibertex_yarn *y, int k) {
+  double e = 0.7745967 * (k - 1), f = e * (double)y->height * (double)y->inverse_half;
+  return __builtin_sqrt((1.0 - e * e) / (f * f + 1.0 - e * e));
+}
+static double top_mean(const fibertex_yarn *y) {
+  return (5.0 * look_up(y, 0) + 8.0 * look_up(y, 1) + 5.0 * look_up(y, 2)) / 18.0;
+}
+static double flank_of(double up) { return least(0.25 + 1.1 * up, 1.0); }
+static double flank_mean(const fibertex_yarn *y) {
+  return (5.0 * flank_of(look_up(y, 0)) + 8.0 * flank_of(look_up(y, 1)) +
+          5.0 * flank_of(look_up(y, 2))) /
+         18.0;
 }
 
 /* Three places across each yarn, whose flanks face as their ellipse does. */
@@ -226,19 +258,29 @@ static void look_at_yarns(fibertex_constants *w, const fibertex_kernel *kernel, 
     fibertex_look *o = &w->look[k];
     int weft = k / 3;
     const fibertex_yarn *y = &w->yarn[weft];
-    double e = 0.62 * (k % 3 - 1), f = e * (double)y->height * (double)y->inverse_half;
+    /* Gauss's places and weights for three */
+    double e = 0.7745967 * (k % 3 - 1), weight = k % 3 == 1 ? 8.0 / 18.0 : 5.0 / 18.0;
+    double f = e * (double)y->height * (double)y->inverse_half;
     double top = __builtin_sqrt(1.0 - e * e), n = __builtin_sqrt(f * f + top * top);
-    double side[2] = {weft ? -1.0 : 0.0, weft ? 0.0 : 1.0}, way[2] = {weft ? 0.0 : 1.0, weft ? 1.0 : 0.0};
-    double co = scalar_cos(twist), si = scalar_sin(twist);
+    f /= n;
+    top /= n;
+    double side[2] = {weft ? -1.0 : 0.0, weft ? 0.0 : 1.0};
+    double way[2] = {weft ? 0.0 : 1.0, weft ? 1.0 : 0.0};
+    double co = scalar_cos(twist), si = scalar_sin(twist), share = m.yarn[weft] / all;
     for (int c = 0; c < 2; c++) {
-      o->up[c] = (float)(side[c] * f / n);
-      o->along[c] = (float)(way[c] * co + side[c] * top / n * si);
+      o->up[c] = (float)(side[c] * f);
+      o->along[c] = (float)(way[c] * co + side[c] * top * si);
+      o->across[c] = (float)(side[c] * top * co - way[c] * si);
     }
-    o->up[2] = (float)(top / n);
-    o->along[2] = (float)(-f / n * si);
-    o->share = (float)(m.yarn[weft] / all / 3.0);
-    o->lit = m.yarn[weft] > 1e-9 ? (float)(m.shaded[weft] / m.yarn[weft]) : 1.0f;
-    o->spread = w->layer[w->layers - 1].slope2 + 0.02f;
+    o->up[2] = (float)top;
+    o->along[2] = (float)(-f * si);
+    o->across[2] = (float)(-f * co);
+    o->share = (float)(share * weight);
+    o->lit = (float)(m.shaded[weft] / all * weight);
+    o->around = (float)(weight * m.around[weft] / all / top_mean(y));
+    o->straight = (float)(share > 0.0 ? weight * m.straight[weft] / all / flank_mean(y) : 0.0);
+    o->across2 = w->scatter + 0.02f;
+    o->up2 = w->scatter_up + 0.02f;
     o->weft = weft;
   }
 }
@@ -251,12 +293,14 @@ static double quantile(double alignment, double t) {
   return 0.5 * PI * t * (1.0 - alignment + alignment * 0.3 * a * a);
 }
 
-/* A direction on the surface, raised out of it. */
-static void lean(float along[3], double rise, float *spread, double rise2) {
-  double k = 1.0 / (1.0 + rise * rise);
-  for (int c = 0; c < 2; c++) along[c] = (float)((double)along[c] * __builtin_sqrt(k));
-  along[2] = (float)(rise * __builtin_sqrt(k));
-  *spread = (float)((double)*spread * k + rise2 * k * k);
+/* Variance of an angle whose tangent is spread evenly with that variance. */
+static double angle2(double slope2) {
+  double sum = 0.0, widest = __builtin_sqrt(3.0 * slope2);
+  for (int i = 0; i < 16; i++) {
+    double x = widest * (i + 0.5) / 16.0, a = x / (1.0 + 0.28 * x * x);
+    sum += a * a / 16.0;
+  }
+  return sum;
 }
 
 static void build_directions(fibertex_constants *w, const settings *s) {
@@ -272,13 +316,20 @@ static void build_directions(fibertex_constants *w, const settings *s) {
     double from = quantile(alignment, 2.0 * m / HULL_LOOKS - 1.0);
     double to = quantile(alignment, 2.0 * (m + 1) / HULL_LOOKS - 1.0);
     double a = quantile(alignment, (2.0 * m + 1.0) / HULL_LOOKS - 1.0);
-    o->along[0] = (float)scalar_cos(a);
-    o->along[1] = (float)scalar_sin(a);
-    o->up[2] = 1.0f;
-    o->share = (float)(1.0 / HULL_LOOKS);
-    o->lit = 1.0f;
-    o->spread = (float)((to - from) * (to - from) / 12.0) + w->slope2 + w->layer[1].slope2;
-    lean(o->along, (double)w->lean, &o->spread, (double)w->rise2);
+    double steep = __builtin_sqrt(1.0 / (1.0 + (double)w->lean * (double)w->lean));
+    double out = (double)w->lean * steep, co = scalar_cos(a), si = scalar_sin(a);
+    o->along[0] = (float)(co * steep);
+    o->along[1] = (float)(si * steep);
+    o->along[2] = (float)out;
+    o->across[0] = (float)-si;
+    o->across[1] = (float)co;
+    o->up[0] = (float)(-co * out);
+    o->up[1] = (float)(-si * out);
+    o->up[2] = (float)steep;
+    o->share = o->lit = o->around = o->straight = (float)(1.0 / HULL_LOOKS);
+    o->across2 = (float)((to - from) * (to - from) / 12.0 +
+                         angle2((double)w->slope2 + (double)w->layer[1].slope2));
+    o->up2 = w->scatter_up;
   }
 }
 
@@ -319,12 +370,15 @@ int32_t fibertex_build(fibertex_constants *w, const settings *s, const float (*c
   w->second_share = (float)w->second_chance / 256.0f;
   w->variation = (float)number_at(s, P_VARIATION);
   w->structure = choice_at(s, P_STRUCTURE);
-  w->solid = w->mean_straight = 1.0f;
+  w->solid = 1.0f;
   build_bundles(w, s);
   build_directions(w, s); /* for what is measured */
   if (w->structure == STRUCTURE_WOVEN) build_yarns(w, s);
   build_shell(w, s, kernel);
-  w->scatter = w->layer[w->layers - 1].slope2 + w->rise2;
+  w->scatter = (float)angle2((double)w->layer[w->layers - 1].slope2);
+  /* of a rise that leans, the angle is less */
+  double lean2 = 1.0 + (double)w->lean * (double)w->lean;
+  w->scatter_up = (float)angle2((double)w->rise2 / (lean2 * lean2));
   if (w->structure == STRUCTURE_WOVEN) {
     w->far[0] = 0.7f * w->yarn[0].spacing;
     w->far[1] = 2.2f * w->yarn[0].spacing;

@@ -42,6 +42,7 @@ INLINE void cloth_axes(const fibertex_constants *w, const vf n[3], const vf at[3
 
 typedef struct {
   vm weft;  /* on top */
+  vm on;    /* there is yarn at the point itself */
   vf share; /* of weft, within the footprint */
   vf solid; /* 1 where there is yarn, 0 in a hole */
   vf along, across; /* mm along the yarn; -1 to 1 across it */
@@ -60,13 +61,12 @@ INLINE vf cloth_over(const fibertex_constants *w, vi i, vi j) {
   return sel(lt(part, splat((float)w->over - 0.5f)), splat(1.0f), splat(-1.0f));
 }
 
-/* One yarn's face at a point: `mine` is its number, `at` along it, `off` across. */
-INLINE void cloth_yarn(const fibertex_constants *w, int which, vf at, vf off, cloth_hit *q) {
+/* The mine-th yarn's face at a point: `at` along it, `off` from its middle, in spacings. */
+INLINE void cloth_yarn(const fibertex_constants *w, int which, vi mine, vf at, vf off, vf s,
+                       cloth_hit *q) {
   const fibertex_yarn *y = &w->yarn[which], *x = &w->yarn[1 - which];
   const vf zero = splat(0.0f), one = splat(1.0f), half = splat(0.5f);
-  vi mine, next;
-  vf across = off * splat(y->inverse_spacing);
-  vf lane = across - vfloor(across, &mine) - half;
+  vi next;
   q->h = hash_mix((vu)mine * splatu(HASH_X) + splatu(w->seed + (uint32_t)which));
   vf rate;
   vf uneven = wave(at * splat(y->frequency) + splat(1.0f / 256.0f) * byte_of(q->h, 0), &rate);
@@ -84,40 +84,71 @@ INLINE void cloth_yarn(const fibertex_constants *w, int which, vf at, vf off, cl
   vf middle = a + (b - a) * f * f * (splat(3.0f) - splat(2.0f) * f);
   q->slope = splat(6.0f * y->rise * x->inverse_spacing) * (b - a) * f * (one - f);
   q->half = splat(y->half) * width;
-  q->across = lane * splat(y->spacing * y->inverse_half) * (splat(2.0f) - width);
+  q->across = off * splat(y->spacing * y->inverse_half) * (splat(2.0f) - width);
   vf rest = one - q->across * q->across;
-  q->solid = sel(gt(rest, zero), one, zero);
-  q->top = splat(y->rise) * middle + splat(y->height) * vsqrt(vmax(rest, zero));
+  q->on = gt(rest, zero);
+  q->solid = sel(q->on, one, zero);
+  /* of a footprint, the share that lies on the yarn */
+  vf part = clamp01((one - vabs(q->across)) * q->half / vmax(s, splat(1e-9f)) + half);
+  q->solid = sel(gt(s, zero), part, q->solid);
+  q->top = sel(q->on,
+               splat(y->over) + splat(y->rise) * middle + splat(y->height) * vsqrt(vmax(rest, zero)),
+               splat(-1e3f));
   q->across = clamp(q->across, splat(-1.0f), one);
   q->along = at;
 }
 
+#define CLOTH_SEL_(x) r.x = sel(m, b->x, a->x)
+INLINE cloth_hit cloth_higher(const cloth_hit *a, const cloth_hit *b) {
+  cloth_hit r;
+  vm m = lt(a->top, b->top);
+  CLOTH_SEL_(along);
+  CLOTH_SEL_(across);
+  CLOTH_SEL_(half);
+  CLOTH_SEL_(slope);
+  CLOTH_SEL_(top);
+  r.on = or_(a->on, b->on);
+  r.solid = splat(1.0f) - (splat(1.0f) - a->solid) * (splat(1.0f) - b->solid);
+  r.h = (vu)seli(m, (vi)b->h, (vi)a->h);
+  r.weft = a->weft;
+  r.share = r.ambient = splat(0.0f);
+  return r;
+}
+#undef CLOTH_SEL_
+
+/* Of one direction's yarns the higher of the two nearest: what floats spreads over
+ * its neighbours. */
+INLINE cloth_hit cloth_yarns(const fibertex_constants *w, int which, vf at, vf off, vf s) {
+  const vf half = splat(0.5f), one = splat(1.0f);
+  cloth_hit a, b;
+  vi left;
+  vf x = off * splat(w->yarn[which].inverse_spacing) - half, f = x - vfloor(x, &left);
+  cloth_yarn(w, which, left, at, f, s, &a);
+  cloth_yarn(w, which, left + splati(1), at, f - one, s, &b);
+  a.weft = b.weft = lt(one, half);
+  return cloth_higher(&a, &b);
+}
+
 INLINE void cloth_at(const fibertex_constants *w, vf u, vf v, vf s, cloth_hit *q) {
   const vf zero = splat(0.0f), one = splat(1.0f);
-  cloth_hit warp, weft;
-  cloth_yarn(w, 0, u, v, &warp);
-  cloth_yarn(w, 1, v, u, &weft);
-  vf hole = splat(-1e3f);
-  vf a = sel(gt(warp.solid, zero), warp.top, hole), b = sel(gt(weft.solid, zero), weft.top, hole);
-  vm top = lt(a, b);
-  q->weft = top;
+  cloth_hit warp = cloth_yarns(w, 0, u, v, s), weft = cloth_yarns(w, 1, v, u, s);
+  weft.across = zero - weft.across;
+  *q = cloth_higher(&warp, &weft);
+  q->weft = lt(warp.top, weft.top);
   /* where the faces cross, a footprint has a share of each */
   vf wide = vmax(s * splat(2.0f * w->yarn[0].height * w->yarn[0].inverse_half), splat(1e-6f));
-  q->share = clamp01((b - a) / wide + splat(0.5f));
-  q->solid = vmax(warp.solid, weft.solid);
-  q->along = sel(top, weft.along, warp.along);
-  q->across = sel(top, zero - weft.across, warp.across);
-  q->half = sel(top, weft.half, warp.half);
-  q->slope = sel(top, weft.slope, warp.slope);
-  q->top = vmax(a, b);
-  q->h = (vu)seli(top, (vi)weft.h, (vi)warp.h);
+  q->share = clamp01((weft.top - warp.top) / wide + splat(0.5f));
+  q->top = vmax(q->top, splat(w->low));
   vf level = clamp01((q->top - splat(w->low)) * splat(w->inverse_range));
   q->ambient = one - splat(w->hollow) * (one - level);
 }
 
 /* The yarn's axes in the hull's frame: along, across, out of it. */
-INLINE void cloth_frame(const cloth_hit *q, vf flat, vf along[3], vf across[3], vf up[3]) {
+INLINE void cloth_frame(const fibertex_constants *w, const cloth_hit *q, vf along[3],
+                        vf across[3], vf up[3]) {
   const vf zero = splat(0.0f), one = splat(1.0f);
+  vf flat = sel(q->weft, splat(w->yarn[1].height * w->yarn[1].inverse_half),
+                splat(w->yarn[0].height * w->yarn[0].inverse_half));
   vf weft = sel(q->weft, one, zero), warp = one - weft;
   vf k = inverse_root(one + q->slope * q->slope);
   along[0] = warp * k;

@@ -39,7 +39,7 @@ typedef struct {
   sums sum;
   vf shade; /* what is left of light by strands close above */
   vf front; /* 0 behind, 1 in front: strands are lit a little past the edge */
-  vf inverse_up, step, lit;
+  vf inverse_up, step[2], lit; /* step: factors from layer to layer, of lit and of itself */
   /* the strand that most is seen of, and how much of the next */
   vf most, next;
   struct {
@@ -111,9 +111,7 @@ STAGE void ground_cloth(const fibertex_constants *w, block *k, vf u, vf v, vf si
   cloth_hit q;
   cloth_at(w, u, v, k->s, &q);
   q.across = q.across * sign;
-  vf flat = sel(q.weft, splat(w->yarn[1].height * w->yarn[1].inverse_half),
-                splat(w->yarn[0].height * w->yarn[0].inverse_half));
-  cloth_frame(&q, flat, g->along, g->across, g->up);
+  cloth_frame(w, &q, g->along, g->across, g->up);
   g->weft = q.share;
   g->ambient = q.ambient;
   vf up = dot3(k->f.light, g->up);
@@ -124,6 +122,9 @@ STAGE void ground_cloth(const fibertex_constants *w, block *k, vf u, vf v, vf si
   g->place[1] = q.half * q.across * (one + splat(0.3f) * q.across * q.across);
   g->level = splat(w->low) + one / splat(w->inverse_range) - q.top;
   g->solid = q.solid;
+  vf tone = one + splat(w->yarn[0].tone) * byte_of(q.h, 2);
+  g->ambient = g->ambient * tone;
+  g->straight = g->straight * tone;
   g->h = q.h;
 }
 
@@ -176,7 +177,8 @@ INLINE void stage_load(const fibertex_constants *w, int woven, const kernel_io *
 
 /* The light that reaches the next layer straight. */
 INLINE void light_layers(const fibertex_constants *w, block *k) {
-  k->step = exp2_(splat(-1.442695f * w->step) * k->inverse_up);
+  k->step[0] = exp2_(splat(-1.442695f * w->step) * k->inverse_up);
+  k->step[1] = exp2_(splat(-1.442695f * w->step_more) * k->inverse_up);
   k->lit = k->front;
 }
 
@@ -211,7 +213,8 @@ INLINE void compose(const fibertex_constants *w, const fibertex_layer *c, block 
     k->best.second = sel(more, q->second, k->best.second);
     k->best.bare = sel(more, dark * k->lit, k->best.bare);
     k->best.bright = sel(more, bright * k->lit, k->best.bright);
-    k->lit = k->lit * k->step;
+    k->lit = k->lit * k->step[0];
+    k->step[0] = k->step[0] * k->step[1];
   }
   k->shade = k->shade * (one + splat(w->contact) * (splat(c->soft) - q->soft));
 }
@@ -249,28 +252,34 @@ STAGE void layer_of_yarn(const fibertex_constants *w, const fibertex_layer *c, b
 /* Of warp and weft (of an aggregate the first is all): what all directions together
  * show, and what reaches them. */
 typedef struct {
-  vf white[2], tinted[2], around[2], albedo[2];
+  vf white[2], tinted[2], around[2], albedo[2], straight;
 } looks;
 
 STAGE void looks_of(const fibertex_constants *w, int woven, const block *k, int light, looks *q) {
   const vf zero = splat(0.0f);
   for (int i = 0; i < 2; i++) q->white[i] = q->tinted[i] = q->around[i] = q->albedo[i] = zero;
+  q->straight = zero;
   for (int m = 0; m < w->looks; m++) {
     const fibertex_look *o = &w->look[m];
     int i = woven ? o->weft : 0;
-    vf share = splat(o->share);
-    q->albedo[i] = q->albedo[i] + share * splat(o->lit);
+    q->albedo[i] = q->albedo[i] + splat(o->lit);
     if (!light) continue;
-    vf t[3], white, tinted, up = zero;
+    vf white, tinted;
+    strand_axes t;
     for (int c = 0; c < 3; c++) {
-      t[c] = splat(o->along[c]);
-      up = up + splat(o->up[c]) * k->f.light[c];
+      t.along[c] = splat(o->along[c]);
+      t.across[c] = splat(o->across[c]);
+      t.up[c] = splat(o->up[c]);
     }
-    strand_light(w, k->f.light, k->f.view, k->f.between, t, splat(o->spread), &white, &tinted);
-    q->around[i] = q->around[i] + share * splat(o->lit) * vmax(up, zero);
+    t.across2 = splat(o->across2);
+    t.up2 = splat(o->up2);
+    vf up = dot3(t.up, k->f.light), share = splat(o->straight);
+    strand_light(w, k->f.light, k->f.view, k->f.between, &t, &white, &tinted);
+    q->around[i] = q->around[i] + splat(o->around) * vmax(woven ? up : k->f.light[2], zero);
     if (woven) share = share * flank(up);
     q->tinted[i] = q->tinted[i] + share * tinted;
     q->white[i] = q->white[i] + share * white;
+    q->straight = q->straight + share;
   }
 }
 
@@ -294,6 +303,7 @@ STAGE void stage_far(const fibertex_constants *w, const block *k, int light, vf 
   vf slant = k->f.lean2[0] * k->f.lean2[0] + k->f.lean2[1] * k->f.lean2[1];
   vf wide = vsqrt(one + splat(0.5f) * slant);
   vf left = one, lit = zero, ambient = zero, depth = zero, reach = k->front;
+  vf step = exp2_(splat(-1.442695f * w->step) * k->inverse_up);
   for (int l = 0; l < w->layers; l++) {
     const fibertex_layer *c = &w->layer[l];
     vf mean = splat(c->mean);
@@ -302,7 +312,8 @@ STAGE void stage_far(const fibertex_constants *w, const block *k, int light, vf 
     left = left - share;
     if (light) {
       lit = lit + share * reach;
-      reach = reach * k->step;
+      reach = reach * step;
+      step = step * k->step[1];
     }
     ambient = ambient + share * splat(c->ambient);
     depth = depth + share * splat(c->depth);
@@ -339,20 +350,29 @@ INLINE void show_far(const fibertex_constants *w, const sums *s, const looks *q,
       s->direct[1] * (q->tinted[0] + q->tinted[1]) + s->albedo[1] * (often[0] + often[1]);
 }
 
-INLINE void best_tangent(const fibertex_constants *w, const block *k, vf t[3]) {
+/* The strand that is seen: its axes in the hull's frame. */
+INLINE void best_axes(const fibertex_constants *w, const block *k, strand_axes *t) {
   const vf one = splat(1.0f);
   const ground *g = &k->ground;
-  vf slope = k->best.slope;
-  vf rise = splat(w->lean) + splat(w->rise * (1.0f / 128.0f)) * byte_of(k->best.id, 2) * k->best.detail;
-  vf inverse = inverse_root(one + slope * slope + rise * rise);
-  vf x = (k->best.direction[0] - slope * k->best.direction[1]) * inverse;
-  vf y = (k->best.direction[1] + slope * k->best.direction[0]) * inverse;
-  for (int c = 0; c < 3; c++) t[c] = x * g->along[c] + y * g->across[c] + rise * inverse * g->up[c];
+  vf slope = k->best.slope, lost = one - k->best.detail;
+  vf rise = splat(w->lean) +
+            splat(w->rise * (1.0f / 128.0f)) * byte_of(k->best.id, 2) * k->best.detail;
+  vf flat = inverse_root(one + slope * slope), steep = inverse_root(one + rise * rise);
+  vf x = (k->best.direction[0] - slope * k->best.direction[1]) * flat;
+  vf y = (k->best.direction[1] + slope * k->best.direction[0]) * flat;
+  for (int c = 0; c < 3; c++) {
+    vf level = x * g->along[c] + y * g->across[c];
+    t->along[c] = (level + rise * g->up[c]) * steep;
+    t->across[c] = x * g->across[c] - y * g->along[c];
+    t->up[c] = (g->up[c] - rise * level) * steep;
+  }
+  t->across2 = lost * splat(w->scatter);
+  t->up2 = lost * splat(w->scatter_up);
 }
 
 /* Near: by the strand that is seen; what else is there by the means. */
 INLINE void show_near(const fibertex_constants *w, int woven, const block *k, const looks *q,
-                      const vf t[3], int light, shown *o) {
+                      const strand_axes *t, int light, shown *o) {
   const vf zero = splat(0.0f), one = splat(1.0f);
   const ground *g = &k->ground;
   const sums *s = &k->sum;
@@ -367,21 +387,16 @@ INLINE void show_near(const fibertex_constants *w, int woven, const block *k, co
   if (!light) return;
   vf mean_white, mean_tinted, white, tinted;
   if (woven) {
-    mean_white = (q->white[0] + q->white[1]) * splat(w->mean_straight);
-    mean_tinted = (q->tinted[0] + q->tinted[1]) * splat(w->mean_straight);
+    vf inverse = one / vmax(q->straight, splat(0.05f));
+    mean_white = (q->white[0] + q->white[1]) * inverse;
+    mean_tinted = (q->tinted[0] + q->tinted[1]) * inverse;
   } else {
     mean_white = q->white[0];
     mean_tinted = q->tinted[0];
   }
-  vf variance = (one - k->best.detail) * splat(w->scatter) + splat(1e-6f);
-  strand_light(w, k->f.light, k->f.view, k->f.between, t, variance, &white, &tinted);
-  vf across = g->across[0] * k->f.light[0] + g->across[1] * k->f.light[1] +
-              g->across[2] * k->f.light[2];
-  vf along = g->along[0] * k->f.light[0] + g->along[1] * k->f.light[1] +
-             g->along[2] * k->f.light[2];
+  strand_light(w, k->f.light, k->f.view, k->f.between, t, &white, &tinted);
   /* a strand is brighter on the side that the light is on */
-  vf side = k->best.direction[0] * across - k->best.direction[1] * along;
-  tinted = tinted * (one + splat(0.6f) * k->best.across * side);
+  tinted = tinted * (one + splat(0.6f) * k->best.across * dot3(t->across, k->f.light));
   vf part = k->most - k->next, bright = part * k->best.bright, change = tinted - mean_tinted;
   vf straight = g->straight, often = splat(w->multiple) * g->around * g->ambient;
   vf a = (s->direct[0] * mean_tinted + bright * (one - k->best.second) * change) * straight +
@@ -422,7 +437,7 @@ INLINE void put_vector(const kernel_io *io, const block *k, int channel, const v
 }
 
 INLINE void stage_put(const fibertex_constants *w, const kernel_io *io, const block *k,
-                      const shown *o, const vf tangent[3], vf far, int light) {
+                      const shown *o, const strand_axes *t, vf far, int light) {
   const vf zero = splat(0.0f), one = splat(1.0f);
   vf cover = clamp01(o->cover), some = one / vmax(cover, splat(1e-6f));
   for (int c = 0; c < 3; c++) {
@@ -438,7 +453,7 @@ INLINE void stage_put(const fibertex_constants *w, const kernel_io *io, const bl
     put(io, k, FIBERTEX_RADIANCE + c, r);
   }
   put(io, k, FIBERTEX_COVERAGE, cover);
-  put_vector(io, k, FIBERTEX_TANGENT, tangent, k->f.e1);
+  put_vector(io, k, FIBERTEX_TANGENT, t->along, k->f.e1);
   put(io, k, FIBERTEX_STRAND, to_float((vi)(k->best.id >> 8)) * splat(1.0f / 16777216.0f));
   vf depth = vmax(o->depth * some, zero);
   put(io, k, FIBERTEX_DEPTH, depth);
@@ -452,8 +467,7 @@ INLINE void stage_put(const fibertex_constants *w, const kernel_io *io, const bl
   const ground *g = &k->ground;
   vf n[3], near = one - far;
   for (int c = 0; c < 3; c++) {
-    vf across = k->best.direction[0] * g->across[c] - k->best.direction[1] * g->along[c];
-    vf strand = side * across + top * g->up[c];
+    vf strand = side * t->across[c] + top * t->up[c];
     vf of = seen * strand + (near - seen) * g->up[c];
     n[c] = sel(le(one, far), splat(c == 2 ? 1.0f : 0.0f), c == 2 ? of + far : of);
   }
@@ -470,7 +484,7 @@ INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io 
     block k = {.i = i, .n = to - i < LANES ? to - i : LANES};
     looks q;
     shown near, mean;
-    vf tangent[3];
+    strand_axes t;
     stage_load(w, woven, io, &k);
     light_layers(w, &k);
     vf far = smooth_step(splat(w->far[0]), splat(w->far[1]), k.s);
@@ -489,10 +503,10 @@ INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io 
     vf under = k.sum.left * splat(w->deep) * k.ground.solid, shaded = under * k.shade;
     add_mean(w, &k.sum, under, shaded * splat(w->deep_ambient), shaded * deep_lit,
              under * (splat(w->deep_depth) + k.ground.level));
-    best_tangent(w, &k, tangent);
-    show_near(w, woven, &k, &q, tangent, light, &near);
+    best_axes(w, &k, &t);
+    show_near(w, woven, &k, &q, &t, light, &near);
     vm nothing = le(one, far);
-    for (int c = 0; c < 3; c++) tangent[c] = sel(nothing, zero, tangent[c]);
+    for (int c = 0; c < 3; c++) t.along[c] = sel(nothing, zero, t.along[c]);
     k.best.id = (vu)seli(nothing, splati(0), (vi)k.best.id);
     if (any(gt(far, zero))) {
       sums sum;
@@ -500,7 +514,7 @@ INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io 
       show_far(w, &sum, &q, &mean);
       blend(&near, &mean, far, light);
     }
-    stage_put(w, io, &k, &near, tangent, far, light);
+    stage_put(w, io, &k, &near, &t, far, light);
   }
 }
 
@@ -549,10 +563,19 @@ static void measure_cloth(const fibertex_constants *w, uint32_t count, fibertex_
     measure_add(&out->yarn[1], weft);
     measure_add(&out->shaded[0], warp * q.ambient);
     measure_add(&out->shaded[1], weft * q.ambient);
+    vf along[3], across[3], up[3];
+    cloth_frame(w, &q, along, across, up);
+    vf around = q.ambient * vmax(up[2], zero), straight = flank(up[2]);
+    measure_add(&out->around[0], warp * around);
+    measure_add(&out->around[1], weft * around);
+    measure_add(&out->straight[0], warp * straight);
+    measure_add(&out->straight[1], weft * straight);
   }
   for (int i = 0; i < 2; i++) {
     out->yarn[i] /= count;
     out->shaded[i] /= count;
+    out->around[i] /= count;
+    out->straight[i] /= count;
   }
 }
 

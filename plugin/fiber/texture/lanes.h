@@ -61,7 +61,7 @@ typedef struct {
 
 /* One lane's strand at the point. */
 typedef struct {
-  vf cover, slope, across, from, near;
+  vf cover, slope, across, across2, from, near;
   vu a, b;
 } lane_strand;
 
@@ -85,9 +85,13 @@ INLINE void lane_at(const fibertex_constants *w, const fibertex_layer *c, int en
   vf r = splat(c->radius) * (one + thick) * p->widen;
   vf lo = vmax(e - t->half, zero - r), hi = vmin(e + t->half, r);
   vf cover = vmax(hi - lo, zero) * t->inverse_box;
-  /* nearly e / r: for looks alone */
-  vf place = e * splat(c->inverse_radius) * (one - thick * (one - thick));
-  vf near = clamp01(splat(1.6f) - splat(0.5f) * vabs(place));
+  /* over the part of the footprint that is covered */
+  vf inverse = one / r;
+  lo = lo * inverse;
+  hi = hi * inverse;
+  q->across = clamp((lo + hi) * half, splat(-1.0f), one);
+  q->across2 = vmin((lo * lo + lo * hi + hi * hi) * splat(1.0f / 3.0f), one);
+  vf near = clamp01(splat(1.6f) - half * vabs(e * inverse));
   q->from = zero;
   if (ends) {
     q->from = vabs(p->x - p->chord * (splat((1.0f - LANE_ENDS) / 128.0f) * byte_of(b, 2)));
@@ -97,7 +101,6 @@ INLINE void lane_at(const fibertex_constants *w, const fibertex_layer *c, int en
   }
   q->near = sel(there, near, zero);
   q->cover = sel(there, cover, zero);
-  q->across = clamp(place, splat(-1.0f), one);
 }
 
 /* Coverage expected of a place in a bundle, whatever its lanes hold. */
@@ -128,7 +131,10 @@ INLINE void lanes_at(const fibertex_constants *w, const fibertex_layer *c, int e
     lane_at(w, c, ends, p, j, &t, &m);
     lane_at(w, c, ends, p, j + splati(1), &t, &n);
     q->cover = vmin(m.cover + n.cover, one);
+    /* what lies bare within a footprint as wide as a strand is near it on the average */
+    vf wide = smooth_step(splat(0.2f * c->radius), splat(1.6f * c->radius), s);
     q->soft = vmax(m.near, n.near);
+    q->soft = sel(gt(wide, zero), q->soft + (splat(c->soft) - q->soft) * wide, q->soft);
     vm other = lt(m.cover, n.cover);
     vu a = (vu)seli(other, (vi)n.a, (vi)m.a), b = (vu)seli(other, (vi)n.b, (vi)m.b);
     q->slope = sel(other, n.slope, m.slope);
@@ -137,7 +143,7 @@ INLINE void lanes_at(const fibertex_constants *w, const fibertex_layer *c, int e
     q->id = a;
     q->second = sel(lti((vi)(b & splatu(0xffu)), splati(w->second_chance)), one, zero);
     vf bright = splat(1.0f / (1.0f - LANE_RIM / 3.0f)) -
-                splat(LANE_RIM / (1.0f - LANE_RIM / 3.0f)) * q->across * q->across;
+                splat(LANE_RIM / (1.0f - LANE_RIM / 3.0f)) * sel(other, n.across2, m.across2);
     if (ends) {
       vf v = vmin(sel(other, n.from, m.from) * p->inverse_length, one);
       bright = bright * (splat(1.0f / (1.0f - LANE_DIVE / 3.0f)) -

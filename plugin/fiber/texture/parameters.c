@@ -158,8 +158,8 @@ static const sozai_parameter weft_spacing = {
 static const sozai_parameter yarn_width = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "yarn_width", .label = "Yarn's width", .group = "cloth", .unit = "",
-   .doc = "Over the spacing: below 1 there are holes.",
-   .hard_min = 0.2, .hard_max = 1, .soft_min = 0.6, .soft_max = 1, .default_number = {0.94}};
+   .doc = "Over the spacing: below 1 there are holes, above it yarns press on one another.",
+   .hard_min = 0.2, .hard_max = 1.4, .soft_min = 0.6, .soft_max = 1.2, .default_number = {0.94}};
 
 static const sozai_parameter yarn_flatness = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,

@@ -27,23 +27,28 @@ INLINE vf bell(vf x, vf k) {
   return q * k * splat(1.0f / 2.39628f);
 }
 
-/* Radiance of a strand under light of irradiance pi, of white and of colour.
- * t: its tangent, unit; variance: of the tangent, across it. */
+/* A strand's axes: along it, across it in the ground, and out of that; and the
+ * variances of the angles by which what it stands for strays across and out. */
+typedef struct {
+  vf along[3], across[3], up[3];
+  vf across2, up2;
+} strand_axes;
+
+INLINE vf strand_dot(const vf a[3], const vf b[3]) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* Radiance of a strand under light of irradiance pi, of white and of colour. */
 INLINE void strand_light(const fibertex_constants *w, const vf light[3], const vf view[3],
-                         vf between, const vf t[3], vf variance, vf *white, vf *tinted) {
+                         vf between, const strand_axes *t, vf *white, vf *tinted) {
   const vf one = splat(1.0f), zero = splat(0.0f);
-  vf sl = t[0] * light[0] + t[1] * light[1] + t[2] * light[2];
-  vf sv = t[0] * view[0] + t[1] * view[1] + t[2] * view[2];
-  vf shrink = one - splat(0.5f) * variance;
-  /* what of each direction lies across the strand takes part in the scatter: half
-   * of it, since strands scatter within the hull more than out of it */
-  vf across_l = vmax(one - sl * sl, zero), across_v = vmax(one - sv * sv, zero);
-  vf half = splat(0.5f) * variance;
-  vf both = half * (between - sl * sv);
-  vf sl2 = half * across_l, sv2 = half * across_v;
+  vf shrink = one - splat(0.5f) * (t->across2 + t->up2);
+  vf sl = strand_dot(t->along, light) * shrink, sv = strand_dot(t->along, view) * shrink;
+  vf la = strand_dot(t->across, light), va = strand_dot(t->across, view);
+  vf lu = strand_dot(t->up, light), vu_ = strand_dot(t->up, view);
+  vf sl2 = t->across2 * la * la + t->up2 * lu * lu, sv2 = t->across2 * va * va + t->up2 * vu_ * vu_;
+  vf both = t->across2 * la * va + t->up2 * lu * vu_;
   vf spread = sl2 + sv2 + both + both;
-  sl = sl * shrink;
-  sv = sv * shrink;
   vf cl2 = vmax(one - sl * sl - sl2, splat(0.01f)), cv2 = vmax(one - sv * sv - sv2, splat(0.01f));
   vf round = clamp((between - sl * sv - both) * inverse_root(cl2 * cv2), splat(-1.0f), one);
   vf sum = sl + sv;

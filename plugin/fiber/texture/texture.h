@@ -36,7 +36,7 @@ typedef struct {
   float offset[3];          /* of the lattice, cells */
   float reach2;             /* a bundle's radius, squared */
   float spacing, inverse_spacing;
-  float radius, inverse_radius;
+  float radius;
   float shift, sway; /* how far a centreline lies off its lane's middle, and swings */
   float tilt;        /* how far it drifts per mm */
   float vague;       /* footprint from which lanes are a mean */
@@ -55,10 +55,12 @@ typedef struct {
 
 /* One of the directions that stand for all: in the frame of the hull's axes. */
 typedef struct {
-  float along[3], up[3]; /* the strand's; out of its yarn, or the hull. unit */
+  float along[3], across[3], up[3]; /* the strand's; out of its yarn, or the hull. unit */
+  float across2, up2; /* variance of the angles to the directions it stands for */
   float share;
-  float lit;    /* what of the light that comes from around reaches it */
-  float spread; /* variance of the angle from this direction to those it stands for */
+  float lit;      /* what of the light that comes from around reaches it, times share */
+  float around;   /* the same of light from one side */
+  float straight; /* share, less what yarns' flanks turn away */
   int32_t weft;
 } fibertex_look;
 
@@ -67,8 +69,9 @@ typedef struct {
   float spacing, inverse_spacing; /* from one to the next */
   float half, inverse_half;       /* width, half */
   float height;                   /* thickness, half */
-  float rise;                     /* how far its middle goes up and down */
+  float rise, over;               /* how far its middle goes up and down, about what */
   float wander, frequency;        /* unevenness, of half; 1/mm */
+  float tone;                     /* from yarn to yarn, over a byte's 128 */
 } fibertex_yarn;
 
 typedef struct {
@@ -84,11 +87,11 @@ typedef struct {
   float own_frequency;          /* of a strand's swing, 1/mm */
   float curl;                   /* curvature of a bundle, 1/mm, over a byte's 128 */
   float slope2;                 /* variance of the slope of what bundles share */
-  float scatter;                /* of a bundle's strands about its course, when not told apart */
+  float scatter, scatter_up;    /* of strands about their bundle's course, when not told apart */
   float lean, rise, rise2;      /* tangent of the elevation: mean, how far from it, variance */
   float radius_spread;
   float contact; /* how much of the light strands take from what is close below */
-  float step;    /* optical depth of a layer */
+  float step, step_more; /* optical depth of the first layer; and what each next has more */
   float far[2];  /* footprints between which bundles give way to the mean */
   float deep, deep_ambient, deep_above, deep_depth; /* what is below the last layer */
 
@@ -99,7 +102,6 @@ typedef struct {
   float hollow, low, inverse_range; /* shade of furrows; their depth, and 1 over it */
   float warp_share; /* of what is yarn */
   float solid;                        /* share that is yarn */
-  float mean_straight; /* 1 over what of the straight light yarns' flanks let through */
 
   float colour[FIBERTEX_COLOURS][3]; /* working space */
   float second_share, variation;
@@ -129,10 +131,11 @@ enum {
 
 /* Means over `count` points: of each layer's coverage at a point, of its bundles'
  * formula, and of its strands' nearness where they do not cover; and of a cloth
- * what share its warp and its weft show, and those in the shade of furrows. */
+ * what share its warp and its weft show, those in the shade of furrows, and what they
+ * take of light from right above after being scattered, and straight. */
 typedef struct {
   double point[FIBERTEX_LAYERS], formula[FIBERTEX_LAYERS], soft[FIBERTEX_LAYERS];
-  double yarn[2], shaded[2];
+  double yarn[2], shaded[2], around[2], straight[2];
 } fibertex_means;
 typedef void fibertex_measure(const fibertex_constants *w, uint32_t count, fibertex_means *out);
 
