@@ -12,7 +12,8 @@
 
 #define PI 3.14159265358979324
 #define RADIANS (PI / 180.0)
-#define MEASURED 4096u      /* points, for means that have no formula; whole blocks of every width */
+#define FULL 48500.0f         /* presence that leaves room for a bundle to have more */
+#define MEASURED 8192u      /* points, for means that have no formula; whole blocks of every width */
 #define FILL 0.55           /* of space by bundles, less the ends of their strands; about */
 #define ON_YARN 4            /* layers */
 #define HULL_LOOKS 4
@@ -43,7 +44,9 @@ static void place_layer(fibertex_constants *w, int l, double size, double radius
   c->spacing = (float)spacing;
   c->inverse_spacing = (float)(1.0 / spacing);
   c->radius = (float)radius;
-  c->presence = (int32_t)(65536.0 * least(wanted * spacing / (2.0 * radius * FILL), 0.95));
+  c->inverse_radius = (float)(1.0 / radius);
+  c->lattice = l % 3;
+  c->presence = (float)(65536.0 * least(wanted * spacing / (2.0 * radius * FILL), 0.95));
   c->depth = (float)level;
   c->ends = 1;
   c->seed = hash1(w->seed + 0x9e3779b9u * (uint32_t)(l + 1));
@@ -60,7 +63,7 @@ static void place_round(fibertex_constants *w, int l, double radius, double want
   double spacing = 4.0 * radius;
   c->spacing = (float)spacing;
   c->inverse_spacing = (float)(1.0 / spacing);
-  c->presence = (int32_t)(65536.0 * least(wanted * spacing / (2.0 * radius), 0.95));
+  c->presence = (float)(65536.0 * least(wanted * spacing / (2.0 * radius), 0.95));
   c->ends = 0;
   c->twist[0] = (float)scalar_cos(twist);
   c->twist[1] = (float)scalar_sin(twist);
@@ -85,7 +88,7 @@ static void let_stray(fibertex_constants *w, fibertex_layer *c, double waver) {
 static void set_formulas(fibertex_constants *w) {
   for (int l = 0; l < w->layers; l++) {
     fibertex_layer *c = &w->layer[l];
-    c->formula = 2.0f * c->radius * c->inverse_spacing * (float)c->presence / 65536.0f;
+    c->formula = 2.0f * c->radius * c->inverse_spacing * c->presence / 65536.0f;
   }
 }
 
@@ -94,20 +97,28 @@ static void set_formulas(fibertex_constants *w) {
 static double densest(int k, int count) { return 0.13 + 0.42 * k / (count - 1); }
 static double closest(int k, int count) { return 8.0 - 4.6 * k / (count - 1); }
 
-/* From what is wanted to what is: the lanes' presence by a first measure, and by a
- * second what of the layers there is. */
+/* From what is wanted to what is: the lanes' presence by a measure of full ones, and by
+ * a second what of the layers there is. */
 static void measure_layers(fibertex_constants *w, const settings *s, const fibertex_kernel *kernel,
                            const double wanted[FIBERTEX_LAYERS]) {
-  fibertex_means m;
+  fibertex_means full, m;
+  for (int l = 0; l < w->layers; l++) w->layer[l].presence = FULL;
   set_formulas(w);
-  kernel->measure(w, MEASURED, &m);
+  kernel->measure(w, MEASURED, &full);
   for (int l = 0; l < w->layers; l++) {
     fibertex_layer *c = &w->layer[l];
-    if (m.point[l] <= 1e-9) continue;
-    c->presence = (int32_t)least((double)c->presence * wanted[l] / m.point[l], 63000.0);
+    if (full.point[l] > 1e-9) c->presence = (float)least(FULL * wanted[l] / full.point[l], FULL);
   }
   set_formulas(w);
   kernel->measure(w, MEASURED, &m);
+  for (int l = 0; l < w->layers; l++) {
+    /* few strands are met too seldom to be counted, but do not lie over one another */
+    double share = (double)w->layer[l].presence / FULL;
+    if (share > 0.4) continue;
+    m.point[l] = share * full.point[l];
+    m.formula[l] = share * full.formula[l];
+    m.soft[l] = m.soft[l] > 0.0 ? m.soft[l] : 0.0;
+  }
   double above = 0.0, darkening = number_at(s, P_DARKENING);
   for (int l = 0; l < w->layers; l++) {
     fibertex_layer *c = &w->layer[l];

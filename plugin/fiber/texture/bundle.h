@@ -25,21 +25,35 @@ typedef struct {
   vf at[3], step[3], e1[3], e2[3], n[3];
 } lattice_frame;
 
-INLINE void into_lattice(const vf v[3], vf out[3]) {
-  /* a rotation in whole numbers */
-  static const float aslant[3][3] = {{2.0f, 6.0f, 9.0f}, {6.0f, 7.0f, -6.0f}, {-9.0f, 6.0f, -2.0f}};
+/* Each layer lies in another of them than the next, lest they keep step. */
+#define LATTICES 3
+
+INLINE void into_lattice(int which, const vf v[3], vf out[3]) {
+  /* rotations in whole numbers */
+  static const float aslant[LATTICES][3][3] = {
+      {{2.0f / 11.0f, 6.0f / 11.0f, 9.0f / 11.0f},
+       {6.0f / 11.0f, 7.0f / 11.0f, -6.0f / 11.0f},
+       {-9.0f / 11.0f, 6.0f / 11.0f, -2.0f / 11.0f}},
+      {{-2.0f / 15.0f, 14.0f / 15.0f, 5.0f / 15.0f},
+       {11.0f / 15.0f, -2.0f / 15.0f, 10.0f / 15.0f},
+       {10.0f / 15.0f, 5.0f / 15.0f, -10.0f / 15.0f}},
+      {{12.0f / 17.0f, -1.0f / 17.0f, 12.0f / 17.0f},
+       {9.0f / 17.0f, 12.0f / 17.0f, -8.0f / 17.0f},
+       {-8.0f / 17.0f, 12.0f / 17.0f, 9.0f / 17.0f}}};
   for (int i = 0; i < 3; i++) {
-    out[i] = (splat(aslant[i][0]) * v[0] + splat(aslant[i][1]) * v[1] + splat(aslant[i][2]) * v[2]) *
-             splat(1.0f / 11.0f);
+    const float *row = aslant[which][i];
+    out[i] = splat(row[0]) * v[0] + splat(row[1]) * v[1] + splat(row[2]) * v[2];
   }
 }
 
-INLINE void lattice_of(const hull_frame *f, const vf at[3], lattice_frame *g) {
-  into_lattice(at, g->at);
-  into_lattice(f->step, g->step);
-  into_lattice(f->e1, g->e1);
-  into_lattice(f->e2, g->e2);
-  into_lattice(f->n, g->n);
+INLINE void lattice_of(const hull_frame *f, const vf at[3], lattice_frame g[LATTICES]) {
+  for (int i = 0; i < LATTICES; i++) {
+    into_lattice(i, at, g[i].at);
+    into_lattice(i, f->step, g[i].step);
+    into_lattice(i, f->e1, g[i].e1);
+    into_lattice(i, f->e2, g[i].e2);
+    into_lattice(i, f->n, g[i].n);
+  }
 }
 
 INLINE vf dot3(const vf a[3], const vf b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -47,12 +61,16 @@ INLINE vf dot3(const vf a[3], const vf b[3]) { return a[0] * b[0] + a[1] * b[1] 
 /* How much broader a cylinder's shadow along the view is, on a surface: `slant`
  * is the view's tangent across it. */
 INLINE vf widening(vf slant, float most) {
-  return vmin(vsqrt(splat(1.0f) + slant * slant), splat(most));
+  /* nearly sqrt(1 + x) */
+  vf x = vmin(slant * slant, splat(2.6f));
+  return vmin(splat(1.0f) + x * (splat(0.48f) + x * (splat(-0.086f) + x * splat(0.0085f))),
+              splat(most));
 }
 
 INLINE void bundle_at(const fibertex_constants *w, const fibertex_layer *c, const hull_frame *hull,
-                      const lattice_frame *g, lane_place *p, vf direction[2]) {
+                      const lattice_frame *frames, lane_place *p, vf direction[2]) {
   const vf half = splat(0.5f);
+  const lattice_frame *g = &frames[c->lattice];
   vf a[3], b[3];
   vu ha = splatu(c->seed), hb;
   static const uint32_t odd[3] = {HASH_X, HASH_Y, HASH_Z};
@@ -75,6 +93,7 @@ INLINE void bundle_at(const fibertex_constants *w, const fibertex_layer *c, cons
   for (int k = 0; k < 3; k++) a[k] = sel(centre, b[k], a[k]) * splat(c->size);
   vu h = hash_mix((vu)seli(centre, (vi)hb, (vi)ha));
   p->h = h;
+  p->full = splat(1.0f) + splat(0.35f / 128.0f) * byte_of(h * splatu(HASH_Z), 0);
   vf x1 = dot3(a, g->e1), x2 = dot3(a, g->e2), above = dot3(a, g->n);
   vf co = lookup16(w->turn[0], h & splatu(15)), si = lookup16(w->turn[1], h & splatu(15));
   direction[0] = co;

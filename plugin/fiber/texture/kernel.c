@@ -33,12 +33,13 @@ typedef struct {
   uint32_t i, n;
   vf at[3];
   hull_frame f;
-  lattice_frame g;
+  lattice_frame g[LATTICES];
+  lane_filter filter;
   ground ground;
   vf s;
   sums sum;
   vf shade; /* what is left of light by strands close above */
-  vf front; /* 0 behind, 1 in front: strands are lit a little past the edge */
+  vf front; /* 0 behind, 1 in front, with a soft edge */
   vf inverse_up, step[2], lit; /* step: factors from layer to layer, of lit and of itself */
   /* the strand that most is seen of, and how much of the next */
   vf most, next;
@@ -153,11 +154,12 @@ INLINE void stage_load(const fibertex_constants *w, int woven, const kernel_io *
   vf up = vmax(k->f.view[2], splat(0.18f)), slant = one / up;
   for (int c = 0; c < 3; c++) k->f.step[c] = (v[c] - k->f.n[c] * k->f.view[2]) * slant;
   for (int c = 0; c < 2; c++) k->f.lean2[c] = k->f.view[c] * slant;
-  lattice_of(&k->f, k->at, &k->g);
+  lattice_of(&k->f, k->at, k->g);
+  k->filter = lane_filter_of(w->layer[0].radius, k->s);
   direction_of(k, io->in->light, k->f.n, 0, v);
   into_frame(&k->f, v, k->f.light);
   k->f.between = dot3(k->f.light, k->f.view);
-  k->front = smooth_step(splat(-0.25f), splat(0.1f), k->f.light[2]);
+  k->front = smooth_step(splat(-0.02f), splat(0.22f), k->f.light[2]);
   k->inverse_up = one / vmax(k->f.light[2], splat(0.1f));
   if (woven)
     ground_cloth(w, k, cloth.u, cloth.v,
@@ -224,8 +226,8 @@ STAGE void layer_of_hull(const fibertex_constants *w, const fibertex_layer *c, b
   lane_place p;
   lane_hit q;
   vf d[2];
-  bundle_at(w, c, &k->f, &k->g, &p, d);
-  lanes_at(w, c, 1, &p, k->s, &q);
+  bundle_at(w, c, &k->f, k->g, &p, d);
+  lanes_at(w, c, 1, &p, &k->filter, &q);
   compose(w, c, k, &q, d, splat(c->depth), light);
 }
 
@@ -234,7 +236,7 @@ INLINE void yarn_place(const fibertex_layer *c, const vf at[2], vu h, lane_place
   p->x = at[0] * co + at[1] * si;
   p->y = at[1] * co - at[0] * si;
   p->bend = p->rest2 = splat(0.0f);
-  p->chord = p->inverse_length = p->widen = one;
+  p->chord = p->inverse_length = p->widen = p->full = one;
   p->h = hash_mix(h + splatu(c->seed));
 }
 
@@ -244,7 +246,7 @@ STAGE void layer_of_yarn(const fibertex_constants *w, const fibertex_layer *c, b
   lane_hit q;
   const vf d[2] = {splat(c->twist[0]), splat(c->twist[1])};
   yarn_place(c, k->ground.place, k->ground.h, &p);
-  lanes_at(w, c, 0, &p, k->s, &q);
+  lanes_at(w, c, 0, &p, &k->filter, &q);
   q.cover = q.cover * k->ground.solid;
   compose(w, c, k, &q, d, splat(c->depth) + k->ground.level, light);
 }
@@ -589,6 +591,7 @@ static void measure(const fibertex_constants *w, uint32_t count, fibertex_means 
   for (int c = 0; c < 2; c++) k.f.lean2[c] = zero;
   for (int c = 0; c < 3; c++) k.f.step[c] = zero;
   memset(out, 0, sizeof *out);
+  const lane_filter filter = lane_filter_of(w->layer[0].radius, zero);
   for (int l = 0; l < w->layers; l++) {
     const fibertex_layer *c = &w->layer[l];
     for (uint32_t i = 0; i < count; i += LANES) {
@@ -597,12 +600,12 @@ static void measure(const fibertex_constants *w, uint32_t count, fibertex_means 
       lane_place p;
       lane_hit q;
       if (c->ends) {
-        lattice_of(&k.f, at, &k.g);
-        bundle_at(w, c, &k.f, &k.g, &p, d);
-        lanes_at(w, c, 1, &p, zero, &q);
+        lattice_of(&k.f, at, k.g);
+        bundle_at(w, c, &k.f, k.g, &p, d);
+        lanes_at(w, c, 1, &p, &filter, &q);
       } else {
         yarn_place(c, at, splatu(0), &p);
-        lanes_at(w, c, 0, &p, zero, &q);
+        lanes_at(w, c, 0, &p, &filter, &q);
       }
       measure_add(&out->point[l], q.cover);
       measure_add(&out->soft[l], q.soft * (one - q.cover));

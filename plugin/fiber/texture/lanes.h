@@ -34,14 +34,27 @@ INLINE vf lane_inverse_root(vf x) {
 }
 
 typedef struct {
-  vf x, y;      /* place in the bundle, mm: along; across, straightened */
-  vf bend;      /* slope of the bundle itself there */
-  vf rest2;     /* what the bundle's radius leaves at this level, squared */
-  vf chord;     /* half of the bundle's extent along x there */
+  vf x, y;           /* place in the bundle, mm: along; across, straightened */
+  vf bend;           /* slope of the bundle itself there */
+  vf rest2;          /* what the bundle's radius leaves at this level, squared */
+  vf chord;          /* half of the bundle's extent along x there */
   vf inverse_length; /* of a strand there, half */
-  vf widen;     /* how much broader strands look at the eye's slant */
-  vu h;         /* the bundle */
+  vf widen;          /* how much broader strands look at the eye's slant */
+  vf full;           /* how many strands it has, of what is usual */
+  vu h;              /* the bundle */
 } lane_place;
+
+/* A footprint, as lanes see it: of a strand's thickness, which all layers share. */
+typedef struct {
+  vf s, inverse_box, half; /* of the box that stands for the footprint */
+  vf inverse_end;
+} lane_filter;
+
+INLINE lane_filter lane_filter_of(float radius, vf s) {
+  vf box = vmax(s, splat(0.02f * radius));
+  return (lane_filter){s, splat(1.0f) / box, box * splat(0.5f),
+                       splat(1.0f) / vmax(s, splat(2.0f * radius))};
+}
 
 /* What a layer shows: coverage, and of the strand that covers most the rest. */
 typedef struct {
@@ -54,14 +67,9 @@ typedef struct {
   vu id;
 } lane_hit;
 
-typedef struct {
-  vf inverse_box, half; /* of the box that stands for the footprint */
-  vf inverse_end;
-} lane_filter;
-
 /* One lane's strand at the point. */
 typedef struct {
-  vf cover, slope, across, across2, from, near;
+  vf cover, slope, lo, hi, r, from, near;
   vu a, b;
 } lane_strand;
 
@@ -73,7 +81,7 @@ INLINE void lane_at(const fibertex_constants *w, const fibertex_layer *c, int en
   b ^= b >> 13;
   q->a = a;
   q->b = b;
-  vm there = lti((vi)(b >> 16), splati(c->presence));
+  vm there = lt(to_float((vi)(b >> 16)), p->full * splat(c->presence));
   vf f = splat(w->own_frequency) + splat(0.4f / 128.0f * w->own_frequency) * byte_of(b, 3), rate;
   vf own = wave(p->x * f + splat(1.0f / 256.0f) * byte_of(a, 1), &rate);
   vf tilt = splat(c->tilt) * byte_of(a ^ b, 0);
@@ -85,13 +93,10 @@ INLINE void lane_at(const fibertex_constants *w, const fibertex_layer *c, int en
   vf r = splat(c->radius) * (one + thick) * p->widen;
   vf lo = vmax(e - t->half, zero - r), hi = vmin(e + t->half, r);
   vf cover = vmax(hi - lo, zero) * t->inverse_box;
-  /* over the part of the footprint that is covered */
-  vf inverse = one / r;
-  lo = lo * inverse;
-  hi = hi * inverse;
-  q->across = clamp((lo + hi) * half, splat(-1.0f), one);
-  q->across2 = vmin((lo * lo + lo * hi + hi * hi) * splat(1.0f / 3.0f), one);
-  vf near = clamp01(splat(1.6f) - half * vabs(e * inverse));
+  q->lo = lo;
+  q->hi = hi;
+  q->r = r;
+  vf near = clamp01((splat(1.6f) * r - half * vabs(e)) * splat(c->inverse_radius));
   q->from = zero;
   if (ends) {
     q->from = vabs(p->x - p->chord * (splat((1.0f - LANE_ENDS) / 128.0f) * byte_of(b, 2)));
@@ -107,7 +112,7 @@ INLINE void lane_at(const fibertex_constants *w, const fibertex_layer *c, int en
 INLINE vf lane_expected(const fibertex_layer *c, int ends, const lane_place *p) {
   const vf one = splat(1.0f);
   vf steep = vmin(p->bend * p->bend, splat(2.0f));
-  vf wide = splat(c->formula) * p->widen * (one + steep * (splat(0.46f) - splat(0.06f) * steep));
+  vf wide = splat(c->formula) * p->full * p->widen * (one + steep * (splat(0.46f) - splat(0.06f) * steep));
   if (ends) {
     vf v = vabs(p->x) * p->inverse_length * splat(LANE_ENDS);
     wide = wide * clamp01((one - v) * splat(1.0f / (2.0f - 2.0f * LANE_ENDS)));
@@ -116,34 +121,36 @@ INLINE vf lane_expected(const fibertex_layer *c, int ends, const lane_place *p) 
 }
 
 INLINE void lanes_at(const fibertex_constants *w, const fibertex_layer *c, int ends,
-                     const lane_place *p, vf s, lane_hit *q) {
+                     const lane_place *p, const lane_filter *t, lane_hit *q) {
   const vf zero = splat(0.0f), one = splat(1.0f), half = splat(0.5f);
-  vf far = smooth_step(splat(0.6f * c->spacing), splat(c->vague), s);
+  vf far = smooth_step(splat(0.6f * c->spacing), splat(c->vague), t->s);
   vm some = gt(far, zero);
   *q = (lane_hit){zero,           zero, zero, zero, splat(w->second_share), one,
                   splat(c->soft), one - far, splatu(0)};
   if (any(lt(far, one))) {
-    vf box = vmax(s, splat(0.02f * c->radius));
-    lane_filter t = {one / box, box * half, one / vmax(s, splat(2.0f * c->radius))};
     lane_strand m, n;
     vi j;
     (void)vfloor(p->y * splat(c->inverse_spacing) - half, &j);
-    lane_at(w, c, ends, p, j, &t, &m);
-    lane_at(w, c, ends, p, j + splati(1), &t, &n);
+    lane_at(w, c, ends, p, j, t, &m);
+    lane_at(w, c, ends, p, j + splati(1), t, &n);
     q->cover = vmin(m.cover + n.cover, one);
     /* what lies bare within a footprint as wide as a strand is near it on the average */
-    vf wide = smooth_step(splat(0.2f * c->radius), splat(1.6f * c->radius), s);
+    vf wide = smooth_step(splat(0.2f * c->radius), splat(1.6f * c->radius), t->s);
     q->soft = vmax(m.near, n.near);
     q->soft = sel(gt(wide, zero), q->soft + (splat(c->soft) - q->soft) * wide, q->soft);
     vm other = lt(m.cover, n.cover);
     vu a = (vu)seli(other, (vi)n.a, (vi)m.a), b = (vu)seli(other, (vi)n.b, (vi)m.b);
     q->slope = sel(other, n.slope, m.slope);
-    q->across = sel(other, n.across, m.across);
+    /* over the part of the footprint that is covered */
+    vf inverse = one / sel(other, n.r, m.r);
+    vf lo = sel(other, n.lo, m.lo) * inverse, hi = sel(other, n.hi, m.hi) * inverse;
+    vf across2 = vmin((lo * lo + lo * hi + hi * hi) * splat(1.0f / 3.0f), one);
+    q->across = clamp((lo + hi) * half, splat(-1.0f), one);
     q->tone = splat(1.0f / 128.0f) * byte_of(a, 3);
     q->id = a;
     q->second = sel(lti((vi)(b & splatu(0xffu)), splati(w->second_chance)), one, zero);
     vf bright = splat(1.0f / (1.0f - LANE_RIM / 3.0f)) -
-                splat(LANE_RIM / (1.0f - LANE_RIM / 3.0f)) * sel(other, n.across2, m.across2);
+                splat(LANE_RIM / (1.0f - LANE_RIM / 3.0f)) * across2;
     if (ends) {
       vf v = vmin(sel(other, n.from, m.from) * p->inverse_length, one);
       bright = bright * (splat(1.0f / (1.0f - LANE_DIVE / 3.0f)) -
@@ -153,6 +160,11 @@ INLINE void lanes_at(const fibertex_constants *w, const fibertex_layer *c, int e
   }
   if (!any(some)) return;
   vf near = one - far, expected = lane_expected(c, ends, p);
+  if (!any(lt(far, one))) { /* what the rest would come to */
+    q->cover = expected;
+    q->slope = p->bend;
+    return;
+  }
   /* the mean of what is covered has its strands in proportion to coverage */
   vf seen = near * q->cover, all = seen + far * expected;
   vf part = seen / vmax(all, splat(1e-6f)), rest = one - part;

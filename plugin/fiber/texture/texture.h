@@ -23,7 +23,7 @@
 /* A stage that is large, or called from several places: once in the code. */
 #define STAGE static __attribute__((noinline, unused))
 
-#define FIBERTEX_LAYERS 9
+#define FIBERTEX_LAYERS 8
 #define FIBERTEX_DIRECTIONS 16 /* that bundles lie in: quantiles */
 #define FIBERTEX_LOOKS 6       /* directions that stand for all from afar */
 
@@ -36,7 +36,7 @@ typedef struct {
   float offset[3];          /* of the lattice, cells */
   float reach2;             /* a bundle's radius, squared */
   float spacing, inverse_spacing;
-  float radius;
+  float radius, inverse_radius;
   float shift, sway; /* how far a centreline lies off its lane's middle, and swings */
   float tilt;        /* how far it drifts per mm */
   float vague;       /* footprint from which lanes are a mean */
@@ -48,7 +48,8 @@ typedef struct {
   float soft;        /* mean nearness of strands where they do not cover */
   float slope2;      /* variance of the strands' slope within their bundle */
   float twist[2];    /* on a yarn: cosine and sine of the strands' angle */
-  int32_t presence;  /* chance of a lane to have a strand, of 65536 */
+  float presence;    /* chance of a lane to have a strand, of 65536 */
+  int32_t lattice;   /* which of the turned ones */
   int32_t ends;      /* strands end within their bundle; else they follow a yarn */
   uint32_t seed;
 } fibertex_layer;
