@@ -121,7 +121,7 @@ static void in_the_directions_asked_for(void **state) {
   double all = order("felt", 1, &angle);
   print_message("order of felt: %.3f at alignment 0, %.3f at 0.6, %.3f at 1 (along %.1f degrees)\n",
                 none, half, all, angle);
-  assert_true(none < 0.05 && half > 0.2 && all > 0.85 && fabs(fabs(angle) - 90) < 3);
+  assert_true(none < 0.05 && half > 0.2 && all > 0.7 && fabs(fabs(angle) - 90) < 3);
 }
 
 /* Denim's face: three crossings of four are warp's. Its colour is between. */

@@ -171,7 +171,7 @@ static void build_shell(fibertex_constants *w, const settings *s, const fibertex
   }
   for (int l = 0; l < w->layers; l++) let_stray(w, &w->layer[l], waver);
   measure_layers(w, s, kernel, wanted);
-  double rest = woven ? 40.0 : most(total - seen, 0.0);
+  double rest = woven ? 40.0 : most(total - (double)w->deep_above, 0.0);
   w->deep = (float)(1.0 - scalar_exp(-rest));
   w->deep_above += (float)(0.5 * least(rest, 1.0));
   w->far[0] = 0.4f * w->layer[w->layers - 1].size;
@@ -301,7 +301,7 @@ static void look_at_yarns(fibertex_constants *w, const fibertex_kernel *kernel, 
 /* The angle from the axis below which a share t of all lie, -1 to 1. */
 static double quantile(double alignment, double t) {
   double a = t < 0.0 ? -t : t;
-  return 0.5 * PI * t * (1.0 - alignment + alignment * 0.3 * a * a);
+  return 0.5 * PI * t * (1.0 - alignment + alignment * 0.18 * a * a);
 }
 
 /* Variance of an angle whose tangent is spread evenly with that variance. */

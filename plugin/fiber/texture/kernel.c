@@ -116,7 +116,7 @@ STAGE void ground_cloth(const fibertex_constants *w, block *k, vf u, vf v, vf si
   g->weft = q.share;
   g->ambient = q.ambient;
   vf up = dot3(k->f.light, g->up);
-  g->around = vmax(up, zero);
+  g->around = vmax(up, zero) * k->front;
   g->straight = flank(up);
   g->place[0] = q.along;
   /* the way round an ellipse from its crest: nearly */
@@ -277,7 +277,7 @@ STAGE void looks_of(const fibertex_constants *w, int woven, const block *k, int 
     t.up2 = splat(o->up2);
     vf up = dot3(t.up, k->f.light), share = splat(o->straight);
     strand_light(w, k->f.light, k->f.view, k->f.between, &t, &white, &tinted);
-    q->around[i] = q->around[i] + splat(o->around) * vmax(woven ? up : k->f.light[2], zero);
+    q->around[i] = q->around[i] + splat(o->around) * (woven ? vmax(up, zero) * k->front : vmax(k->f.light[2], zero));
     if (woven) share = share * flank(up);
     q->tinted[i] = q->tinted[i] + share * tinted;
     q->white[i] = q->white[i] + share * white;
@@ -302,8 +302,9 @@ INLINE void add_mean(const fibertex_constants *w, sums *sum, vf cover, vf ambien
 STAGE void stage_far(const fibertex_constants *w, const block *k, int light, vf deep_lit,
                      sums *out) {
   const vf zero = splat(0.0f), one = splat(1.0f);
-  vf slant = k->f.lean2[0] * k->f.lean2[0] + k->f.lean2[1] * k->f.lean2[1];
-  vf wide = vsqrt(one + splat(0.5f) * slant);
+  /* widening's mean over all directions */
+  vf x = vmin(k->f.lean2[0] * k->f.lean2[0] + k->f.lean2[1] * k->f.lean2[1], splat(3.5f));
+  vf wide = one + x * (splat(0.24f) + x * (splat(-0.03225f) + x * splat(0.00266f)));
   vf left = one, lit = zero, ambient = zero, depth = zero, reach = k->front;
   vf step = exp2_(splat(-1.442695f * w->step) * k->inverse_up);
   for (int l = 0; l < w->layers; l++) {

@@ -96,7 +96,9 @@ INLINE void lane_at(const fibertex_constants *w, const fibertex_layer *c, int en
   q->lo = lo;
   q->hi = hi;
   q->r = r;
-  vf near = clamp01((splat(1.6f) * r - half * vabs(e)) * splat(c->inverse_radius));
+  /* of a thickness between that and its shadow's: then its mean hardly changes with the slant */
+  vf blur = splat(0.5f) * r + splat(1.1f * c->radius) * (one + thick);
+  vf near = clamp01((blur - half * vabs(e)) * splat(c->inverse_radius));
   q->from = zero;
   if (ends) {
     q->from = vabs(p->x - p->chord * (splat((1.0f - LANE_ENDS) / 128.0f) * byte_of(b, 2)));
