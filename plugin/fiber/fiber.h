@@ -46,7 +46,7 @@ typedef struct strand_result {
 } strand_result;
 
 typedef struct fiber_contacts {
-  double first, last;            /* pairs of strands that overlap, before and after */
+  double first, last;            /* pairs of segments that overlap, before and after */
   double deepest_first, deepest; /* mm */
   double rounds;
 } fiber_contacts;
