@@ -28,7 +28,7 @@ typedef struct view {
   camera camera;
   studio studio;
   film *film;
-  fiber_lobe lobe;
+  fiber_lobe lobe, wide; /* wide: of light that has met strands already */
   vec colour[PARTS];
   float spread, round; /* lightness from strand to strand; roughness round */
   atomic_uint rows;
@@ -98,12 +98,13 @@ static vec leave(const strand_hit *h, vec direction) {
   return vec_along(middle, 1.03f * h->radius, out);
 }
 
-static vec key_light(const view *w, const fiber_view_from *f, const strand_hit *h, draw *d) {
+static vec key_light(const view *w, const fiber_lobe *lobe, const fiber_view_from *f,
+                     const strand_hit *h, draw *d) {
   const studio *st = &w->studio;
   float r = st->light_spread * sqrtf(next(d)), turn = 6.2831853f * next(d);
   vec towards = vec_along(st->light, r * cosf(turn), st->light_s);
   towards = vec_unit(vec_along(towards, r * sinf(turn), st->light_t));
-  vec value = fiber_lobe_value(&w->lobe, f, towards);
+  vec value = fiber_lobe_value(lobe, f, towards);
   if (value.x + value.y + value.z < 1e-5f) return (vec){0, 0, 0};
   if (scene_blocked(&w->strands->scene, leave(h, towards), towards)) return (vec){0, 0, 0};
   return vec_scale(3.14159265f, vec_mul(value, st->light_colour));
@@ -131,12 +132,17 @@ static vec follow(const view *w, strand_hit h, vec direction, draw *d) {
     vec absorption = fiber_lobe_absorption(colour_of(w, h.curve), w->round);
     vec normal = vec_dot(h.normal, direction) > 0 ? vec_scale(-1, h.normal) : h.normal;
     h.normal = normal;
+    /* a highlight seen in a highlight is one sample in a thousand: blurred */
+    const fiber_lobe *lobe = bounce ? &w->wide : &w->lobe;
     fiber_view_from f =
-        fiber_lobe_from(&w->lobe, h.tangent, normal, vec_scale(-1, direction), absorption);
-    sum = vec_add(sum, vec_mul(through, key_light(w, &f, &h, d)));
+        fiber_lobe_from(lobe, h.tangent, normal, vec_scale(-1, direction), absorption);
+    vec lit = vec_mul(through, key_light(w, lobe, &f, &h, d));
+    float most = fmaxf(lit.x, fmaxf(lit.y, lit.z));
+    if (bounce && most > 1) lit = vec_scale(1 / most, lit);
+    sum = vec_add(sum, lit);
     float u[4];
     for (int k = 0; k < 4; k++) u[k] = next(d);
-    direction = fiber_lobe_sample(&w->lobe, &f, u, &weight);
+    direction = fiber_lobe_sample(lobe, &f, u, &weight);
     through = vec_mul(through, weight);
     if (bounce >= ROULETTE_FROM) {
       float keep = fminf(0.97f, fmaxf(through.x, fmaxf(through.y, through.z)));
@@ -186,8 +192,7 @@ static void draw_row(void *context, uint32_t y) {
       } else {
         got = beyond(w, origin, direction, seed, i);
       }
-      /* one sample in a thousand may find a highlight of a highlight */
-      sum = vec_add(sum, (vec){fminf(got.x, 8), fminf(got.y, 8), fminf(got.z, 8)});
+      sum = vec_add(sum, (vec){fminf(got.x, 4), fminf(got.y, 4), fminf(got.z, 4)});
     }
     size_t at = (size_t)y * f->width + x;
     float share = 1.0f / (float)w->job->spp;
@@ -227,8 +232,9 @@ static bool render_curves(const fiber_view *v, const sozai_geometry_1 *table,
   view w = {.how = v, .job = &job, .curves = c, .strands = &st, .film = out};
   w.round = number_of(table, g, "roughness_round");
   w.spread = number_of(table, g, "colour_spread");
-  w.lobe = fiber_lobe_make(number_of(table, g, "roughness"), w.round, number_of(table, g, "tilt"),
-                           1.55f);
+  float rough = number_of(table, g, "roughness"), tilt = number_of(table, g, "tilt");
+  w.lobe = fiber_lobe_make(rough, w.round, tilt, 1.55f);
+  w.wide = fiber_lobe_make(fmaxf(rough, 28), fmaxf(w.round, 0.75f), tilt, 1.55f);
   bool ok = film_allocate(out, v->size[0], v->size[1], NULL, NULL, 0, why) && draw_all(&w, s, why);
   strands_close(&st);
   if (!ok) film_free(out);

@@ -19,7 +19,7 @@ typedef struct fiber_view {
 } fiber_view;
 
 #define FIBER_VIEW_DEFAULT                                                                         \
-  { .size = {768, 768}, .spp = 32, .bounces = 24, .smooth = 2, .camera = "35,18,20", .zoom = 1 }
+  { .size = {768, 768}, .spp = 32, .bounces = 12, .smooth = 2, .camera = "35,18,20", .zoom = 1 }
 
 /* g: for the parameters that say how its fibres look. */
 bool fiber_view_render(const fiber_view *v, const sozai_geometry_1 *table, const sozai_geometry *g,

@@ -199,6 +199,14 @@ static bool rings_allocate(mesh *m, uint32_t rings, uint32_t around, failure *wh
   return true;
 }
 
+static void turn_over(mesh *m) {
+  for (size_t i = 0; i < m->triangle_count; i++) {
+    uint32_t keep = m->indices[3 * i + 1];
+    m->indices[3 * i + 1] = m->indices[3 * i + 2];
+    m->indices[3 * i + 2] = keep;
+  }
+}
+
 static void serpent_path(double t, double p[3]) {
   double a = 2 * PI * 1.6 * t;
   p[0] = 46 * (t - 0.5);
@@ -222,7 +230,7 @@ bool hull_make_serpent(mesh *m, uint32_t around, failure *why) {
     for (int a = 0; a < 3; a++)
       up[a] = way[(a + 1) % 3] * side[(a + 2) % 3] - way[(a + 2) % 3] * side[(a + 1) % 3];
     double end = 1 - fabs(2 * t - 1), cap = end < 0.12 ? sqrt(1 - pow(1 - end / 0.12, 2)) : 1;
-    double radius = cap * (2.2 + 2.6 * pow(sin(PI * fmin(1, 1.25 * t)), 2));
+    double radius = cap * (1.5 + 1.5 * pow(sin(PI * fmin(1, 1.25 * t)), 2));
     bool tip = r == 0 || r == rings + 1;
     for (uint32_t i = 0; i < (tip ? 1 : around); i++) {
       double a = 2 * PI * i / around;
@@ -231,6 +239,7 @@ bool hull_make_serpent(mesh *m, uint32_t around, failure *why) {
         to[c] = (float)(p[c] + (tip ? 0 : radius * (cos(a) * side[c] + sin(a) * up[c])));
     }
   }
+  turn_over(m); /* along a path the rings turn the other way than from a ball's top */
   set_normals(m);
   return true;
 }
@@ -265,12 +274,6 @@ bool hull_make_ball(mesh *m, double radius, double height, double lumps, uint32_
       float *to = m->points + 3 * (size_t)(r == 0 ? 0 : 1 + (r - 1) * around + i);
       for (int c = 0; c < 3; c++) to[c] = (float)(own * n[c] * (c == 1 ? height : 1));
     }
-  }
-  /* from the top down, the rings turn the other way than along a path */
-  for (size_t i = 0; i < m->triangle_count; i++) {
-    uint32_t keep = m->indices[3 * i + 1];
-    m->indices[3 * i + 1] = m->indices[3 * i + 2];
-    m->indices[3 * i + 2] = keep;
   }
   set_normals(m);
   return true;

@@ -92,7 +92,7 @@ static void shared_job(void *context, uint32_t job) {
     fill_shared(w, b, &hint);
 }
 
-/* The eight corners of a cell: the nearest to the surface, and whether any is inside. */
+/* The eight corners of a cell: the nearest to the surface, and how many are inside. */
 static float corners_of(const grid *f, uint32_t cell, int *inside) {
   uint32_t c[3], y = f->cells[0] + 1, z = y * (f->cells[1] + 1);
   cell_at(f, cell, c);
@@ -101,7 +101,7 @@ static float corners_of(const grid *f, uint32_t cell, int *inside) {
   *inside = 0;
   for (uint32_t k = 0; k < 8; k++) {
     float d = n[(k & 1) + (k >> 1 & 1) * y + (k >> 2) * (size_t)z];
-    *inside |= d > 0;
+    *inside += d > 0;
     d = d < 0 ? -d : d;
     least = d < least ? d : least;
   }
@@ -111,7 +111,8 @@ static float corners_of(const grid *f, uint32_t cell, int *inside) {
 static int32_t divide(grid *f, const sozai_host *host) {
   int inside;
   for (uint32_t i = 0; i < f->cell_count; i++) {
-    int near = corners_of(f, i, &inside) <= NEAR * f->spacing;
+    /* an open hull's inside also ends where there is no surface */
+    int near = corners_of(f, i, &inside) <= NEAR * f->spacing || (inside && inside < 8);
     f->brick_of[i] = near ? (int32_t)f->brick_count++ : -1;
     f->candidate_room += (uint32_t)(near || inside);
   }
