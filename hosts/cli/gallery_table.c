@@ -30,7 +30,7 @@ const shot_sheet gallery_sheets[GALLERY_SHEETS] = {
     {"gallery", 15},                                  /* five species, three cuts of each */
     {"stones", 5},   {"layouts", 6}, {"finishes", 4}, /* two species, near and far */
     {"macro", 3},                                     /* of a species its three faces */
-    {"figured", 4},
+    {"figured", 4},  {"fibers", 6},
 };
 
 /* Two and a half metres before the eye and beyond, or so. */
@@ -59,6 +59,9 @@ const shot_sheet gallery_sheets[GALLERY_SHEETS] = {
     .params = {"cut=" face, "cut_distance=140", "reflection=fibre_cone"}, .shape = "plane",        \
     .camera = "front", .light = az, .sky = 0.3, .size = "210x140", .width = 600, .height = 400     \
   }
+
+#define FIBERS(id, fiber, words, mm)                                                               \
+  { .name = "fiber-" id, .title = words, .material = "fiber", .preset = fiber, .size = mm, FACE }
 
 const shot gallery_shots[] = {
     {.name = "flat",
@@ -216,6 +219,13 @@ const shot gallery_shots[] = {
     FIGURED("pommele", "pommele_sapele", "flat", "Pommele sapele, flat-sawn", "80,60"),
     FIGURED("spalted", "spalted_beech", "flat", "Spalted beech, flat-sawn", "75,48"),
     FIGURED("spalted-end", "spalted_beech", "end", "Spalted beech, end grain", "75,48"),
+    {.name = "fiber",
+     .title = "8 mm across",
+     .material = "fiber",
+     .each_preset = true,
+     .sheet = "fibers",
+     .size = "8x6",
+     TILE},
     {.name = "stone",
      .title = "300 mm across",
      .material = "stone",
@@ -258,6 +268,21 @@ const shot gallery_shots[] = {
      .light = "30,20",
      .sky = 0.3,
      FACE},
+    FIBERS("felt", "felt", "Wool felt, 3 mm across", "3x2"),
+    FIBERS("felt-arm", "felt_grey", "Melange felt at arm's length, 120 mm across", "120x80"),
+    FIBERS("cotton", "cotton", "Cotton, 4 mm across", "4x2.67"),
+    FIBERS("fleece", "fleece", "Polyester fleece, 12 mm across", "12x8"),
+    FIBERS("denim", "denim", "Denim, 9 mm across", "9x6"),
+    FIBERS("linen", "linen", "Linen, 9 mm across", "9x6"),
+    FIBERS("burlap", "burlap", "Burlap, 30 mm across", "30x20"),
+    {.name = "fiber-velvet",
+     .title = "Velvet on a ball of 50 mm",
+     .material = "fiber",
+     .preset = "velvet",
+     .shape = "sphere",
+     .size = "50",
+     .width = 960,
+     .height = 720},
     PAVED("fan", "Granite setts in fans, wet, under a low sun", "granite_fan", "wet=0.85",
           "water_level=-7", "settle=5", "undulation=4", "75,20"),
     PAVED("chidori", "A path of granite staggered by half, with moss", "ishidatami", "moss=0.55",
