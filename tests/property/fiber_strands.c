@@ -73,8 +73,9 @@ static void as_many_as_packed(void **state) {
         {.id = "diameter", .kind = SOZAI_KIND_FLOAT, .number = {25}},
         {.id = "thickness", .kind = SOZAI_KIND_FLOAT, .number = {thickness}},
         {.id = "packing", .kind = SOZAI_KIND_FLOAT, .number = {packing}},
-        {.id = "flyaway", .kind = SOZAI_KIND_FLOAT}};
-    sozai_texture *t = make(NULL, values, 4);
+        {.id = "flyaway", .kind = SOZAI_KIND_FLOAT},
+        {.id = "elevation_spread", .kind = SOZAI_KIND_FLOAT}};
+    sozai_texture *t = make(NULL, values, 5);
     points p = {0};
     uniform_seed(92);
     for (int i = 0; i < 60000; i++) points_add(&p, 900 * uniform(), 900 * uniform(), 0, 0);

@@ -141,7 +141,9 @@ static void measure_layers(fibertex_constants *w, const settings *s, const fiber
 
 static void build_shell(fibertex_constants *w, const settings *s, const fibertex_kernel *kernel) {
   double d = 0.001 * number_at(s, P_DIAMETER), thickness = number_at(s, P_THICKNESS);
-  double total = number_at(s, P_PACKING) * thickness / (d * PI / 4.0);
+  /* what rises out of the surface covers less of it */
+  double flat = 1.0 / __builtin_sqrt(1.0 + (double)w->lean * (double)w->lean + (double)w->rise2);
+  double total = number_at(s, P_PACKING) * thickness / (d * PI / 4.0) * flat;
   double flown = number_at(s, P_FLYAWAY), over = flown > 0.0 ? number_at(s, P_FLYAWAY_HEIGHT) : 0.0;
   double elevation = number_at(s, P_ELEVATION) * RADIANS, waver = number_at(s, P_WAVER);
   double size = most(number_at(s, P_BUNDLE) * most(scalar_cos(elevation), 0.2), 6.0 * d) / 0.9;
