@@ -19,9 +19,9 @@ typedef struct wood {
   const char *fiber;      /* likewise */
 } wood;
 
-/* A flat-sawn board of the preset keyaki, or a face of the stone or the fibre. Where the machine lacks the
- * instruction set, true with *out = NULL. picture: the yardstick's, for those
- * that want it. */
+/* A flat-sawn board of the preset keyaki, or a face of the stone or the fibre. Where the machine
+ * lacks the instruction set, true with *out = NULL. picture: the yardstick's, for those that want
+ * it. */
 bool wood_create(const wood *w, const char *picture, const plugin *p, sozai_texture **out,
                  failure *why);
 

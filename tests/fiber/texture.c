@@ -167,15 +167,14 @@ static void compare(const char *strands, double diameter) {
 
   double area = 4 * inner * inner, packing = s.length * 3.14159265 * radius * radius / area / THICK;
   double rise = sqrt(3 * (1 / (s.flat * s.flat) - 1));
-  const sozai_value values[] = {
-      {.id = "diameter", .kind = SOZAI_KIND_FLOAT, .number = {diameter}},
-      {.id = "diameter_spread", .kind = SOZAI_KIND_FLOAT},
-      {.id = "thickness", .kind = SOZAI_KIND_FLOAT, .number = {THICK}},
-      {.id = "packing", .kind = SOZAI_KIND_FLOAT, .number = {packing}},
-      {.id = "flyaway", .kind = SOZAI_KIND_FLOAT},
-      {.id = "elevation_spread",
-       .kind = SOZAI_KIND_FLOAT,
-       .number = {atan(rise) * 180 / 3.14159265}}};
+  const sozai_value values[] = {{.id = "diameter", .kind = SOZAI_KIND_FLOAT, .number = {diameter}},
+                                {.id = "diameter_spread", .kind = SOZAI_KIND_FLOAT},
+                                {.id = "thickness", .kind = SOZAI_KIND_FLOAT, .number = {THICK}},
+                                {.id = "packing", .kind = SOZAI_KIND_FLOAT, .number = {packing}},
+                                {.id = "flyaway", .kind = SOZAI_KIND_FLOAT},
+                                {.id = "elevation_spread",
+                                 .kind = SOZAI_KIND_FLOAT,
+                                 .number = {atan(rise) * 180 / 3.14159265}}};
   const sozai_textures_1 *textures = textures_of();
   sozai_texture *t;
   if (textures->create(NULL, "fiber", NULL, values, 6, &t)) fail_msg("%s", textures->last_error());

@@ -15,7 +15,9 @@
 #define BLACK(name)                                                                                \
   { .id = name, .kind = SOZAI_KIND_COLOUR, .number = {0, 0, 0}, .text = "sRGB" }
 #define NUMBER_OF(name, x)                                                                         \
-  { .id = name, .kind = SOZAI_KIND_FLOAT, .number = {x} }
+  {                                                                                                \
+    .id = name, .kind = SOZAI_KIND_FLOAT, .number = { x }                                          \
+  }
 
 static sozai_texture *make(const char *preset, const sozai_value *values, uint32_t count) {
   sozai_texture *t = NULL;
@@ -54,8 +56,8 @@ static double returned(const sozai_texture *t, double elevation, double footprin
 
 static void energy(void **state) {
   (void)state;
-  static const sozai_value white[] = {WHITE("colour"), WHITE("second_colour"),
-                                      WHITE("weft_colour"), NUMBER_OF("transmission", 1)};
+  static const sozai_value white[] = {WHITE("colour"), WHITE("second_colour"), WHITE("weft_colour"),
+                                      NUMBER_OF("transmission", 1)};
   const sozai_texture_info *info = textures->find("fiber");
   double most = 0, least = 9, apart = 0;
   uniform_seed(81);

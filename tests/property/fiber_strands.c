@@ -53,8 +53,9 @@ static void along_their_tangents(void **state) {
       stay += q.out[STRAND][2 * i] == p.out[STRAND][i];
       leave += q.out[STRAND][2 * i + 1] != p.out[STRAND][i];
     }
-    print_message("%s: %.1f %% stay on the strand half a diameter along it, %.1f %% leave it across\n",
-                  presets[k], 100.0 * stay / seen, 100.0 * leave / seen);
+    print_message(
+        "%s: %.1f %% stay on the strand half a diameter along it, %.1f %% leave it across\n",
+        presets[k], 100.0 * stay / seen, 100.0 * leave / seen);
     assert_true(stay > 0.75 * seen && leave > 0.97 * seen);
     points_free(&p);
     points_free(&q);
@@ -135,7 +136,7 @@ static void cloth_shows_its_yarns(void **state) {
   static const struct {
     const char *weave;
     double least, most;
-  } weaves[] = {{"plain", 0.4, 0.6},     {"basket", 0.4, 0.6},    {"twill_2_2", 0.4, 0.6},
+  } weaves[] = {{"plain", 0.4, 0.6},      {"basket", 0.4, 0.6},     {"twill_2_2", 0.4, 0.6},
                 {"twill_2_1", 0.6, 0.85}, {"twill_3_1", 0.7, 0.93}, {"satin", 0.8, 0.97}};
   for (int k = 0; k < 6; k++) {
     sozai_value values[4];

@@ -9,9 +9,9 @@
 #include <stdint.h>
 
 typedef struct {
-  const char *id, *fiber;   /* of the preset; of the catalogue's entry */
-  const char *label, *doc;  /* NULL: the fibre's */
-  const char *source;       /* of the arrangement's figures; NULL: the fibre's alone */
+  const char *id, *fiber;  /* of the preset; of the catalogue's entry */
+  const char *label, *doc; /* NULL: the fibre's */
+  const char *source;      /* of the arrangement's figures; NULL: the fibre's alone */
   double thickness, packing, bundle;
   double alignment, elevation, elevation_spread; /* degrees */
   double flyaway, flyaway_height;

@@ -12,10 +12,10 @@
 
 #define PI 3.14159265358979324
 #define RADIANS (PI / 180.0)
-#define FULL 48500.0f         /* presence that leaves room for a bundle to have more */
-#define MEASURED 8192u      /* points, for means that have no formula; whole blocks of every width */
-#define FILL 0.55           /* of space by bundles, less the ends of their strands; about */
-#define ON_YARN 4            /* layers */
+#define FULL 48500.0f  /* presence that leaves room for a bundle to have more */
+#define MEASURED 8192u /* points, for means that have no formula; whole blocks of every width */
+#define FILL 0.55      /* of space by bundles, less the ends of their strands; about */
+#define ON_YARN 4      /* layers */
 #define HULL_LOOKS 4
 #define WAVE_SLOPE2 21.3333 /* mean square of the wave's slope: of +-8, evenly */
 
@@ -354,7 +354,8 @@ static void build_light(fibertex_constants *w, const settings *s) {
   double n = number_at(s, P_IOR), f = (n - 1.0) / (n + 1.0);
   double beta = 2.0 * number_at(s, P_ROUGHNESS) * RADIANS, tilt = number_at(s, P_TILT) * RADIANS;
   double clear = number_at(s, P_TRANSMISSION);
-  double reflected = 1.9 * f * f; /* a cylinder's mean over its width, about twice that at its crest */
+  double reflected =
+      1.9 * f * f; /* a cylinder's mean over its width, about twice that at its crest */
   static const double width[3] = {1.0, 0.8, 1.7}, shift[3] = {-2.0, 1.0, 3.0};
   const double amount[3] = {reflected, 0.55 * clear * (1.0 - reflected),
                             0.12 * clear * (1.0 - reflected)};

@@ -30,16 +30,15 @@ typedef struct {
 
 INLINE void into_lattice(int which, const vf v[3], vf out[3]) {
   /* rotations in whole numbers */
-  static const float aslant[LATTICES][3][3] = {
-      {{2.0f / 11.0f, 6.0f / 11.0f, 9.0f / 11.0f},
-       {6.0f / 11.0f, 7.0f / 11.0f, -6.0f / 11.0f},
-       {-9.0f / 11.0f, 6.0f / 11.0f, -2.0f / 11.0f}},
-      {{-2.0f / 15.0f, 14.0f / 15.0f, 5.0f / 15.0f},
-       {11.0f / 15.0f, -2.0f / 15.0f, 10.0f / 15.0f},
-       {10.0f / 15.0f, 5.0f / 15.0f, -10.0f / 15.0f}},
-      {{12.0f / 17.0f, -1.0f / 17.0f, 12.0f / 17.0f},
-       {9.0f / 17.0f, 12.0f / 17.0f, -8.0f / 17.0f},
-       {-8.0f / 17.0f, 12.0f / 17.0f, 9.0f / 17.0f}}};
+  static const float aslant[LATTICES][3][3] = {{{2.0f / 11.0f, 6.0f / 11.0f, 9.0f / 11.0f},
+                                                {6.0f / 11.0f, 7.0f / 11.0f, -6.0f / 11.0f},
+                                                {-9.0f / 11.0f, 6.0f / 11.0f, -2.0f / 11.0f}},
+                                               {{-2.0f / 15.0f, 14.0f / 15.0f, 5.0f / 15.0f},
+                                                {11.0f / 15.0f, -2.0f / 15.0f, 10.0f / 15.0f},
+                                                {10.0f / 15.0f, 5.0f / 15.0f, -10.0f / 15.0f}},
+                                               {{12.0f / 17.0f, -1.0f / 17.0f, 12.0f / 17.0f},
+                                                {9.0f / 17.0f, 12.0f / 17.0f, -8.0f / 17.0f},
+                                                {-8.0f / 17.0f, 12.0f / 17.0f, 9.0f / 17.0f}}};
   for (int i = 0; i < 3; i++) {
     const float *row = aslant[which][i];
     out[i] = splat(row[0]) * v[0] + splat(row[1]) * v[1] + splat(row[2]) * v[2];

@@ -17,8 +17,8 @@ typedef struct {
   vf axis[3]; /* the warp's */
 } cloth_place;
 
-INLINE void cloth_axes(const fibertex_constants *w, const vf n[3], const vf at[3],
-                       cloth_place *p, vf other[3]) {
+INLINE void cloth_axes(const fibertex_constants *w, const vf n[3], const vf at[3], cloth_place *p,
+                       vf other[3]) {
   const vf zero = splat(0.0f), one = splat(1.0f);
   vf a[3] = {vabs(n[0]), vabs(n[1]), vabs(n[2])};
   vm z = and_(le(a[0], a[2]), le(a[1], a[2])), y = and_(not_(z), le(a[0], a[1]));
@@ -41,10 +41,10 @@ INLINE void cloth_axes(const fibertex_constants *w, const vf n[3], const vf at[3
 }
 
 typedef struct {
-  vm weft;  /* on top */
-  vm on;    /* there is yarn at the point itself */
-  vf share; /* of weft, within the footprint */
-  vf solid; /* 1 where there is yarn, 0 in a hole */
+  vm weft;          /* on top */
+  vm on;            /* there is yarn at the point itself */
+  vf share;         /* of weft, within the footprint */
+  vf solid;         /* 1 where there is yarn, 0 in a hole */
   vf along, across; /* mm along the yarn; -1 to 1 across it */
   vf half;
   vf slope; /* of its middle, upwards */
@@ -91,9 +91,9 @@ INLINE void cloth_yarn(const fibertex_constants *w, int which, vi mine, vf at, v
   /* of a footprint, the share that lies on the yarn */
   vf part = clamp01((one - vabs(q->across)) * q->half / vmax(s, splat(1e-9f)) + half);
   q->solid = sel(gt(s, zero), part, q->solid);
-  q->top = sel(q->on,
-               splat(y->over) + splat(y->rise) * middle + splat(y->height) * vsqrt(vmax(rest, zero)),
-               splat(-1e3f));
+  q->top = sel(
+      q->on, splat(y->over) + splat(y->rise) * middle + splat(y->height) * vsqrt(vmax(rest, zero)),
+      splat(-1e3f));
   q->across = clamp(q->across, splat(-1.0f), one);
   q->along = at;
 }
@@ -144,8 +144,8 @@ INLINE void cloth_at(const fibertex_constants *w, vf u, vf v, vf s, cloth_hit *q
 }
 
 /* The yarn's axes in the hull's frame: along, across, out of it. */
-INLINE void cloth_frame(const fibertex_constants *w, const cloth_hit *q, vf along[3],
-                        vf across[3], vf up[3]) {
+INLINE void cloth_frame(const fibertex_constants *w, const cloth_hit *q, vf along[3], vf across[3],
+                        vf up[3]) {
   const vf zero = splat(0.0f), one = splat(1.0f);
   vf flat = sel(q->weft, splat(w->yarn[1].height * w->yarn[1].inverse_half),
                 splat(w->yarn[0].height * w->yarn[0].inverse_half));

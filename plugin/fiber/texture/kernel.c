@@ -38,8 +38,8 @@ typedef struct {
   ground ground;
   vf s;
   sums sum;
-  vf shade; /* what is left of light by strands close above */
-  vf front; /* 0 behind, 1 in front, with a soft edge */
+  vf shade;                    /* what is left of light by strands close above */
+  vf front;                    /* 0 behind, 1 in front, with a soft edge */
   vf inverse_up, step[2], lit; /* step: factors from layer to layer, of lit and of itself */
   /* the strand that most is seen of, and how much of the next */
   vf most, next;
@@ -162,8 +162,7 @@ INLINE void stage_load(const fibertex_constants *w, int woven, const kernel_io *
   k->front = smooth_step(splat(-0.02f), splat(0.22f), k->f.light[2]);
   k->inverse_up = one / vmax(k->f.light[2], splat(0.1f));
   if (woven)
-    ground_cloth(w, k, cloth.u, cloth.v,
-                 sel(lt(dot3(other, k->f.e2), zero), zero - one, one));
+    ground_cloth(w, k, cloth.u, cloth.v, sel(lt(dot3(other, k->f.e2), zero), zero - one, one));
   else
     ground_hull(k);
 
@@ -277,7 +276,8 @@ STAGE void looks_of(const fibertex_constants *w, int woven, const block *k, int 
     t.up2 = splat(o->up2);
     vf up = dot3(t.up, k->f.light), share = splat(o->straight);
     strand_light(w, k->f.light, k->f.view, k->f.between, &t, &white, &tinted);
-    q->around[i] = q->around[i] + splat(o->around) * (woven ? vmax(up, zero) * k->front : vmax(k->f.light[2], zero));
+    q->around[i] = q->around[i] + splat(o->around) * (woven ? vmax(up, zero) * k->front
+                                                            : vmax(k->f.light[2], zero));
     if (woven) share = share * flank(up);
     q->tinted[i] = q->tinted[i] + share * tinted;
     q->white[i] = q->white[i] + share * white;
@@ -358,8 +358,8 @@ INLINE void best_axes(const fibertex_constants *w, const block *k, strand_axes *
   const vf one = splat(1.0f);
   const ground *g = &k->ground;
   vf slope = k->best.slope, lost = one - k->best.detail;
-  vf rise = splat(w->lean) +
-            splat(w->rise * (1.0f / 128.0f)) * byte_of(k->best.id, 2) * k->best.detail;
+  vf rise =
+      splat(w->lean) + splat(w->rise * (1.0f / 128.0f)) * byte_of(k->best.id, 2) * k->best.detail;
   vf flat = inverse_root(one + slope * slope), steep = inverse_root(one + rise * rise);
   vf x = (k->best.direction[0] - slope * k->best.direction[1]) * flat;
   vf y = (k->best.direction[1] + slope * k->best.direction[0]) * flat;
@@ -409,8 +409,8 @@ INLINE void show_near(const fibertex_constants *w, int woven, const block *k, co
   o->tinted[COLOUR_FIRST] = vmax(a, zero) * warp;
   o->tinted[COLOUR_WEFT] = vmax(a, zero) * weft;
   o->tinted[COLOUR_SECOND] = vmax(b, zero);
-  o->white = vmax((s->bare * mean_white + part * k->best.bare * (white - mean_white)) * straight,
-                  zero);
+  o->white =
+      vmax((s->bare * mean_white + part * k->best.bare * (white - mean_white)) * straight, zero);
 }
 
 INLINE void blend(shown *a, const shown *b, vf far, int light) {
@@ -479,8 +479,8 @@ INLINE void stage_put(const fibertex_constants *w, const kernel_io *io, const bl
   put_vector(io, k, FIBERTEX_NORMAL, n, k->f.n);
 }
 
-INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io *io,
-                        uint32_t from, uint32_t to) {
+INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io *io, uint32_t from,
+                        uint32_t to) {
   const vf zero = splat(0.0f), one = splat(1.0f);
   int light = kernel_wants(io, FIBERTEX_RADIANCE, 3);
   for (uint32_t i = from; i < to; i += LANES) {
@@ -521,14 +521,12 @@ INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io 
   }
 }
 
-static __attribute__((noinline)) void evaluate_hull(const fibertex_constants *w,
-                                                    const kernel_io *io, uint32_t from,
-                                                    uint32_t to) {
+static __attribute__((noinline)) void
+evaluate_hull(const fibertex_constants *w, const kernel_io *io, uint32_t from, uint32_t to) {
   evaluate_as(w, 0, io, from, to);
 }
-static __attribute__((noinline)) void evaluate_cloth(const fibertex_constants *w,
-                                                     const kernel_io *io, uint32_t from,
-                                                     uint32_t to) {
+static __attribute__((noinline)) void
+evaluate_cloth(const fibertex_constants *w, const kernel_io *io, uint32_t from, uint32_t to) {
   evaluate_as(w, 1, io, from, to);
 }
 static void evaluate(const void *constants, const kernel_io *io, uint32_t from, uint32_t to) {

@@ -114,7 +114,8 @@ INLINE void lane_at(const fibertex_constants *w, const fibertex_layer *c, int en
 INLINE vf lane_expected(const fibertex_layer *c, int ends, const lane_place *p) {
   const vf one = splat(1.0f);
   vf steep = vmin(p->bend * p->bend, splat(2.0f));
-  vf wide = splat(c->formula) * p->full * p->widen * (one + steep * (splat(0.46f) - splat(0.06f) * steep));
+  vf wide = splat(c->formula) * p->full * p->widen *
+            (one + steep * (splat(0.46f) - splat(0.06f) * steep));
   if (ends) {
     vf v = vabs(p->x) * p->inverse_length * splat(LANE_ENDS);
     wide = wide * clamp01((one - v) * splat(1.0f / (2.0f - 2.0f * LANE_ENDS)));
@@ -127,8 +128,8 @@ INLINE void lanes_at(const fibertex_constants *w, const fibertex_layer *c, int e
   const vf zero = splat(0.0f), one = splat(1.0f), half = splat(0.5f);
   vf far = smooth_step(splat(0.6f * c->spacing), splat(c->vague), t->s);
   vm some = gt(far, zero);
-  *q = (lane_hit){zero,           zero, zero, zero, splat(w->second_share), one,
-                  splat(c->soft), one - far, splatu(0)};
+  *q = (lane_hit){zero, zero,           zero,      zero,     splat(w->second_share),
+                  one,  splat(c->soft), one - far, splatu(0)};
   if (any(lt(far, one))) {
     lane_strand m, n;
     vi j;

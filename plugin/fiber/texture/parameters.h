@@ -18,7 +18,15 @@ enum {
 /* clang-format on */
 
 enum { KIND_FREE, KIND_WOVEN };
-enum { WEAVE_PLAIN, WEAVE_BASKET, WEAVE_TWILL_2_1, WEAVE_TWILL_3_1, WEAVE_TWILL_2_2, WEAVE_SATIN, WEAVES };
+enum {
+  WEAVE_PLAIN,
+  WEAVE_BASKET,
+  WEAVE_TWILL_2_1,
+  WEAVE_TWILL_3_1,
+  WEAVE_TWILL_2_2,
+  WEAVE_SATIN,
+  WEAVES
+};
 
 extern const sozai_parameter *const fibertex_parameters[FIBERTEX_PARAMETERS];
 extern const sozai_channel *const fibertex_channels[];

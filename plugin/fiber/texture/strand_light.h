@@ -64,9 +64,8 @@ INLINE void strand_light(const fibertex_constants *w, const vf light[3], const v
   }
   /* azimuthal parts: over all round each is 1 / 2 pi; times pi for the irradiance */
   *white = lobe[0] * back * splat(0.5f) * cosine;
-  *tinted =
-      (lobe[1] * ahead * ahead * splat(1.3333333f) + lobe[2] * back * splat(0.5f)) * cosine +
-      splat(w->single) * cosine;
+  *tinted = (lobe[1] * ahead * ahead * splat(1.3333333f) + lobe[2] * back * splat(0.5f)) * cosine +
+            splat(w->single) * cosine;
 }
 
 #endif

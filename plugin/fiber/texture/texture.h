@@ -57,7 +57,7 @@ typedef struct {
 /* One of the directions that stand for all: in the frame of the hull's axes. */
 typedef struct {
   float along[3], across[3], up[3]; /* the strand's; out of its yarn, or the hull. unit */
-  float across2, up2; /* variance of the angles to the directions it stands for */
+  float across2, up2;               /* variance of the angles to the directions it stands for */
   float share;
   float lit;      /* what of the light that comes from around reaches it, times share */
   float around;   /* the same of light from one side */
@@ -91,9 +91,9 @@ typedef struct {
   float scatter, scatter_up;    /* of strands about their bundle's course, when not told apart */
   float lean, rise, rise2;      /* tangent of the elevation: mean, how far from it, variance */
   float radius_spread;
-  float contact; /* how much of the light strands take from what is close below */
+  float contact;         /* how much of the light strands take from what is close below */
   float step, step_more; /* optical depth of the first layer; and what each next has more */
-  float far[2];  /* footprints between which bundles give way to the mean */
+  float far[2];          /* footprints between which bundles give way to the mean */
   float deep, deep_ambient, deep_above, deep_depth; /* what is below the last layer */
 
   /* cloth */
@@ -101,8 +101,8 @@ typedef struct {
   int32_t over, pair, shift;
   float repeat, inverse_repeat;
   float hollow, low, inverse_range; /* shade of furrows; their depth, and 1 over it */
-  float warp_share; /* of what is yarn */
-  float solid;                        /* share that is yarn */
+  float warp_share;                 /* of what is yarn */
+  float solid;                      /* share that is yarn */
 
   float colour[FIBERTEX_COLOURS][3]; /* working space */
   float second_share, variation;
