@@ -12,8 +12,8 @@
 
 #define PI 3.14159265358979324
 #define RADIANS (PI / 180.0)
-#define FULL 48500.0f  /* presence that leaves room for a bundle to have more */
-#define MEASURED 8192u /* points, for means that have no formula; whole blocks of every width */
+#define FULL 52400.0f  /* presence that leaves room for a bundle to have more */
+#define MEASURED 16384u /* points, for means that have no formula; whole blocks of every width */
 #define FILL 0.55      /* of space by bundles, less the ends of their strands; about */
 #define ON_YARN 4      /* layers */
 #define HULL_LOOKS 4
@@ -135,7 +135,9 @@ static void measure_layers(fibertex_constants *w, const settings *s, const fiber
   w->step = (float)first;
   w->step_more = (float)(first * (ratio - 1.0) / (n - 1));
   w->deep_above = (float)above;
-  w->deep_ambient = (float)(1.0 - darkening * (1.0 - scalar_exp(-1.3 * above)));
+  /* what is too deep to be told apart is darker than the last that is */
+  w->deep_ambient =
+      (float)((1.0 - darkening * (1.0 - scalar_exp(-1.3 * above))) * (1.0 - 0.4 * darkening));
   w->deep_depth = w->layer[w->layers - 1].depth;
 }
 
@@ -167,7 +169,7 @@ static void build_shell(fibertex_constants *w, const settings *s, const fibertex
       place_layer(w, l, size * apart, 0.5 * d, closest(k, count), wanted[l],
                   over + shown * (seen + 0.5 * each));
       /* the lowest end where the next bundle begins: nobody sees them so sharply */
-      if (k >= count - 2) w->layer[l].reach2 *= 1.75f;
+      if (k >= count - 2) w->layer[l].reach2 *= 2.1f;
     }
     seen += each;
   }

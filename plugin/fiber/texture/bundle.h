@@ -92,8 +92,16 @@ INLINE void bundle_at(const fibertex_constants *w, const fibertex_layer *c, cons
   for (int k = 0; k < 3; k++) a[k] = sel(centre, b[k], a[k]) * splat(c->size);
   vu h = hash_mix((vu)seli(centre, (vi)hb, (vi)ha));
   p->h = h;
-  p->full = splat(1.0f) + splat(0.35f / 128.0f) * byte_of(h * splatu(HASH_Z), 0);
+
   vf x1 = dot3(a, g->e1), x2 = dot3(a, g->e2), above = dot3(a, g->n);
+  /* a bundle stands off its cell's middle, so that no rows are seen, and is more or
+   * less full */
+  vu more = h * splatu(HASH_Z);
+  vf off = splat(0.16f / 128.0f * c->size);
+  x1 = x1 + off * byte_of(more, 1);
+  x2 = x2 + off * byte_of(more, 2);
+  above = above + off * byte_of(more, 3);
+  p->full = splat(1.0f) + splat(0.25f / 128.0f) * byte_of(more, 0);
   vf co = lookup16(w->turn[0], h & splatu(15)), si = lookup16(w->turn[1], h & splatu(15));
   direction[0] = co;
   direction[1] = si;
