@@ -25,7 +25,7 @@ static const float nasty[] = {NAN,           -NAN,         INFINITY, -INFINITY, 
                               1e20f,         2.1474836e9f, 1.0f};
 #define NASTY (sizeof nasty / sizeof *nasty)
 
-/* A wood of every preset; a stone or a fibre of every other, stones under all finishes. */
+/* A wood of every preset; a stone of every other, under all finishes; a fibre of every third. */
 static sozai_texture *make(uint32_t k) {
   const char *preset = k ? info->presets[k - 1]->id : NULL;
   if (strcmp(info->id, "wood") == 0) return plugin_wood(&p, preset, "compound");
@@ -54,7 +54,7 @@ static void finite_in(const char *id, const char *set) {
   if (p.textures->create(NULL, id, NULL, NULL, 0, &t) == SOZAI_ERROR_UNSUPPORTED) return;
   p.textures->destroy(t);
   uint64_t r = 1, points = 0;
-  uint32_t step = strcmp(id, "wood") == 0 ? 1 : 2;
+  uint32_t step = strcmp(id, "wood") == 0 ? 1 : strcmp(id, "fiber") == 0 ? 3 : 2;
   for (uint32_t k = 0; k <= info->preset_count; k += step) {
     t = make(k);
     assert_non_null(t);

@@ -12,10 +12,10 @@
 
 #define PI 3.14159265358979324
 #define RADIANS (PI / 180.0)
-#define FULL 52400.0f  /* presence that leaves room for a bundle to have more */
+#define FULL 52400.0f   /* presence that leaves room for a bundle to have more */
 #define MEASURED 16384u /* points, for means that have no formula; whole blocks of every width */
-#define FILL 0.55      /* of space by bundles, less the ends of their strands; about */
-#define ON_YARN 4      /* layers */
+#define FILL 0.55       /* of space by bundles, less the ends of their strands; about */
+#define ON_YARN 4       /* layers */
 #define HULL_LOOKS 4
 #define WAVE_SLOPE2 21.3333 /* mean square of the wave's slope: of +-8, evenly */
 
