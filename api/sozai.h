@@ -397,8 +397,7 @@ typedef struct sozai_curves {
   const float *points;     /* x y z each, mm */
   const float *radii;      /* mm, of each point */
   const uint64_t *first;   /* curve_count + 1: curve i has points first[i] up to first[i + 1] */
-  const uint32_t *ids;     /* of each curve. tree: the branch's number; a leaf's is its shoot's.
-                              fiber: the strand's number */
+  const uint32_t *ids;     /* of each curve: the branch's (a leaf's: its shoot's); the strand's */
   const sozai_part *parts; /* of curves, in order, without gaps */
 } sozai_curves;
 

@@ -85,6 +85,12 @@ typedef struct row {
 
 #define VIEW(side, samples, from)                                                                  \
   { .size = {side, side}, .spp = samples, .bounces = 12, .smooth = 1, .camera = from, .zoom = 1.25 }
+/* White on dark: on the studio's floor it would be white on white. */
+#define WHITE                                                                                      \
+  {                                                                                                \
+    .size = {420, 420}, .spp = 32, .bounces = 40, .smooth = 2, .camera = "35,18,20", .zoom = 1.3,  \
+    .no_floor = true                                                                               \
+  }
 #define PAPER VIEW(360, 10, "35,12,20")
 #define STEPS "mode=literal", "step=0.5", "count=2048"
 #define STEP "halvings=0", "step=0.5", "count=2048"
@@ -139,12 +145,12 @@ static const row rows[] = {
      VIEW(480, 32, "35,35,20")},
     {"fiber-cotton",
      1,
-     {{"lump:9", "cotton", {"count=3500", "length=16"}, 0}},
-     VIEW(420, 32, "35,18,20")},
+     {{"lump:4", "cotton", {"count=1800", "length=10", "vertices=48"}, 0}},
+     WHITE},
     {"fiber-wool",
      1,
-     {{"lump:9", "wool_merino", {"count=1600", "length=28", "vertices=96"}, 0}},
-     VIEW(420, 24, "35,18,20")},
+     {{"lump:5", "wool_merino", {"count=700", "length=20", "vertices=80"}, 0}},
+     WHITE},
 };
 
 static bool draw_row(session *s, const char *folder, const char *name, json *j, failure *why) {
@@ -282,7 +288,7 @@ const figure fiber_figures[] = {
     {"fiber-09", "1024 and 512 strands", draw_row},
     {"fiber-dust", "A dust bunny, 16 mm", draw_row},
     {"fiber-felt", "A felt swatch of 7 mm", draw_row},
-    {"fiber-cotton", "A lock of cotton, 18 mm", draw_row},
-    {"fiber-wool", "A tuft of Merino, 18 mm", draw_row},
+    {"fiber-cotton", "A lock of cotton, 8 mm", draw_row},
+    {"fiber-wool", "A tuft of Merino, 10 mm", draw_row},
 };
 const size_t fiber_figure_count = sizeof fiber_figures / sizeof fiber_figures[0];
