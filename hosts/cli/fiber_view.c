@@ -138,7 +138,7 @@ static vec follow(const view *w, strand_hit h, vec direction, draw *d) {
         fiber_lobe_from(lobe, h.tangent, normal, vec_scale(-1, direction), absorption);
     vec lit = vec_mul(through, key_light(w, lobe, &f, &h, d));
     float most = fmaxf(lit.x, fmaxf(lit.y, lit.z));
-    if (bounce && most > 1) lit = vec_scale(1 / most, lit);
+    if (bounce && most > 3) lit = vec_scale(3 / most, lit);
     sum = vec_add(sum, lit);
     float u[4];
     for (int k = 0; k < 4; k++) u[k] = next(d);
@@ -168,7 +168,7 @@ static vec beyond(const view *w, vec origin, vec direction, uint32_t seed, uint3
     h.point = vec_along(origin, h.distance, direction);
     if (h.distance > 0) return studio_floor(&w->studio, s, &h, seed, i);
   }
-  return s->has_floor ? studio_backdrop(&w->studio, s, direction) : (vec){0.86f, 0.86f, 0.86f};
+  return s->has_floor ? studio_backdrop(&w->studio, s, direction) : (vec){0.035f, 0.037f, 0.041f};
 }
 
 static void draw_row(void *context, uint32_t y) {

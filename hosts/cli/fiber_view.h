@@ -15,7 +15,7 @@ typedef struct fiber_view {
   const char *light;  /* AZ,EL, or NULL */
   double zoom;
   double sky;    /* 0: the studio's own */
-  bool no_floor; /* nothing below */
+  bool no_floor; /* nothing below, and dark behind */
 } fiber_view;
 
 #define FIBER_VIEW_DEFAULT                                                                         \

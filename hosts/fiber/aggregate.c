@@ -18,7 +18,8 @@ bool aggregate_grow(const sozai_geometry_1 *table, const sozai_host *host, const
 
 bool aggregate_hull(mesh *m, const char *name, double scale, failure *why) {
   memset(m, 0, sizeof *m);
-  /* a file's name has a dot or a slash in it */
-  if (strpbrk(name, "./")) return mesh_read(m, name, scale, why);
+  /* a file's name has a dot or a slash in it; sizes have a colon first */
+  const char *mark = strpbrk(name, "./:");
+  if (mark && *mark != ':') return mesh_read(m, name, scale, why);
   return hull_make_named(m, name, why);
 }

@@ -2,6 +2,7 @@
 #include "hulls.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -304,12 +305,35 @@ bool hull_make_box(mesh *m, const double size[3], uint32_t cuts, failure *why) {
   return true;
 }
 
+/* "box:6x1.2x6" and "lump:9": sizes in mm. 1: made; 0: refused; -1: no such name. */
+static int make_sized(mesh *m, const char *name, failure *why) {
+  double size[3], radius;
+  char end;
+  if (sscanf(name, "box:%lfx%lfx%lf%c", &size[0], &size[1], &size[2], &end) == 3) {
+    for (int a = 0; a < 3; a++)
+      if (!(size[a] >= 0.01 && size[a] <= 1e5))
+        return fail(why, EXIT_BAD_INPUT, "--hull: a box's side of %g is outside 0.01 to 1e5 mm",
+                    size[a]);
+    return hull_make_box(m, size, 40, why);
+  }
+  if (sscanf(name, "lump:%lf%c", &radius, &end) == 1) {
+    if (!(radius >= 0.01 && radius <= 1e5))
+      return fail(why, EXIT_BAD_INPUT, "--hull: a lump's radius of %g is outside 0.01 to 1e5 mm",
+                  radius);
+    return hull_make_ball(m, radius, 0.7, 0.2, 11, 160, why);
+  }
+  return -1;
+}
+
 bool hull_make_named(mesh *m, const char *name, failure *why) {
   const double slab[3] = {40, 8, 40};
+  int sized = make_sized(m, name, why);
+  if (sized >= 0) return sized;
   if (!strcmp(name, "bunny")) return hull_make_bunny(m, 106, why);
   if (!strcmp(name, "serpent")) return hull_make_serpent(m, 59, why);
   if (!strcmp(name, "ball")) return hull_make_ball(m, 20, 1, 0, 1, 188, why);
   if (!strcmp(name, "lump")) return hull_make_ball(m, 20, 0.8, 0.14, 5, 188, why);
   if (!strcmp(name, "slab")) return hull_make_box(m, slab, 54, why);
-  return fail(why, EXIT_BAD_INPUT, "'%s' is none of: bunny, serpent, ball, lump, slab", name);
+  return fail(why, EXIT_BAD_INPUT,
+              "'%s' is none of: bunny, serpent, ball, lump, slab, box:WxHxD, lump:RADIUS", name);
 }

@@ -16,7 +16,8 @@ bool hull_make_ball(mesh *m, double radius, double height, double lumps, uint32_
                     uint32_t around, failure *why);
 /* A box about the origin, each side cut into `cuts`. */
 bool hull_make_box(mesh *m, const double size[3], uint32_t cuts, failure *why);
-/* By name: bunny, serpent, ball, slab, lump; about 35,000 triangles. */
+/* By name: bunny, serpent, ball, slab, lump, of about 35,000 triangles; or
+ * box:WxHxD, lump:RADIUS. */
 bool hull_make_named(mesh *m, const char *name, failure *why);
 
 #endif

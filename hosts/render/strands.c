@@ -72,6 +72,23 @@ static bool build(strands *s, failure *why) {
   return error == RTC_ERROR_NONE || fail(why, EXIT_FAILURE, "Embree: error %d", error);
 }
 
+/* The height below which a few vertices in a thousand hang: what lies on a floor
+ * bends where it touches, and does not stand on one hair. */
+static float resting(const strands *s) {
+  enum { BINS = 512 };
+  uint64_t bins[BINS] = {0}, below = 0;
+  const scene *sc = &s->scene;
+  float span = sc->high.y - sc->low.y;
+  if (!(span > 0)) return sc->low.y;
+  for (uint64_t i = 0; i < s->vertex_count; i++) {
+    float t = (s->vertices[4 * i + 1] - sc->low.y) / span * BINS;
+    bins[t < 0 ? 0 : t >= BINS ? BINS - 1 : (int)t]++;
+  }
+  int k = 0;
+  while (k < BINS && (below += bins[k]) * 250 < s->vertex_count) k++;
+  return sc->low.y + span * (float)k / BINS;
+}
+
 bool strands_open(strands *s, const sozai_curves *c, uint32_t smooth, bool floor, failure *why) {
   memset(s, 0, sizeof *s);
   scene *sc = &s->scene;
@@ -91,7 +108,7 @@ bool strands_open(strands *s, const sozai_curves *c, uint32_t smooth, bool floor
   }
   sc->step = 2e-5f * scene_radius(sc);
   sc->has_floor = floor;
-  sc->floor = sc->low.y;
+  sc->floor = resting(s);
   return true;
 }
 

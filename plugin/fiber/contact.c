@@ -39,14 +39,25 @@ static void push_at(pushes *p, uint32_t segment, double at, const double way[3],
   }
 }
 
+static int apart_by_boxes(const float *a, const float *b, float keep) {
+  for (int k = 0; k < 3; k++) {
+    float a0 = a[k] < a[3 + k] ? a[k] : a[3 + k], a1 = a[k] < a[3 + k] ? a[3 + k] : a[k];
+    float b0 = b[k] < b[3 + k] ? b[k] : b[3 + k], b1 = b[k] < b[3 + k] ? b[3 + k] : b[k];
+    if (b0 - a1 > keep || a0 - b1 > keep) return 1;
+  }
+  return 0;
+}
+
 static void meet(const round_work *w, pushes *p, uint32_t strand, uint32_t i, uint32_t other) {
   const fiber *f = w->f;
   uint32_t each = f->vertices - 1, theirs = other / each;
   if (theirs == strand) return;
   const float *a = f->points + 3 * ((size_t)strand * f->vertices + i);
   const float *b = f->points + 3 * ((size_t)theirs * f->vertices + other % each);
-  double s, t, touch = (double)f->radii[strand] + (double)f->radii[theirs];
-  double keep = touch + f->plan.clearance, square = segments_nearest(a, b, &s, &t), way[3];
+  double s, t, touch = (double)f->radii[strand] + (double)f->radii[theirs], way[3];
+  double keep = touch + f->plan.clearance;
+  if (apart_by_boxes(a, b, (float)(1.0001 * keep))) return;
+  double square = segments_nearest(a, b, &s, &t);
   if (!(square < keep * keep)) return;
   double d = scalar_root(square);
   if (d > 1e-6 * touch) {
@@ -76,18 +87,14 @@ static void meet(const round_work *w, pushes *p, uint32_t strand, uint32_t i, ui
 
 static void look_about(const round_work *w, pushes *p, uint32_t strand, uint32_t i) {
   const fiber *f = w->f;
-  uint32_t each = f->vertices - 1;
-  int32_t own[3], c[3], there[3];
+  int32_t own[3], c[3];
   segment_cell(w->near, f->points + 3 * ((size_t)strand * f->vertices + i), own);
   for (int k = 0; k < 27; k++) {
     c[0] = own[0] + k % 3 - 1, c[1] = own[1] + k / 3 % 3 - 1, c[2] = own[2] + k / 9 - 1;
-    uint32_t b = segment_bucket(w->near, c);
+    uint32_t b = segment_bucket(w->near, c), key = segment_key(c);
     for (uint32_t n = w->near->first[b]; n < w->near->first[b + 1]; n++) {
-      uint32_t other = w->near->list[n];
       /* another cell may share the bucket */
-      segment_cell(w->near, f->points + 3 * ((size_t)(other / each) * f->vertices + other % each),
-                   there);
-      if (memcmp(there, c, sizeof c) == 0) meet(w, p, strand, i, other);
+      if (w->near->list[n].key == key) meet(w, p, strand, i, w->near->list[n].id);
     }
   }
 }

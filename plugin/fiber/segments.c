@@ -21,21 +21,26 @@ void segments_free(segments *s, const sozai_host *host) {
   host_free(host, s->list, (size_t)(s->count + 1) * sizeof *s->list, 64);
 }
 
-static uint32_t bucket_of(const segments *s, const fiber *f, uint64_t strand, uint64_t i) {
+static uint32_t bucket_of(const segments *s, const fiber *f, uint64_t strand, uint64_t i,
+                          uint32_t *key) {
   int32_t c[3];
   segment_cell(s, f->points + 3 * (strand * f->vertices + i), c);
+  *key = segment_key(c);
   return segment_bucket(s, c);
 }
 
 void segments_sort(segments *s, const fiber *f) {
-  uint32_t each = f->vertices - 1;
+  uint32_t each = f->vertices - 1, key;
   memset(s->first, 0, (s->buckets + 2ull) * sizeof *s->first);
   for (uint64_t k = 0; k < f->strands; k++)
-    for (uint64_t i = 0; i < each; i++) s->first[bucket_of(s, f, k, i) + 2]++;
+    for (uint64_t i = 0; i < each; i++) s->first[bucket_of(s, f, k, i, &key) + 2]++;
   for (uint64_t b = 2; b < s->buckets + 2ull; b++) s->first[b] += s->first[b - 1];
-  for (uint64_t k = 0; k < f->strands; k++)
-    for (uint64_t i = 0; i < each; i++)
-      s->list[s->first[bucket_of(s, f, k, i) + 1]++] = (uint32_t)(k * each + i);
+  for (uint64_t k = 0; k < f->strands; k++) {
+    for (uint64_t i = 0; i < each; i++) {
+      uint32_t at = s->first[bucket_of(s, f, k, i, &key) + 1]++;
+      s->list[at] = (segment_entry){(uint32_t)(k * each + i), key};
+    }
+  }
 }
 
 static double clamp01(double x) { return x < 0 ? 0 : x > 1 ? 1 : x; }

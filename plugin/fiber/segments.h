@@ -8,12 +8,17 @@
 
 #include "fiber.h"
 
+typedef struct segment_entry {
+  uint32_t id;  /* strand * (vertices - 1) + segment */
+  uint32_t key; /* its cell, each coordinate modulo 1024: of the 27 about one no two are alike */
+} segment_entry;
+
 typedef struct segments {
   float gap;        /* side of a cell: no segment reaches past the next one */
   uint32_t buckets; /* a power of two */
   uint64_t count;
-  uint32_t *first; /* of each bucket, and one more */
-  uint32_t *list;  /* strand * (vertices - 1) + segment, sorted within a bucket */
+  uint32_t *first;     /* of each bucket, and one more */
+  segment_entry *list; /* sorted within a bucket */
 } segments;
 
 /* Room for all of a fibre's; RANGE beyond 2^32. */
@@ -28,6 +33,10 @@ static inline void segment_cell(const segments *s, const float *a, int32_t cell[
     int32_t i = (int32_t)x;
     cell[k] = (float)i > x ? i - 1 : i;
   }
+}
+
+static inline uint32_t segment_key(const int32_t c[3]) {
+  return ((uint32_t)c[0] & 1023u) | ((uint32_t)c[1] & 1023u) << 10 | ((uint32_t)c[2] & 1023u) << 20;
 }
 
 static inline uint32_t segment_bucket(const segments *s, const int32_t c[3]) {
