@@ -317,9 +317,9 @@ typedef struct sozai_wood_1 {
 
 /* ---- geometry --------------------------------------------------------- */
 
-/* Curves, meshes and tables that are grown: tree; fibre is to follow. What
- * goes in, hulls among it, comes as values, by pointer. Object space: mm, +y up
- * the stem as in wood's log. */
+/* Curves, meshes and tables that are grown: tree, fiber. What goes in, hulls
+ * among it, comes as values, by pointer. Object space: mm, +y up the stem as in
+ * wood's log; of fiber the hull's. */
 #define SOZAI_GEOMETRY_1 "sozai.geometry/1"
 
 /* A column of a table. */
@@ -397,7 +397,7 @@ typedef struct sozai_curves {
   const float *points;     /* x y z each, mm */
   const float *radii;      /* mm, of each point */
   const uint64_t *first;   /* curve_count + 1: curve i has points first[i] up to first[i + 1] */
-  const uint32_t *ids;     /* of each curve. tree: the branch's number; a leaf's is its shoot's */
+  const uint32_t *ids;     /* of each curve: the branch's (a leaf's: its shoot's); the strand's */
   const sozai_part *parts; /* of curves, in order, without gaps */
 } sozai_curves;
 

@@ -5,13 +5,14 @@
 #include <string.h>
 
 #include "core/status.h"
+#include "fiber/generator.h"
 #include "generator.h"
 #include "material.h"
 #include "tree/generator.h"
 
 #define LEVEL_MAX 8u
 
-static const generator *const generators[] = {&tree_generator};
+static const generator *const generators[] = {&tree_generator, &fiber_generator};
 #define GENERATORS ((uint32_t)(sizeof generators / sizeof generators[0]))
 
 struct sozai_geometry {

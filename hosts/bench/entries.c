@@ -17,6 +17,11 @@
 #define STONE_ON(set) STONE("full.batch1024@" set, 1024, set), STONE("full.batch1@" set, 1, set)
 #define STONE_FOOTPRINT(mm) STONE("footprint_" #mm ".batch1024", 1024, NULL, .footprint = (float)(mm))
 #define STONE_OF(id) {.name = "stone." id ".batch1024", .batch = 1024, .wood = {.stone = id}}
+#define FIBER(label, size, set, ...) \
+  {.name = "fiber." label, .batch = size, .wood = {.cpu = set, .fiber = "felt"}, __VA_ARGS__}
+#define FIBER_ON(set) FIBER("full.batch1024@" set, 1024, set), FIBER("full.batch1@" set, 1, set)
+#define FIBER_FOOTPRINT(mm) FIBER("footprint_" #mm ".batch1024", 1024, NULL, .footprint = (float)(mm))
+#define FIBER_OF(id) {.name = "fiber." id ".batch1024", .batch = 1024, .wood = {.fiber = id}}
 #define TILE(called, of, which, given, mm) \
   {.name = "oiio.tile." called, .kind = ENTRY_TILE, .tile = {of, which, given, mm}}
 /* clang-format on */
@@ -99,11 +104,37 @@ const entry entries[] = {
     STONE_OF("travertino"),
     STONE_OF("terrazzo"),
     {.name = "stone.create", .kind = ENTRY_CREATE, .wood = {.stone = "travertino"}},
+    FIBER("full.batch1024", 1024, NULL),
+    FIBER("full.batch1", 1, NULL),
+#if defined(__x86_64__)
+    FIBER_ON("avx512"),
+    FIBER_ON("avx2"),
+    FIBER_ON("sse2"),
+#elif defined(__aarch64__)
+    FIBER_ON("neon"),
+#endif
+    FIBER_ON("scalar"),
+    FIBER_FOOTPRINT(0.002),
+    FIBER_FOOTPRINT(0.01),
+    FIBER_FOOTPRINT(0.1),
+    FIBER_FOOTPRINT(1),
+    FIBER_FOOTPRINT(10),
+    FIBER_OF("cotton"),
+    FIBER_OF("denim"),
+    FIBER_OF("fleece"),
+    {.name = "fiber.albedo.batch1024",
+     .batch = 1024,
+     .channel = "albedo",
+     .wood = {.fiber = "felt"}},
+    {.name = "fiber.create", .kind = ENTRY_CREATE, .wood = {.fiber = "denim"}},
     {.name = "tree.grow.sugi_paper", .kind = ENTRY_TREE, .tree = "sugi_paper"},
     {.name = "tree.grow.sugi", .kind = ENTRY_TREE, .tree = "sugi"},
     {.name = "tree.grow_mesh.sugi_paper", .kind = ENTRY_TREE_MESH, .tree = "sugi_paper"},
     {.name = "tree.branches.sugi_paper", .kind = ENTRY_TREE_BRANCHES, .tree = "sugi_paper"},
     {.name = "tree.branches.sugi", .kind = ENTRY_TREE_BRANCHES, .tree = "sugi"},
+    {.name = "fiber.place", .kind = ENTRY_FIBER_PLACE},
+    {.name = "fiber.fit", .kind = ENTRY_FIBER_FIT},
+    {.name = "fiber.fit.threads2", .kind = ENTRY_FIBER_THREADS},
     {.name = "wood.threads2.batch1024", .kind = ENTRY_THREADS, .batch = 1024},
     {.name = "wood.create", .kind = ENTRY_CREATE},
     TILE("keyaki", "wood", "keyaki", "cut: flat", 0.0625),

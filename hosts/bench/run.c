@@ -12,6 +12,7 @@
 #include "peak.h"
 #include "pin.h"
 #include "scratch.h"
+#include "fiber.h"
 #include "tree.h"
 #include "walk.h"
 
@@ -241,6 +242,22 @@ static bool run_tree(job *j, result *out, failure *why) {
   return true;
 }
 
+static bool run_fiber(job *j, result *out, failure *why) {
+  int kind = j->entry->kind;
+  fiber_job f = {.fitted = kind != ENTRY_FIBER_PLACE, .threads = kind == ENTRY_FIBER_THREADS};
+  if (!fiber_job_open(&f, &j->bench->plugin, why)) return false;
+  contestant who = {fiber_job_run, &f};
+  timing time;
+  bool ok = measure(&who, 1, j->bench->repetitions, &time, why);
+  fiber_job_close(&f);
+  if (!ok) return false;
+  out->ns = time.median;
+  out->ns_min = time.min;
+  out->yardstick_ns = out->yardstick_min = f.threads ? FIBER_GOAL_NS : 2 * FIBER_GOAL_NS;
+  out->ratio = out->yardstick_ns / out->ns;
+  return true;
+}
+
 bool entry_run(const bench *b, const entry *e, result *out, bool *skipped, failure *why) {
   *out = (result){.name = e->name,
                   .instruction_set = "",
@@ -255,8 +272,9 @@ bool entry_run(const bench *b, const entry *e, result *out, bool *skipped, failu
   if (e->kind == ENTRY_TILE) return run_tiles(b, e, out, why);
   job j = {.bench = b, .entry = e};
   atomic_init(&j.failed, false);
-  *skipped = e->kind == ENTRY_THREADS && pin_cpu_count() < 2;
+  *skipped = (e->kind == ENTRY_THREADS || e->kind == ENTRY_FIBER_THREADS) && pin_cpu_count() < 2;
   if (*skipped) return true;
+  if (e->kind >= ENTRY_FIBER_PLACE) return run_fiber(&j, out, why);
   if (e->tree) return run_tree(&j, out, why);
   if (!wood_create(&e->wood, b->picture, &b->plugin, &j.texture, why)) return false;
   *skipped = j.texture == NULL;

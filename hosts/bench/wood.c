@@ -60,8 +60,10 @@ bool wood_create(const wood *w, const char *picture, const plugin *p, sozai_text
     setenv("SOZAI_CPU", w->cpu, 1);
   else
     unsetenv("SOZAI_CPU");
-  int32_t result = w->stone ? p->textures->create(NULL, "stone", w->stone, NULL, 0, out)
-                            : p->textures->create(NULL, "wood", "keyaki", values, count, out);
+  const char *material = w->fiber ? "fiber" : w->stone ? "stone" : "wood";
+  const char *preset = w->fiber ? w->fiber : w->stone ? w->stone : "keyaki";
+  if (w->fiber || w->stone) count = 0;
+  int32_t result = p->textures->create(NULL, material, preset, values, count, out);
   unsetenv("SOZAI_CPU");
   if (result == SOZAI_OK || (result == SOZAI_ERROR_UNSUPPORTED && w->cpu)) return true;
   return fail(why, EXIT_FAILURE, "create: %s", p->textures->last_error());

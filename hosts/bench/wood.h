@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0
- * The woods, and the stones, that are measured. */
+ * The woods, the stones and the fibres that are measured. */
 #ifndef SOZAI_BENCH_WOOD_H
 #define SOZAI_BENCH_WOOD_H
 
@@ -18,11 +18,12 @@ typedef struct wood {
   int knots;              /* how many, */
   int knots_metre;        /* so many to a metre of the stem */
   const char *stone;      /* a preset of stone, in place of all this but cpu */
+  const char *fiber;      /* likewise */
 } wood;
 
-/* A flat-sawn board of the preset keyaki, or a face of the stone. Where the machine lacks the
- * instruction set, true with *out = NULL. picture: the yardstick's, for those
- * that want it. */
+/* A flat-sawn board of the preset keyaki, or a face of the stone or the fibre. Where the machine
+ * lacks the instruction set, true with *out = NULL. picture: the yardstick's, for those that want
+ * it. */
 bool wood_create(const wood *w, const char *picture, const plugin *p, sozai_texture **out,
                  failure *why);
 

@@ -46,10 +46,12 @@ static void print_tables(const sozai_generator_info *g) {
 }
 
 int run_describe(int argc, char **argv) {
-  bool as_json = false;
-  const option options[] = {{"json", 0, OPTION_FLAG, &as_json, NULL, "as JSON", 0, 0}};
+  bool as_json = false, as_grown = false;
+  const option options[] = {{"json", 0, OPTION_FLAG, &as_json, NULL, "as JSON", 0, 0},
+                            {"grown", 0, OPTION_FLAG, &as_grown, NULL,
+                             "what `sozai grow` makes, where a texture has the same name", 0, 0}};
   static const char *const positional[] = {"material"};
-  const command_line line = {.usage = "describe <material> [--json]",
+  const command_line line = {.usage = "describe <material> [--json] [--grown]",
                              .about = "A material's parameters, presets and channels.\n",
                              .options = options,
                              .option_count = sizeof options / sizeof options[0],
@@ -65,6 +67,9 @@ int run_describe(int argc, char **argv) {
   const sozai_texture_info *info = NULL;
   const sozai_geometry_1 *geometry = p.entry->get_factory(SOZAI_GEOMETRY_1); /* or NULL */
   const sozai_generator_info *grown = geometry ? geometry->find(name) : NULL;
+  if (!as_grown && p.textures->find(name)) grown = NULL;
+  if (as_grown && !grown)
+    fail(&why, EXIT_BAD_INPUT, "unknown thing to grow '%s': sozai list names them", name);
   if (grown) {
     const sozai_texture_info shared = as_texture(grown);
     if (as_json)
@@ -74,7 +79,7 @@ int run_describe(int argc, char **argv) {
       print_tables(grown);
     }
   }
-  if (!grown && recipe_open(&r, name, &why)) {
+  if (!grown && !as_grown && recipe_open(&r, name, &why)) {
     info = recipe_info(&r, p.textures, &why);
     if (info && as_json) describe_json(info);
     if (info && !as_json) describe_text(info);

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include "figures_fiber.h"
 #include "figures_sawn.h"
 #include "figures_stone.h"
 #include "figures_tree.h"
@@ -37,25 +38,40 @@ static bool draw_figure(session *s, const figure *f, const char *folder, failure
   return false;
 }
 
-static bool draw_each(session *s, const figure *list, size_t count, const char *folder,
-                      failure *why) {
+static bool draw_each(session *s, const figure *list, size_t count, const char *only,
+                      const char *folder, failure *why) {
   for (size_t i = 0; i < count; i++) {
+    if (only && strncmp(list[i].name, only, strlen(only)) != 0) continue;
     if (!draw_figure(s, &list[i], folder, why)) return false;
     printf("%s/%s.png  %s\n", folder, list[i].name, list[i].title);
   }
   return true;
 }
 
-static bool draw_all(const session_options *shared, const char *folder, failure *why) {
+static bool known(const char *only) {
+  const figure *const lists[] = {wood_figures, stone_figures, tree_figures, fiber_figures};
+  const size_t counts[] = {wood_figure_count, stone_figure_count, tree_figure_count,
+                           fiber_figure_count};
+  for (int k = 0; k < 4; k++)
+    for (size_t i = 0; i < counts[k]; i++)
+      if (strncmp(lists[k][i].name, only, strlen(only)) == 0) return true;
+  return false;
+}
+
+static bool draw_all(const session_options *shared, const char *only, const char *folder,
+                     failure *why) {
   if (!folder) return fail(why, EXIT_BAD_INPUT, "figures: no output is given: -o DIR");
+  if (only && !known(only))
+    return fail(why, EXIT_BAD_INPUT, "figures: none begins with '%s'", only);
   session s;
   if (!session_open(&s, shared, why)) return false;
   bool ok = mkdir(folder, 0777) == 0 || errno == EEXIST ||
             fail(why, EXIT_FAILURE, "cannot make the folder %s: %s", folder, strerror(errno));
-  ok = ok && draw_each(&s, wood_figures, wood_figure_count, folder, why) &&
-       draw_each(&s, stone_figures, stone_figure_count, folder, why) &&
-       draw_each(&s, tree_figures, tree_figure_count, folder, why) &&
-       draw_each(&s, sawn_figures, sawn_figure_count, folder, why);
+  ok = ok && draw_each(&s, wood_figures, wood_figure_count, only, folder, why) &&
+       draw_each(&s, stone_figures, stone_figure_count, only, folder, why) &&
+       draw_each(&s, tree_figures, tree_figure_count, only, folder, why) &&
+       draw_each(&s, fiber_figures, fiber_figure_count, only, folder, why) &&
+       draw_each(&s, sawn_figures, sawn_figure_count, only, folder, why);
   session_close(&s);
   return ok;
 }
@@ -64,20 +80,25 @@ int run_figures(int argc, char **argv) {
   failure why = {0};
   session_options shared;
   if (!session_options_init(&shared, argc, &why)) return report(&why);
-  const char *folder = NULL;
+  const char *folder = NULL, *only = NULL;
   const option options[] = {
       {"output", 'o', OPTION_TEXT, &folder, "DIR", "folder for the figures; made if need be", 0, 0},
       SESSION_DISPLAY_OPTIONS(shared),
       SESSION_RUN_OPTIONS(shared)};
-  const command_line line = {.usage = "figures -o DIR [options]",
-                             .about = "Draws the figures of the papers that the materials "
-                                      "implement, each with a JSON of\nthe numbers measured in it "
-                                      "beside it.\n",
-                             .options = options,
-                             .option_count = sizeof options / sizeof options[0]};
-  int parsed = options_parse(&line, argc, argv, NULL, &why);
+  static const char *const positional[] = {"which"};
+  const command_line line = {
+      .usage = "figures [which] -o DIR [options]",
+      .about = "Draws the figures of the papers that the materials "
+               "implement, each with a JSON of\nthe numbers measured in it "
+               "beside it; or those\nalone whose names begin with <which>: fiber, tree-0.\n",
+      .options = options,
+      .option_count = sizeof options / sizeof options[0],
+      .positional = positional,
+      .positional_count = 1,
+      .optional_count = 1};
+  int parsed = options_parse(&line, argc, argv, &only, &why);
   int code = 0;
-  if (parsed == OPTIONS_BAD || (parsed == OPTIONS_RUN && !draw_all(&shared, folder, &why)))
+  if (parsed == OPTIONS_BAD || (parsed == OPTIONS_RUN && !draw_all(&shared, only, folder, &why)))
     code = report(&why);
   session_options_free(&shared);
   return code;

@@ -2,6 +2,7 @@
  *
  * sozai grow tree: a tree into a file. */
 #include "commands.h"
+#include "grow_fiber.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -35,7 +36,10 @@ static bool is_picture(const char *path) { return ends_in(path, ".png") || ends_
 /* Before any work is done. */
 static bool check(const grow_options *o, const char *what, failure *why) {
   if (strcmp(what, "tree") != 0)
-    return fail(why, EXIT_BAD_INPUT, "grow: there is no '%s' to grow; there is tree", what);
+    return fail(why, EXIT_BAD_INPUT,
+                "grow: there is no '%s' to grow; there are tree and, named "
+                "before any option, fiber",
+                what);
   if (!o->output) return fail(why, EXIT_BAD_INPUT, "grow: no output is given: -o FILE");
   const char *endings = ".obj, .gltf, .usda, .field, .csv, .png, .exr";
   bool known = ends_in(o->output, ".obj") || ends_in(o->output, ".gltf") ||
@@ -150,6 +154,7 @@ static bool grow(grow_options *o, const session_options *shared, const char *wha
 }
 
 int run_grow(int argc, char **argv) {
+  if (argc > 1 && strcmp(argv[1], "fiber") == 0) return run_grow_fiber(argc, argv);
   failure why = {0};
   session_options shared;
   if (!session_options_init(&shared, argc + 1, &why)) return report(&why);
@@ -175,12 +180,13 @@ int run_grow(int argc, char **argv) {
       SESSION_DISPLAY_OPTIONS(shared),
       SESSION_RUN_OPTIONS(shared)};
   static const char *const positional[] = {"generator"};
-  const command_line line = {.usage = "grow tree -o FILE [options]",
-                             .about = "Grows a tree and writes it to a file.\n",
-                             .options = options,
-                             .option_count = sizeof options / sizeof options[0],
-                             .positional = positional,
-                             .positional_count = 1};
+  const command_line line = {
+      .usage = "grow tree -o FILE [options]",
+      .about = "Grows a tree and writes it to a file; `sozai grow fiber --help` for fibre.\n",
+      .options = options,
+      .option_count = sizeof options / sizeof options[0],
+      .positional = positional,
+      .positional_count = 1};
   const char *what = NULL;
   int parsed = options_parse(&line, argc, argv, &what, &why);
   int code = 0;

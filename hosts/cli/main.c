@@ -23,7 +23,7 @@ static const command commands[] = {
     {"colour", "the colour config in force, and what the materials ask of it", run_colour},
     {"figures", "the figures of the papers, with their measured numbers", run_figures},
     {"gallery", "a folder of pictures of every preset", run_gallery},
-    {"grow", "a tree as a mesh, curves, tables or a picture", run_grow},
+    {"grow", "a tree, or fibre in a hull, as a mesh, curves, tables or a picture", run_grow},
     {"match", "a material's palette from a photograph", run_match},
 };
 #define COMMAND_COUNT (sizeof commands / sizeof commands[0])

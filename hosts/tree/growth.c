@@ -20,10 +20,11 @@ bool growth_failed(const sozai_geometry_1 *table, int32_t code, failure *why) {
   return fail(why, mend ? EXIT_BAD_INPUT : EXIT_FAILURE, "%s", table->last_error());
 }
 
-bool growth_grow(const sozai_geometry_1 *table, const sozai_host *host, const char *id,
-                 const char *preset, const char *const *pairs, size_t pair_count, const char *field,
-                 sozai_geometry **out, failure *why) {
-  sozai_value *values = calloc(pair_count + 1, sizeof *values);
+bool growth_grow_with(const sozai_geometry_1 *table, const sozai_host *host, const char *id,
+                      const char *preset, const char *const *pairs, size_t pair_count,
+                      const sozai_value *more, size_t more_count, sozai_geometry **out,
+                      failure *why) {
+  sozai_value *values = calloc(pair_count + more_count + 1, sizeof *values);
   char **names = calloc(pair_count + 1, sizeof *names);
   bool ok = (values && names) || fail(why, EXIT_FAILURE, "out of memory");
   uint32_t count = 0;
@@ -37,8 +38,7 @@ bool growth_grow(const sozai_geometry_1 *table, const sozai_host *host, const ch
     ok = names[i] || fail(why, EXIT_FAILURE, "out of memory");
     values[count++] = (sozai_value){.id = names[i], .kind = SOZAI_KIND_STRING, .text = equals + 1};
   }
-  if (ok && field)
-    values[count++] = (sozai_value){.id = "field", .kind = SOZAI_KIND_TEXT, .text = field};
+  for (size_t i = 0; ok && i < more_count; i++) values[count++] = more[i];
   if (ok) {
     int32_t code = table->grow(host, id, preset, values, count, out);
     ok = code == SOZAI_OK || growth_failed(table, code, why);
@@ -47,6 +47,14 @@ bool growth_grow(const sozai_geometry_1 *table, const sozai_host *host, const ch
   free(names);
   free(values);
   return ok;
+}
+
+bool growth_grow(const sozai_geometry_1 *table, const sozai_host *host, const char *id,
+                 const char *preset, const char *const *pairs, size_t pair_count, const char *field,
+                 sozai_geometry **out, failure *why) {
+  const sozai_value text = {.id = "field", .kind = SOZAI_KIND_TEXT, .text = field};
+  return growth_grow_with(table, host, id, preset, pairs, pair_count, &text, field ? 1 : 0, out,
+                          why);
 }
 
 bool growth_read_text(const char *path, char **out, failure *why) {

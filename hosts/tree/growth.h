@@ -17,6 +17,12 @@ bool growth_grow(const sozai_geometry_1 *table, const sozai_host *host, const ch
                  const char *preset, const char *const *pairs, size_t pair_count, const char *field,
                  sozai_geometry **out, failure *why);
 
+/* Likewise, with values that are no text besides. */
+bool growth_grow_with(const sozai_geometry_1 *table, const sozai_host *host, const char *id,
+                      const char *preset, const char *const *pairs, size_t pair_count,
+                      const sozai_value *more, size_t more_count, sozai_geometry **out,
+                      failure *why);
+
 /* The text of a file, with a zero at its end, to be freed. */
 bool growth_read_text(const char *path, char **out, failure *why);
 

@@ -50,7 +50,7 @@ static void digits(text_file *t, uint64_t number, int least) {
 }
 
 static void fixed(text_file *t, double number, int places) {
-  static const double scales[] = {1, 10, 100, 1e3, 1e4, 1e5};
+  static const double scales[] = {1, 10, 100, 1e3, 1e4, 1e5, 1e6, 1e7};
   double scaled = round(fabs(number) * scales[places]);
   if (!(scaled < 9e15)) {
     char text[LONGEST];
@@ -73,6 +73,7 @@ static void fixed(text_file *t, double number, int places) {
 
 void text_number(text_file *t, double number) { fixed(t, number, 3); }
 void text_fine(text_file *t, double number) { fixed(t, number, 5); }
+void text_finest(text_file *t, double number) { fixed(t, number, 7); }
 void text_whole(text_file *t, uint64_t number) { digits(t, number, 1); }
 
 bool text_close(text_file *t, failure *why) {

@@ -20,6 +20,7 @@ bool text_open(text_file *t, const char *path, failure *why);
 void text_put(text_file *t, const char *text);
 void text_number(text_file *t, double number); /* three decimals at most */
 void text_fine(text_file *t, double number);   /* five */
+void text_finest(text_file *t, double number); /* seven */
 void text_whole(text_file *t, uint64_t number);
 /* false: something was not written, or the user asked to stop. */
 bool text_close(text_file *t, failure *why);

@@ -7,7 +7,7 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh" "$@"
 readonly json_check=$4
 printed=$(dirname -- "${BASH_SOURCE[0]}")/../../docs
 
-for material in wood stone; do
+for material in wood stone fiber; do
   file=catalogue-$material.txt
   works describe "$material"
   check "docs/$file is current (renew it: sozai describe $material > docs/$file)" \

@@ -11,6 +11,16 @@ unset SOZAI_PLUGIN
 works list
 check "the plugin beside the program" grep -qw keyaki "$scratch/out"
 
+# fibre is a texture, and is grown too
+works describe fiber
+check "describe fiber is the texture's" grep -q 'strand_id' "$scratch/out"
+works describe fiber --grown
+check "describe --grown is the generator's" grep -q '^  hull' "$scratch/out"
+refuses 2 "unknown thing to grow 'wood'" describe wood --grown
+refuses 2 "packing|2|0.0001|0.7" eval fiber -p packing=2 <<<"$header"
+works render fiber --preset denim -o "$scratch/denim.exr" --res 64x48 --spp 4 --shape sphere
+check "denim: finite" "$picture" finite "$scratch/denim.exr"
+
 works eval wood --preset keyaki <<<"$header"$'\n50,0,0,0,0,1,0,0,1,0,0,1,0.1\nnan,inf,-inf,nan,0,0,0,0,0,inf,0,0,nan\n1e30,-1e30,0,0,0,0,0,0,0,0,0,0,1e30'
 check "every number is finite" not grep -qi 'nan\|inf' "$scratch/out"
 same "rows" 4 "$(wc -l <"$scratch/out")"

@@ -101,12 +101,14 @@ static const sozai_value wide[] = {
 };
 enum { WIDE = sizeof wide / sizeof *wide };
 
+static const char *material = "wood";
+
 /* config NULL: the shipped one. The first `given` of wide are used. */
 static void evaluate(const char *config, const char *preset, uint32_t given, float footprint,
                      answers *out) {
   sozai_host host = {.size = sizeof host, .log = note, .colour_config = config};
   sozai_texture *t;
-  if (textures->create(&host, "wood", preset, wide, given, &t) != SOZAI_OK)
+  if (textures->create(&host, material, preset, wide, given, &t) != SOZAI_OK)
     fail_msg("%s: %s", preset, textures->last_error());
   const sozai_texture_info *info = textures->info_of(t);
   float *channels[64] = {0};
@@ -188,6 +190,20 @@ static void compare(const char *config, const primaries *working) {
   if (working != &rec709) assert_true(e.apart > 0.01);
 }
 
+/* Fibres too: their white gloss is white in every space. */
+static void compare_fibers(const char *config, const primaries *working) {
+  if (access(config, R_OK) != 0) skip();
+  const sozai_texture_info *fiber = textures->find("fiber");
+  assert_non_null(fiber);
+  errors e = {0};
+  material = "fiber";
+  for (uint32_t k = 0; k < fiber->preset_count; k++)
+    add(config, working, fiber->presets[k]->id, 0, &e);
+  material = "wood";
+  judge(config, "every fibre", &e);
+  if (working != &rec709) assert_true(e.apart > 0.01);
+}
+
 static void compare_wide(const char *config, const primaries *working) {
   errors e = {0};
   add(config, working, "keyaki", WIDE, &e);
@@ -199,11 +215,13 @@ static void acescg(void **state) {
   (void)state;
   compare(CONFIG("acescg"), &aces_ap1);
   compare_wide(CONFIG("acescg"), &aces_ap1);
+  compare_fibers(CONFIG("acescg"), &aces_ap1);
 }
 static void p3d65(void **state) {
   (void)state;
   compare(CONFIG("p3d65"), &p3_d65);
   compare_wide(CONFIG("p3d65"), &p3_d65);
+  compare_fibers(CONFIG("p3d65"), &p3_d65);
 }
 static void blender(void **state) {
   (void)state;

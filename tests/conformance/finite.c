@@ -25,12 +25,17 @@ static const float nasty[] = {NAN,           -NAN,         INFINITY, -INFINITY, 
                               1e20f,         2.1474836e9f, 1.0f};
 #define NASTY (sizeof nasty / sizeof *nasty)
 
-/* A wood of every preset; a stone of every other, under all finishes. */
+/* A wood of every preset; a stone of every other, under all finishes; a fibre of every third. */
 static sozai_texture *make(uint32_t k) {
   const char *preset = k ? info->presets[k - 1]->id : NULL;
   if (strcmp(info->id, "wood") == 0) return plugin_wood(&p, preset, "compound");
   static const char *const finishes[] = {"split", "flamed", "bush_hammered",
                                          "sawn",  "honed",  "polished"};
+  if (strcmp(info->id, "fiber") == 0) {
+    sozai_texture *t = NULL;
+    assert_int_equal(p.textures->create(NULL, "fiber", preset, NULL, 0, &t), SOZAI_OK);
+    return t;
+  }
   const sozai_value values[] = {
       {.id = "finish", .kind = SOZAI_KIND_CHOICE, .text = finishes[k / 2 % 6u]},
       {.id = "colour_mode", .kind = SOZAI_KIND_CHOICE, .text = k ? "fabric" : "paper_rgb"}};
@@ -49,7 +54,7 @@ static void finite_in(const char *id, const char *set) {
   if (p.textures->create(NULL, id, NULL, NULL, 0, &t) == SOZAI_ERROR_UNSUPPORTED) return;
   p.textures->destroy(t);
   uint64_t r = 1, points = 0;
-  uint32_t step = strcmp(id, "wood") == 0 ? 1 : 2;
+  uint32_t step = strcmp(id, "wood") == 0 ? 1 : strcmp(id, "fiber") == 0 ? 3 : 2;
   for (uint32_t k = 0; k <= info->preset_count; k += step) {
     t = make(k);
     assert_non_null(t);
@@ -90,6 +95,7 @@ static void always_finite(void **unused) {
   static const char *const sets[] = {"scalar", "sse2", "avx2", "avx512", "neon"};
   for (int i = 0; i < 5; i++) finite_in("wood", sets[i]);
   for (int i = 0; i < 5; i++) finite_in("stone", sets[i]);
+  for (int i = 0; i < 5; i++) finite_in("fiber", sets[i]);
   unsetenv("SOZAI_CPU");
 }
 
@@ -178,6 +184,12 @@ static void as_the_header_says(void **unused) {
   assert_int_equal(p.textures->create(NULL, "stone", "inada", &rough, 1, &stone), SOZAI_OK);
   header_says_of("wood", plugin_wood(&p, "mizunara", "compound"));
   header_says_of("stone", stone);
+  static const char *const fibers[] = {"felt", "denim"};
+  for (int i = 0; i < 2; i++) {
+    sozai_texture *t = NULL;
+    assert_int_equal(p.textures->create(NULL, "fiber", fibers[i], NULL, 0, &t), SOZAI_OK);
+    header_says_of("fiber", t);
+  }
 }
 
 /* ring_radius and pith too. */

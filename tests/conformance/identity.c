@@ -24,7 +24,7 @@
 
 #define MANY 10000000u
 #define SOME 1000000u
-#define FEW 131072u /* each wood, and some stones; emulation is slow */
+#define FEW 131072u /* each wood and fibre, and some stones; emulation is slow */
 
 /* instrumented code is many times slower, and its bits are the same */
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)

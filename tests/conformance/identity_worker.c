@@ -17,12 +17,12 @@
 
 #include "identity_points.h"
 
-#define TEXTURES_MAX 128
+#define TEXTURES_MAX 256
 #define PIECES 16u /* a block is cut into at most so many, for the threads */
 
 static plugin host;
 static sozai_texture *textures[TEXTURES_MAX];
-static uint32_t texture_count, wood_count;
+static uint32_t texture_count, wood_count, stone_count;
 
 static uint64_t blocks;
 static uint32_t batch_size;
@@ -170,11 +170,31 @@ static int make_stones(void) {
   return r;
 }
 
-/* A block's texture: of 64 blocks 63 are wood's, since a stone under a
- * wide footprint takes many times as long. */
+/* Every preset of fibre, along each axis, matted, standing and woven. */
+static int make_fibers(void) {
+  static const char *const along[] = {"x", "y", "z"};
+  static const char *const weaves[] = {"plain",     "basket",    "twill_2_1",
+                                       "twill_3_1", "twill_2_2", "satin"};
+  const sozai_texture_info *info = host.textures->find("fiber");
+  int r = info ? 0 : 1;
+  for (uint32_t i = 0; !r && i < info->preset_count; i++) {
+    const sozai_value values[] = {
+        {.id = "axis", .kind = SOZAI_KIND_CHOICE, .text = along[i % 3u]},
+        {.id = "weave", .kind = SOZAI_KIND_CHOICE, .text = weaves[i % 6u]},
+        {.id = "flyaway", .kind = SOZAI_KIND_FLOAT, .number = {i % 4u * 0.05}},
+        {.id = "elevation", .kind = SOZAI_KIND_FLOAT, .number = {i % 5u * 15.0}}};
+    r = make("fiber", info->presets[i]->id, values, sizeof values / sizeof *values);
+  }
+  return r;
+}
+
+/* A block's texture: of 64 blocks 60 are wood's, 3 fibre's and one stone's, since a
+ * stone under a wide footprint takes many times as long. */
 static sozai_texture *texture_of(uint64_t block) {
-  if (block % 64 < 63) return textures[(block - block / 64) % wood_count];
-  return textures[wood_count + block / 64 % (texture_count - wood_count)];
+  if (block % 16 < 15) return textures[(block - block / 16) % wood_count];
+  if (block % 64 == 63) return textures[wood_count + block / 64 % stone_count];
+  uint32_t others = wood_count + stone_count;
+  return textures[others + (block / 16 - block / 64) % (texture_count - others)];
 }
 
 static const sozai_texture_info *info_of(uint64_t block) {
@@ -345,6 +365,8 @@ int main(int argc, char **argv) {
   if (!r) r = make_layouts();
   wood_count = texture_count;
   if (!r) r = make_stones();
+  stone_count = texture_count - wood_count;
+  if (!r) r = make_fibers();
   if (r) return r;
   for (uint32_t i = 0; i < texture_count; i++) {
     const sozai_texture_info *info = host.textures->info_of(textures[i]);

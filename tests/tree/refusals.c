@@ -56,7 +56,7 @@ static void arguments(void **unused) {
   assert_int_equal(t->grow(NULL, NULL, NULL, NULL, 0, &g), SOZAI_ERROR_ARGUMENT);
   assert_null(t->info(1));
   assert_null(t->find("sapling"));
-  assert_int_equal(t->count(), 1);
+  assert_int_equal(t->count(), 2);
   t->release(NULL);
   t->release_mesh(NULL);
   t->release_curves(NULL);

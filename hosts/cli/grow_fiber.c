@@ -1,0 +1,195 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * sozai grow fiber: an aggregate of fibre in a hull, into a file. */
+#include "grow_fiber.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <time.h>
+#include "aggregate.h"
+#include "cancel.h"
+#include "curve_files.h"
+#include "fiber_view.h"
+#include "output_file.h"
+#include "parallel.h"
+#include "progress.h"
+#include "session.h"
+
+typedef struct fiber_options {
+  const char *hull, *material, *output, *table;
+  double scale;
+  uint32_t level;
+  bool verbose;
+  option_texts params;
+  fiber_view view;
+} fiber_options;
+
+static bool ends_in(const char *path, const char *ending) {
+  size_t a = strlen(path), b = strlen(ending);
+  return a > b && strcasecmp(path + a - b, ending) == 0;
+}
+
+static bool is_picture(const char *path) { return ends_in(path, ".png") || ends_in(path, ".exr"); }
+
+/* Before any work is done. */
+static bool check(const fiber_options *o, failure *why) {
+  static const char *const endings[] = {".usda", ".hair", ".obj", ".pbrt",
+                                        ".gltf", ".csv",  ".png", ".exr"};
+  if (!o->output) return fail(why, EXIT_BAD_INPUT, "grow: no output is given: -o FILE");
+  if (!o->hull) return fail(why, EXIT_BAD_INPUT, "grow: no hull is given: --hull MESH");
+  bool known = false;
+  for (size_t i = 0; i < sizeof endings / sizeof *endings; i++)
+    known = known || ends_in(o->output, endings[i]);
+  if (!known)
+    return fail(why, EXIT_BAD_INPUT,
+                "--output: '%s' ends in none of .usda, .hair, .obj, .pbrt, .gltf, .csv, .png, .exr",
+                o->output);
+  if ((o->table != NULL) != ends_in(o->output, ".csv"))
+    return fail(why, EXIT_BAD_INPUT, "--table: goes with an output in .csv, and .csv with it");
+  return true;
+}
+
+static bool write_mesh(const fiber_options *o, const sozai_geometry_1 *table,
+                       const sozai_geometry *g, const sozai_detail *detail, const char *path,
+                       failure *why) {
+  (void)o;
+  const sozai_mesh *m = NULL;
+  int32_t code = table->mesh(g, detail, &m);
+  if (code != SOZAI_OK) return growth_failed(table, code, why);
+  bool ok = write_gltf(m, path, why);
+  table->release_mesh(m);
+  return ok;
+}
+
+static bool write_out(const fiber_options *o, const sozai_geometry_1 *table,
+                      const sozai_geometry *g, session *s, const char *path, failure *why) {
+  sozai_table rows;
+  if (ends_in(o->output, ".csv"))
+    return growth_rows(table, g, o->table, &rows, why) && write_csv(&rows, path, why);
+  if (is_picture(o->output)) return fiber_view_write(&o->view, table, g, s, path, why);
+  const sozai_detail detail = {.size = sizeof detail, .level = o->level};
+  if (ends_in(o->output, ".gltf")) return write_mesh(o, table, g, &detail, path, why);
+  const sozai_curves *c = NULL;
+  int32_t code = table->curves(g, &detail, &c);
+  if (code != SOZAI_OK) return growth_failed(table, code, why);
+  progress_show(1, "writing");
+  bool ok = ends_in(o->output, ".usda")   ? curves_write_usda(c, path, why)
+            : ends_in(o->output, ".hair") ? curves_write_hair(c, path, why)
+            : ends_in(o->output, ".pbrt") ? curves_write_pbrt(c, path, why)
+                                          : curves_write_obj(c, path, why);
+  table->release_curves(c);
+  return ok;
+}
+
+static void report_fiber(const sozai_geometry_1 *table, const sozai_geometry *g, double seconds) {
+  failure ignored = {0};
+  sozai_table t;
+  if (!growth_rows(table, g, "statistics", &t, &ignored)) return;
+  progress_clear();
+  fprintf(
+      stderr,
+      "sozai: %.0f strands of %.0f vertices, %.2f %% of vertices and %.2f %% of strands inside, "
+      "%.0f iterations, packing %.4f, %.0f of %.0f contacts left; %.3f s\n",
+      growth_number(&t, 0, "strands"), growth_number(&t, 0, "vertices"),
+      100 * growth_number(&t, 0, "inside"), 100 * growth_number(&t, 0, "whole_inside"),
+      growth_number(&t, 0, "iterations"), growth_number(&t, 0, "packing"),
+      growth_number(&t, 0, "contacts"), growth_number(&t, 0, "contacts_first"), seconds);
+}
+
+static double now(void) {
+  struct timespec t;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static bool grow_into(const fiber_options *o, session *s, const mesh *hull, failure *why) {
+  const sozai_geometry_1 *table = growth_table(s->plugin.entry, why);
+  output_file file;
+  if (!table || !output_begin(&file, o->output, why)) return false;
+  sozai_geometry *g = NULL;
+  double begin = now();
+  bool ok = aggregate_grow(table, &s->host.abi, o->material, o->params.items, o->params.count, hull,
+                           &g, why);
+  if (ok && o->verbose) report_fiber(table, g, now() - begin);
+  ok = ok && write_out(o, table, g, s, file.writing, why);
+  table->release(g);
+  if (ok && cancel_requested()) ok = fail(why, EXIT_FAILURE, "cancelled");
+  progress_clear();
+  if (ok) return output_commit(&file, why);
+  output_discard(&file);
+  return false;
+}
+
+/* Only pictures want colour, whose service takes a while to open. */
+static bool open_for(const fiber_options *o, session *s, const session_options *shared,
+                     failure *why) {
+  if (is_picture(o->output)) return session_open(s, shared, why);
+  memset(s, 0, sizeof *s);
+  if (!plugin_open(&s->plugin, why)) return false;
+  uint32_t threads = shared->threads ? shared->threads : parallel_default_threads();
+  host_init(&s->host, threads, shared->verbose, NULL, NULL);
+  return true;
+}
+
+static bool grow(const fiber_options *o, const session_options *shared, failure *why) {
+  mesh hull;
+  if (!check(o, why) || !aggregate_hull(&hull, o->hull, o->scale, why)) return false;
+  session s;
+  bool ok = open_for(o, &s, shared, why);
+  if (ok) {
+    ok = grow_into(o, &s, &hull, why);
+    session_close(&s);
+  }
+  mesh_free(&hull);
+  return ok;
+}
+
+int run_grow_fiber(int argc, char **argv) {
+  failure why = {0};
+  session_options shared;
+  if (!session_options_init(&shared, argc, &why)) return report(&why);
+  fiber_options o = {.view = FIBER_VIEW_DEFAULT, .scale = 1};
+  const option options[] = {
+      {"output", 'o', OPTION_TEXT, &o.output, "FILE",
+       ".usda, .hair, .obj, .pbrt: curves; .gltf: tubes; .csv, a table; .png, .exr, a view", 0, 0},
+      {"hull", 0, OPTION_TEXT, &o.hull, "MESH",
+       "a mesh's file; or one made here: bunny, serpent, ball, lump[:RADIUS], slab, box:WxHxD", 0,
+       0},
+      {"scale", 0, OPTION_NUMBER, &o.scale, "X", "mm to a unit of the mesh's file (default: 1)",
+       1e-6, 1e6},
+      {"material", 0, OPTION_TEXT, &o.material, "NAME", "a preset: see sozai list", 0, 0},
+      {"param", 'p', OPTION_PAIRS, &shared.params, "NAME=VALUE",
+       "set a parameter; any number of these", 0, 0},
+      {"level", 0, OPTION_COUNT, &o.level, "N", "of detail: 0 is all, each more about half", 0, 8},
+      {"table", 0, OPTION_TEXT, &o.table, "NAME", "which table a .csv takes: statistics, strands",
+       0, 0},
+      {"res", 0, OPTION_SIZE, o.view.size, "WxH", "pixels of a view", 1, 16384},
+      {"spp", 0, OPTION_COUNT, &o.view.spp, "N", "samples a pixel of a view", 1, 65536},
+      {"bounces", 0, OPTION_COUNT, &o.view.bounces, "N", "of light, strand to strand", 0, 256},
+      {"camera", 0, OPTION_TEXT, &o.view.camera, "AZ,EL[,ANGLE]", "of a view, degrees", 0, 0},
+      {"target", 0, OPTION_TEXT, &o.view.target, "X,Y,Z", "a view's middle, mm", 0, 0},
+      {"light", 0, OPTION_TEXT, &o.view.light, "AZ,EL", "where a view's light comes from, degrees",
+       0, 0},
+      {"zoom", 0, OPTION_NUMBER, &o.view.zoom, "X", "1: the whole aggregate", 0.01, 10000},
+      SESSION_DISPLAY_OPTIONS(shared),
+      SESSION_RUN_OPTIONS(shared)};
+  static const char *const positional[] = {"generator"};
+  const command_line line = {.usage = "grow fiber --hull MESH -o FILE [options]",
+                             .about =
+                                 "Packs crimped fibres into a hull and writes them to a file.\n",
+                             .options = options,
+                             .option_count = sizeof options / sizeof options[0],
+                             .positional = positional,
+                             .positional_count = 1};
+  const char *what = NULL;
+  int parsed = options_parse(&line, argc, argv, &what, &why);
+  o.params = shared.params;
+  o.verbose = shared.verbose;
+  int code = 0;
+  if (parsed == OPTIONS_BAD || (parsed == OPTIONS_RUN && !grow(&o, &shared, &why)))
+    code = report(&why);
+  session_options_free(&shared);
+  return code;
+}

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "crew.h"
+
+#include <stdatomic.h>
+#include <stdbool.h>
+
+#include "../core/status.h"
+#include "../generator.h"
+
+typedef struct {
+  const sozai_host *host;
+  void (*work)(void *context, uint32_t i);
+  void *context;
+  crew_progress progress;
+  uint32_t jobs;
+  atomic_uint done;
+  atomic_bool cancelled;
+} crew;
+
+static void run_job(void *context, uint32_t i) {
+  crew *c = context;
+  if (atomic_load(&c->cancelled)) return;
+  c->work(c->context, i);
+  uint32_t done = atomic_fetch_add(&c->done, 1) + 1;
+  double share = (double)done / c->jobs, all = c->progress.end - c->progress.begin;
+  if (host_progress(c->host, c->progress.begin + share * all, c->progress.what))
+    atomic_store(&c->cancelled, true);
+}
+
+int32_t crew_run(const sozai_host *host, uint32_t jobs, void (*work)(void *context, uint32_t i),
+                 void *context, crew_progress progress) {
+  crew c = {host, work, context, progress, jobs, 0, false};
+  if (!host->parallel || host->parallel(host->user, jobs, run_job, &c) != 0) {
+    for (uint32_t i = 0; i < jobs; i++) run_job(&c, i);
+  }
+  if (!atomic_load(&c.cancelled)) return SOZAI_OK;
+  return fail(SOZAI_ERROR_CANCELLED, "cancelled by the host: %s", progress.what);
+}

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * How fibres lie in use: what a preset says beyond the catalogue's entry of its
+ * fibre. 0 in a number stands for the fibre's own, or the parameter's default.
+ */
+#ifndef SOZAI_FIBERTEX_ARRANGEMENTS_H
+#define SOZAI_FIBERTEX_ARRANGEMENTS_H
+
+#include <stdint.h>
+
+typedef struct {
+  const char *id, *fiber;  /* of the preset; of the catalogue's entry */
+  const char *label, *doc; /* NULL: the fibre's */
+  const char *source;      /* of the arrangement's figures; NULL: the fibre's alone */
+  double thickness, packing, bundle;
+  double alignment, elevation, elevation_spread; /* degrees */
+  double flyaway, flyaway_height;
+  double crimp, crimp_height; /* 1/cm; mm */
+  double darkening, transmission;
+  const char *weave; /* NULL: an aggregate */
+  double spacing, weft_spacing, width, flatness, twist, slub;
+  int32_t coloured, weft_coloured; /* the colours below stand */
+  uint8_t colour[3], second[3], weft[3];
+  double second_share, variation;
+} fiber_arrangement;
+
+extern const fiber_arrangement fiber_arrangements[];
+extern const uint32_t fiber_arrangement_count;
+
+#endif

@@ -1,0 +1,407 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * From settings to the constants that the kernel reads.
+ */
+#include "build.h"
+
+#include <string.h>
+
+#include "../../core/hash1.h"
+#include "../../core/scalar.h"
+#include "parameters.h"
+
+#define PI 3.14159265358979324
+#define RADIANS (PI / 180.0)
+#define FULL 52400.0f   /* presence that leaves room for a bundle to have more */
+#define MEASURED 16384u /* points, for means that have no formula; whole blocks of every width */
+#define FILL 0.55       /* of space by bundles, less the ends of their strands; about */
+#define ON_YARN 4       /* layers */
+#define HULL_LOOKS 4
+#define WAVE_SLOPE2 21.3333 /* mean square of the wave's slope: of +-8, evenly */
+
+static uint32_t seed_of(const settings *s) {
+  uint32_t h = hash1((uint32_t)number_at(s, P_SEED) + 0x1b873593u);
+  for (const char *t = s->list[P_OBJECT].text; t && *t; t++) {
+    h = hash1(h ^ (uint32_t)(unsigned char)*t);
+  }
+  return h;
+}
+
+static double least(double a, double b) { return a < b ? a : b; }
+static double most(double a, double b) { return a > b ? a : b; }
+static double tangent(double a) { return scalar_sin(a) / scalar_cos(a); }
+
+/* ---- the shell --------------------------------------------------------- */
+
+static void place_layer(fibertex_constants *w, int l, double size, double radius, double close,
+                        double wanted, double level) {
+  fibertex_layer *c = &w->layer[l];
+  /* sparse layers have their lanes apart, so that half of them are taken anyway */
+  double spacing = most(close * radius, least(1.1 * FILL * radius / wanted, size / 10.0));
+  c->size = (float)size;
+  c->inverse_size = (float)(1.0 / size);
+  c->reach2 = (float)(0.45 * 0.45 * size * size);
+  c->spacing = (float)spacing;
+  c->inverse_spacing = (float)(1.0 / spacing);
+  c->radius = (float)radius;
+  c->inverse_radius = (float)(1.0 / radius);
+  c->lattice = l % 3;
+  c->presence = (float)(65536.0 * least(wanted * spacing / (2.0 * radius * FILL), 0.95));
+  c->depth = (float)level;
+  c->ends = 1;
+  c->seed = hash1(w->seed + 0x9e3779b9u * (uint32_t)(l + 1));
+  for (uint32_t k = 0; k < 3; k++) {
+    c->offset[k] = (float)(hash1(c->seed + k) >> 8) * (1.0f / 16777216.0f);
+  }
+}
+
+/* On a yarn: strands side by side that do not end where they can be seen. */
+static void place_round(fibertex_constants *w, int l, double radius, double wanted, double level,
+                        double twist) {
+  fibertex_layer *c = &w->layer[l];
+  place_layer(w, l, 40.0 * radius, radius, 4.0, wanted, level);
+  double spacing = 4.0 * radius;
+  c->spacing = (float)spacing;
+  c->inverse_spacing = (float)(1.0 / spacing);
+  c->presence = (float)(65536.0 * least(wanted * spacing / (2.0 * radius), 0.95));
+  c->ends = 0;
+  c->twist[0] = (float)scalar_cos(twist);
+  c->twist[1] = (float)scalar_sin(twist);
+}
+
+/* A strand reaches no further than a lane's width from its lane's middle: the two
+ * lanes looked at hold all that may cover a point. */
+static void let_stray(fibertex_constants *w, fibertex_layer *c, double waver) {
+  double spacing = (double)c->spacing;
+  double thick = (double)c->radius * (1.0 + (double)w->radius_spread) / spacing;
+  double stray = least(waver * 0.85, most(1.0 - 1.2 * thick, 0.0)) * spacing;
+  c->widen_most = (float)most(least((1.0 - stray / spacing) / thick, 3.0), 1.0);
+  c->shift = (float)(0.3 * stray / 128.0);
+  c->sway = (float)((c->ends ? 0.4 : 0.6) * stray);
+  c->tilt = (float)(c->ends ? 0.3 * stray * 2.0 / (double)c->size / 128.0 : 0.0);
+  c->vague = (float)(1.8 * spacing);
+  double swing = (double)c->sway * (double)w->own_frequency, tilt = 128.0 * (double)c->tilt;
+  c->slope2 = (float)(swing * swing * WAVE_SLOPE2 * 1.053 + tilt * tilt / 3.0);
+}
+
+/* Until it is measured, the formula's own: so that the measure is of that. */
+static void set_formulas(fibertex_constants *w) {
+  for (int l = 0; l < w->layers; l++) {
+    fibertex_layer *c = &w->layer[l];
+    c->formula = 2.0f * c->radius * c->inverse_spacing * c->presence / 65536.0f;
+  }
+}
+
+/* Optical depth of a layer at most, and its lanes' distance in radii at least: strands on top
+ * need room to stray, or they look combed; below they close what is left. */
+static double densest(int k, int count) { return 0.13 + 0.42 * k / (count - 1); }
+static double closest(int k, int count) { return 8.0 - 4.6 * k / (count - 1); }
+
+/* From what is wanted to what is: the lanes' presence by a measure of full ones, and by
+ * a second what of the layers there is. */
+static void measure_layers(fibertex_constants *w, const settings *s, const fibertex_kernel *kernel,
+                           const double wanted[FIBERTEX_LAYERS]) {
+  fibertex_means full, m;
+  for (int l = 0; l < w->layers; l++) w->layer[l].presence = FULL;
+  set_formulas(w);
+  kernel->measure(w, MEASURED, &full);
+  for (int l = 0; l < w->layers; l++) {
+    fibertex_layer *c = &w->layer[l];
+    if (full.point[l] > 1e-9) c->presence = (float)least(FULL * wanted[l] / full.point[l], FULL);
+  }
+  set_formulas(w);
+  kernel->measure(w, MEASURED, &m);
+  for (int l = 0; l < w->layers; l++) {
+    /* few strands are met too seldom to be counted, but do not lie over one another */
+    double share = (double)w->layer[l].presence / FULL;
+    if (share > 0.4) continue;
+    m.point[l] = share * full.point[l];
+    m.formula[l] = share * full.formula[l];
+    m.soft[l] = m.soft[l] > 0.0 ? m.soft[l] : 0.0;
+  }
+  double above = 0.0, darkening = number_at(s, P_DARKENING);
+  for (int l = 0; l < w->layers; l++) {
+    fibertex_layer *c = &w->layer[l];
+    c->mean = (float)m.point[l];
+    c->soft = (float)m.soft[l];
+    if (m.formula[l] > 1e-9) c->formula *= (float)(m.point[l] / m.formula[l]);
+    c->ambient = (float)(1.0 - darkening * (1.0 - scalar_exp(-1.3 * above)));
+    above -= scalar_log(1.0 - least(m.point[l], 0.99));
+  }
+  /* evenly more from each to the next, which two factors tell the kernel */
+  int n = w->layers;
+  double ratio = w->structure == STRUCTURE_WOVEN ? 1.0 : densest(1, 2) / densest(0, 2);
+  double first = above / (n * 0.5 * (1.0 + ratio));
+  w->step = (float)first;
+  w->step_more = (float)(first * (ratio - 1.0) / (n - 1));
+  w->deep_above = (float)above;
+  /* what is too deep to be told apart is darker than the last that is */
+  w->deep_ambient =
+      (float)((1.0 - darkening * (1.0 - scalar_exp(-1.3 * above))) * (1.0 - 0.4 * darkening));
+  w->deep_depth = w->layer[w->layers - 1].depth;
+}
+
+static void build_shell(fibertex_constants *w, const settings *s, const fibertex_kernel *kernel) {
+  double d = 0.001 * number_at(s, P_DIAMETER), thickness = number_at(s, P_THICKNESS);
+  /* what rises out of the surface covers less of it */
+  double flat = 1.0 / __builtin_sqrt(1.0 + (double)w->lean * (double)w->lean + (double)w->rise2);
+  double total = number_at(s, P_PACKING) * thickness / (d * PI / 4.0) * flat;
+  double flown = number_at(s, P_FLYAWAY), over = flown > 0.0 ? number_at(s, P_FLYAWAY_HEIGHT) : 0.0;
+  double elevation = number_at(s, P_ELEVATION) * RADIANS, waver = number_at(s, P_WAVER);
+  double size = most(number_at(s, P_BUNDLE) * most(scalar_cos(elevation), 0.2), 6.0 * d) / 0.9;
+  double wanted[FIBERTEX_LAYERS] = {flown};
+  int bulk = flown > 0.0 ? 1 : 0, woven = w->structure == STRUCTURE_WOVEN;
+  w->layers = woven ? bulk + ON_YARN : FIBERTEX_LAYERS;
+  int count = w->layers - bulk;
+  double most_of = 0.0;
+  for (int k = 0; k < count; k++) most_of += densest(k, count);
+  double scale = least(1.0, total / most_of), seen = 0.0, shown = thickness / total;
+  if (bulk) place_layer(w, 0, 2.6 * size, 0.5 * d, 10.0, flown, 0.0);
+  for (int k = 0; k < count; k++) {
+    int l = bulk + k;
+    double each = woven ? 0.4 : scale * densest(k, count);
+    wanted[l] = 1.0 - scalar_exp(-each);
+    if (woven) {
+      double twist = number_at(s, P_TWIST) * RADIANS + 0.12 * ((k * 3) % 5 - 2.0) / 2.0;
+      place_round(w, l, 0.5 * d, wanted[l], over + d * k, twist);
+    } else { /* sizes apart, lest lattices of one layer and the next keep step */
+      double apart = 0.8 + 0.4 * (double)((k * 5) % 7) / 6.0;
+      place_layer(w, l, size * apart, 0.5 * d, closest(k, count), wanted[l],
+                  over + shown * (seen + 0.5 * each));
+      /* the lowest end where the next bundle begins: nobody sees them so sharply */
+      if (k >= count - 2) w->layer[l].reach2 *= 2.1f;
+    }
+    seen += each;
+  }
+  for (int l = 0; l < w->layers; l++) let_stray(w, &w->layer[l], waver);
+  measure_layers(w, s, kernel, wanted);
+  double rest = woven ? 40.0 : most(total - (double)w->deep_above, 0.0);
+  w->deep = (float)(1.0 - scalar_exp(-rest));
+  w->deep_above += (float)(0.5 * least(rest, 1.0));
+  w->far[0] = 0.4f * w->layer[w->layers - 1].size;
+  w->far[1] = 1.6f * w->layer[w->layers - 1].size;
+}
+
+static void build_bundles(fibertex_constants *w, const settings *s) {
+  double bundle = number_at(s, P_BUNDLE), per_mm = 0.1 * number_at(s, P_CRIMP);
+  double height = per_mm > 0.0 ? least(number_at(s, P_CRIMP_HEIGHT), 1.0 / (8.0 * per_mm)) : 0.0;
+  w->crimp = (float)height;
+  w->crimp_frequency = (float)per_mm;
+  w->own_frequency = (float)(2.2 / bundle);
+  w->contact = (float)(0.75 * number_at(s, P_DARKENING));
+  w->curl = (float)(0.7 / bundle / 128.0);
+  w->radius_spread = (float)number_at(s, P_DIAMETER_SPREAD);
+  double steep = height * per_mm, arc = 0.7 * 0.25;
+  w->slope2 = (float)(steep * steep * WAVE_SLOPE2 * 1.02 + arc * arc / 9.0);
+  double mean = number_at(s, P_ELEVATION) * RADIANS;
+  double up = least(mean + number_at(s, P_ELEVATION_SPREAD) * RADIANS, 82.0 * RADIANS);
+  w->lean = (float)tangent(mean);
+  w->rise = (float)(tangent(up) - tangent(mean));
+  w->rise2 = (float)((double)w->rise * (double)w->rise / 3.0);
+}
+
+/* ---- cloth ------------------------------------------------------------- */
+
+typedef struct {
+  int repeat, over, shift, pair;
+} weave;
+
+static const weave weaves[WEAVES] = {
+    [WEAVE_PLAIN] = {2, 1, 1, 0},     [WEAVE_BASKET] = {2, 1, 1, 1},
+    [WEAVE_TWILL_2_1] = {3, 2, 1, 0}, [WEAVE_TWILL_3_1] = {4, 3, 1, 0},
+    [WEAVE_TWILL_2_2] = {4, 2, 1, 0}, [WEAVE_SATIN] = {5, 4, 2, 0},
+};
+
+static void build_yarns(fibertex_constants *w, const settings *s) {
+  const weave *v = &weaves[choice_at(s, P_WEAVE)];
+  w->repeat = (float)v->repeat;
+  w->inverse_repeat = (float)(1.0 / v->repeat);
+  w->over = v->over;
+  w->shift = v->shift;
+  w->pair = v->pair;
+  double spacing[2] = {number_at(s, P_YARN_SPACING), number_at(s, P_WEFT_SPACING)};
+  if (spacing[1] <= 0.0) spacing[1] = spacing[0];
+  double thin = least(spacing[0], spacing[1]) * least(number_at(s, P_YARN_WIDTH), 1.0);
+  double rise = 0.3 * thin * number_at(s, P_YARN_FLATNESS), slub = number_at(s, P_SLUB);
+  /* the yarn that floats crowds over the one that it hides */
+  double over = rise * 0.9 * (2.0 * v->over / v->repeat - 1.0);
+  for (int i = 0; i < 2; i++) {
+    fibertex_yarn *y = &w->yarn[i];
+    double half = 0.5 * spacing[i] * number_at(s, P_YARN_WIDTH);
+    y->spacing = (float)spacing[i];
+    y->inverse_spacing = (float)(1.0 / spacing[i]);
+    y->half = (float)half;
+    y->inverse_half = (float)(1.0 / half);
+    y->height = (float)(0.5 * thin * number_at(s, P_YARN_FLATNESS));
+    y->rise = (float)rise;
+    y->over = (float)(i ? -over : over);
+    y->wander = (float)(0.16 * slub);
+    y->tone = (float)(0.22 * slub / 128.0);
+    y->frequency = (float)(0.11 / spacing[i]);
+  }
+  double high = rise + over + (double)w->yarn[0].height, low = 0.1 * high;
+  w->low = (float)low;
+  w->inverse_range = (float)(1.0 / (high - low));
+  w->hollow = (float)number_at(s, P_HOLLOW);
+}
+
+/* Of the three looks at a yarn under light from right above: what they face of it, and
+ * what their flanks take. */
+static double look_up(const fibertex_yarn *y, int k) {
+  double e = 0.7745967 * (k - 1), f = e * (double)y->height * (double)y->inverse_half;
+  return __builtin_sqrt((1.0 - e * e) / (f * f + 1.0 - e * e));
+}
+static double top_mean(const fibertex_yarn *y) {
+  return (5.0 * look_up(y, 0) + 8.0 * look_up(y, 1) + 5.0 * look_up(y, 2)) / 18.0;
+}
+static double flank_of(double up) { return least(0.25 + 1.1 * up, 1.0); }
+static double flank_mean(const fibertex_yarn *y) {
+  return (5.0 * flank_of(look_up(y, 0)) + 8.0 * flank_of(look_up(y, 1)) +
+          5.0 * flank_of(look_up(y, 2))) /
+         18.0;
+}
+
+/* Three places across each yarn, whose flanks face as their ellipse does. */
+static void look_at_yarns(fibertex_constants *w, const fibertex_kernel *kernel, double twist) {
+  fibertex_means m;
+  kernel->measure(w, MEASURED, &m);
+  double all = m.yarn[0] + m.yarn[1];
+  if (all < 1e-9) all = 1.0;
+  w->solid = (float)all;
+  w->looks = 6;
+  for (int k = 0; k < 6; k++) {
+    fibertex_look *o = &w->look[k];
+    int weft = k / 3;
+    const fibertex_yarn *y = &w->yarn[weft];
+    /* Gauss's places and weights for three */
+    double e = 0.7745967 * (k % 3 - 1), weight = k % 3 == 1 ? 8.0 / 18.0 : 5.0 / 18.0;
+    double f = e * (double)y->height * (double)y->inverse_half;
+    double top = __builtin_sqrt(1.0 - e * e), n = __builtin_sqrt(f * f + top * top);
+    f /= n;
+    top /= n;
+    double side[2] = {weft ? -1.0 : 0.0, weft ? 0.0 : 1.0};
+    double way[2] = {weft ? 0.0 : 1.0, weft ? 1.0 : 0.0};
+    double co = scalar_cos(twist), si = scalar_sin(twist), share = m.yarn[weft] / all;
+    for (int c = 0; c < 2; c++) {
+      o->up[c] = (float)(side[c] * f);
+      o->along[c] = (float)(way[c] * co + side[c] * top * si);
+      o->across[c] = (float)(side[c] * top * co - way[c] * si);
+    }
+    o->up[2] = (float)top;
+    o->along[2] = (float)(-f * si);
+    o->across[2] = (float)(-f * co);
+    o->share = (float)(share * weight);
+    o->lit = (float)(m.shaded[weft] / all * weight);
+    o->around = (float)(weight * m.around[weft] / all / top_mean(y));
+    o->straight = (float)(share > 0.0 ? weight * m.straight[weft] / all / flank_mean(y) : 0.0);
+    o->across2 = w->scatter + 0.02f;
+    o->up2 = w->scatter_up + 0.02f;
+    o->weft = weft;
+  }
+}
+
+/* ---- directions -------------------------------------------------------- */
+
+/* The angle from the axis below which a share t of all lie, -1 to 1. */
+static double quantile(double alignment, double t) {
+  double a = t < 0.0 ? -t : t;
+  return 0.5 * PI * t * (1.0 - alignment + alignment * 0.18 * a * a);
+}
+
+/* Variance of an angle whose tangent is spread evenly with that variance. */
+static double angle2(double slope2) {
+  double sum = 0.0, widest = __builtin_sqrt(3.0 * slope2);
+  for (int i = 0; i < 16; i++) {
+    double x = widest * (i + 0.5) / 16.0, a = x / (1.0 + 0.28 * x * x);
+    sum += a * a / 16.0;
+  }
+  return sum;
+}
+
+static void build_directions(fibertex_constants *w, const settings *s) {
+  double alignment = number_at(s, P_ALIGNMENT);
+  for (int i = 0; i < FIBERTEX_DIRECTIONS; i++) {
+    double a = quantile(alignment, (2.0 * i + 1.0) / FIBERTEX_DIRECTIONS - 1.0);
+    w->turn[0][i] = (float)scalar_cos(a);
+    w->turn[1][i] = (float)scalar_sin(a);
+  }
+  w->looks = HULL_LOOKS;
+  for (int m = 0; m < HULL_LOOKS; m++) {
+    fibertex_look *o = &w->look[m];
+    double from = quantile(alignment, 2.0 * m / HULL_LOOKS - 1.0);
+    double to = quantile(alignment, 2.0 * (m + 1) / HULL_LOOKS - 1.0);
+    double a = quantile(alignment, (2.0 * m + 1.0) / HULL_LOOKS - 1.0);
+    double steep = __builtin_sqrt(1.0 / (1.0 + (double)w->lean * (double)w->lean));
+    double out = (double)w->lean * steep, co = scalar_cos(a), si = scalar_sin(a);
+    o->along[0] = (float)(co * steep);
+    o->along[1] = (float)(si * steep);
+    o->along[2] = (float)out;
+    o->across[0] = (float)-si;
+    o->across[1] = (float)co;
+    o->up[0] = (float)(-co * out);
+    o->up[1] = (float)(-si * out);
+    o->up[2] = (float)steep;
+    o->share = o->lit = o->around = o->straight = (float)(1.0 / HULL_LOOKS);
+    o->across2 = (float)((to - from) * (to - from) / 12.0 +
+                         angle2((double)w->slope2 + (double)w->layer[1].slope2));
+    o->up2 = w->scatter_up;
+  }
+}
+
+/* ---- light ------------------------------------------------------------- */
+
+/* Amounts: docs/fiber-texture.md. property.fiber_light prints what all of it
+ * reflects, which is to stay below what comes in. */
+static void build_light(fibertex_constants *w, const settings *s) {
+  double n = number_at(s, P_IOR), f = (n - 1.0) / (n + 1.0);
+  double beta = 2.0 * number_at(s, P_ROUGHNESS) * RADIANS, tilt = number_at(s, P_TILT) * RADIANS;
+  double clear = number_at(s, P_TRANSMISSION);
+  double reflected =
+      1.9 * f * f; /* a cylinder's mean over its width, about twice that at its crest */
+  static const double width[3] = {1.0, 0.8, 1.7}, shift[3] = {-2.0, 1.0, 3.0};
+  const double amount[3] = {reflected, 0.55 * clear * (1.0 - reflected),
+                            0.12 * clear * (1.0 - reflected)};
+  for (int i = 0; i < 3; i++) {
+    double b = most(beta * width[i], 0.05);
+    w->gloss[i] = (float)amount[i];
+    w->sharp[i] = (float)(1.0 / width[i]);
+    if (i == 0) w->beta2 = (float)(b * b);
+    w->tilt[i] = (float)(shift[i] * tilt);
+  }
+  w->single = (float)(0.52 * (1.0 - 0.45 * clear));
+  w->multiple = (float)(0.42 + 0.1 * clear);
+  double alpha = least(most(2.0 * number_at(s, P_ROUGHNESS) * RADIANS, 0.08), 1.0);
+  w->strand_alpha2 = (float)(alpha * alpha);
+}
+
+int32_t fibertex_build(fibertex_constants *w, const settings *s, const float (*colours)[3],
+                       const fibertex_kernel *kernel) {
+  w->seed = seed_of(s);
+  for (int c = 0; c < 3; c++) w->offset[c] = (float)s->list[P_OFFSET].number[c];
+  w->axis[choice_at(s, P_AXIS)] = 1.0f;
+  memcpy(w->colour, colours[P_COLOUR], sizeof w->colour); /* they stand together in both */
+  w->axis_index = choice_at(s, P_AXIS);
+  w->second_share = (float)number_at(s, P_SECOND_SHARE);
+  w->second_chance = (int32_t)(256.0 * number_at(s, P_SECOND_SHARE) + 0.5);
+  w->second_share = (float)w->second_chance / 256.0f;
+  w->variation = (float)number_at(s, P_VARIATION);
+  w->structure = choice_at(s, P_STRUCTURE);
+  w->solid = 1.0f;
+  build_bundles(w, s);
+  build_directions(w, s); /* for what is measured */
+  if (w->structure == STRUCTURE_WOVEN) build_yarns(w, s);
+  build_shell(w, s, kernel);
+  w->scatter = (float)angle2((double)w->layer[w->layers - 1].slope2);
+  /* of a rise that leans, the angle is less */
+  double lean2 = 1.0 + (double)w->lean * (double)w->lean;
+  w->scatter_up = (float)angle2((double)w->rise2 / (lean2 * lean2));
+  if (w->structure == STRUCTURE_WOVEN) {
+    w->far[0] = 0.7f * w->yarn[0].spacing;
+    w->far[1] = 2.2f * w->yarn[0].spacing;
+    look_at_yarns(w, kernel, number_at(s, P_TWIST) * RADIANS);
+  } else {
+    build_directions(w, s);
+  }
+  build_light(w, s);
+  return SOZAI_OK;
+}

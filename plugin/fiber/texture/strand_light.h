@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Light on one strand: the lobes of Marschner et al., Light scattering from human
+ * hair fibers (SIGGRAPH 2003), R, TT and TRT, each of a longitudinal and an
+ * azimuthal part, and Kajiya and Kay's diffuse term (SIGGRAPH 1989) for what is
+ * scattered more often.
+ *
+ * The longitudinal part is a bell over the sum of the sines of both inclinations,
+ * which is linear in the tangent: over strands whose tangents scatter, the
+ * sum scatters about its mean, and the bell becomes a broader one. So a mean
+ * direction with a variance stands for many strands.
+ */
+#ifndef SOZAI_FIBERTEX_STRAND_LIGHT_H
+#define SOZAI_FIBERTEX_STRAND_LIGHT_H
+
+#include "../../core/maths.h"
+#include "texture.h"
+
+/* max(0, 1 - q/8)^8, which is e^-q nearly, over 2.396 sigma: a bell's density.
+ * k: 1 / sigma. */
+INLINE vf bell(vf x, vf k) {
+  vf z = x * k;
+  vf q = vmax(splat(1.0f) - z * z * splat(1.0f / 16.0f), splat(0.0f));
+  q = q * q;
+  q = q * q;
+  q = q * q;
+  return q * k * splat(1.0f / 2.39628f);
+}
+
+/* A strand's axes: along it, across it in the ground, and out of that; and the
+ * variances of the angles by which what it stands for strays across and out. */
+typedef struct {
+  vf along[3], across[3], up[3];
+  vf across2, up2;
+} strand_axes;
+
+INLINE vf strand_dot(const vf a[3], const vf b[3]) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* Radiance of a strand under light of irradiance pi, of white and of colour. */
+INLINE void strand_light(const fibertex_constants *w, const vf light[3], const vf view[3],
+                         vf between, const strand_axes *t, vf *white, vf *tinted) {
+  const vf one = splat(1.0f), zero = splat(0.0f);
+  vf shrink = one - splat(0.5f) * (t->across2 + t->up2);
+  vf sl = strand_dot(t->along, light) * shrink, sv = strand_dot(t->along, view) * shrink;
+  vf la = strand_dot(t->across, light), va = strand_dot(t->across, view);
+  vf lu = strand_dot(t->up, light), vu_ = strand_dot(t->up, view);
+  vf sl2 = t->across2 * la * la + t->up2 * lu * lu, sv2 = t->across2 * va * va + t->up2 * vu_ * vu_;
+  vf both = t->across2 * la * va + t->up2 * lu * vu_;
+  vf spread = sl2 + sv2 + both + both;
+  vf cl2 = vmax(one - sl * sl - sl2, splat(0.01f)), cv2 = vmax(one - sv * sv - sv2, splat(0.01f));
+  vf round = clamp((between - sl * sv - both) * inverse_root(cl2 * cv2), splat(-1.0f), one);
+  vf sum = sl + sv;
+  vf back = one + round, ahead = (one - round) * splat(0.5f);
+  /* the cosine of the inclination, as a polynomial of its sine: its mean is known */
+  vf x = sl * sl, fourth = x * x + splat(6.0f) * x * sl2 + splat(3.0f) * sl2 * sl2;
+  vf cosine = vmax(splat(0.985f) - splat(0.3f) * (x + sl2) - splat(0.55f) * fourth, zero);
+  /* one variance; the other lobes' bells are R's by a factor */
+  vf sharp = inverse_root(splat(w->beta2) + spread);
+  vf lobe[3];
+  for (int i = 0; i < 3; i++) {
+    lobe[i] = splat(w->gloss[i]) * bell(sum - splat(w->tilt[i]), sharp * splat(w->sharp[i]));
+  }
+  /* azimuthal parts: over all round each is 1 / 2 pi; times pi for the irradiance */
+  *white = lobe[0] * back * splat(0.5f) * cosine;
+  *tinted = (lobe[1] * ahead * ahead * splat(1.3333333f) + lobe[2] * back * splat(0.5f)) * cosine +
+            splat(w->single) * cosine;
+}
+
+#endif

@@ -1,0 +1,149 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Fibre's texture: what a created one is, numbers that never change.
+ *
+ * The way from a point on the hull to its strand (docs/fiber-texture.md)
+ *   layers      the shell below the hull, cut level by level; the ray towards
+ *               the eye meets each where parallax puts it
+ *   bundles     each layer is divided into cells of space, in which strands
+ *               lie side by side in one direction
+ *   lanes       the strands of a bundle, each with a centreline, ends, a
+ *               radius and a tone of its own; three are looked at
+ *   yarns       of a cloth: the bundles lie along yarns instead
+ * Under a footprint wider than a lane, strands give way to their bundle's
+ * mean, and bundles to the layer's: a density with directions.
+ */
+#ifndef SOZAI_FIBERTEX_TEXTURE_H
+#define SOZAI_FIBERTEX_TEXTURE_H
+
+#include <stdint.h>
+
+#include "../../core/kernel.h"
+
+/* A stage that is large, or called from several places: once in the code. */
+#define STAGE static __attribute__((noinline, unused))
+
+#define FIBERTEX_LAYERS 8
+#define FIBERTEX_DIRECTIONS 16 /* that bundles lie in: quantiles */
+#define FIBERTEX_LOOKS 6       /* directions that stand for all from afar */
+
+enum { STRUCTURE_AGGREGATE, STRUCTURE_WOVEN };
+enum { COLOUR_FIRST, COLOUR_SECOND, COLOUR_WEFT, FIBERTEX_COLOURS };
+
+/* A layer of the shell. Lengths in mm. */
+typedef struct {
+  float size, inverse_size; /* of the lattice of bundles, two to a cell */
+  float offset[3];          /* of the lattice, cells */
+  float reach2;             /* a bundle's radius, squared */
+  float spacing, inverse_spacing;
+  float radius, inverse_radius;
+  float shift, sway; /* how far a centreline lies off its lane's middle, and swings */
+  float tilt;        /* how far it drifts per mm */
+  float vague;       /* footprint from which lanes are a mean */
+  float widen_most;  /* how much broader a strand may look at a slant */
+  float depth;       /* of the layer below the hull */
+  float ambient;     /* of the light that comes from around, what reaches it */
+  float mean;        /* share that its strands cover, seen squarely */
+  float formula;     /* a bundle's mean, at its middle */
+  float soft;        /* mean nearness of strands where they do not cover */
+  float slope2;      /* variance of the strands' slope within their bundle */
+  float twist[2];    /* on a yarn: cosine and sine of the strands' angle */
+  float presence;    /* chance of a lane to have a strand, of 65536 */
+  int32_t lattice;   /* which of the turned ones */
+  int32_t ends;      /* strands end within their bundle; else they follow a yarn */
+  uint32_t seed;
+} fibertex_layer;
+
+/* One of the directions that stand for all: in the frame of the hull's axes. */
+typedef struct {
+  float along[3], across[3], up[3]; /* the strand's; out of its yarn, or the hull. unit */
+  float across2, up2;               /* variance of the angles to the directions it stands for */
+  float share;
+  float lit;      /* what of the light that comes from around reaches it, times share */
+  float around;   /* the same of light from one side */
+  float straight; /* share, less what yarns' flanks turn away */
+  int32_t weft;
+} fibertex_look;
+
+/* The yarns of one direction. Lengths in mm. */
+typedef struct {
+  float spacing, inverse_spacing; /* from one to the next */
+  float half, inverse_half;       /* width, half */
+  float height;                   /* thickness, half */
+  float rise, over;               /* how far its middle goes up and down, about what */
+  float wander, frequency;        /* unevenness, of half; 1/mm */
+  float tone;                     /* from yarn to yarn, over a byte's 128 */
+} fibertex_yarn;
+
+typedef struct {
+  int32_t structure, layers, looks;
+  float offset[3];
+  float axis[3]; /* that strands align with, object space */
+  int32_t axis_index;
+  fibertex_layer layer[FIBERTEX_LAYERS];
+  float turn[2][FIBERTEX_DIRECTIONS]; /* cosine and sine of the quantiles of direction */
+  fibertex_look look[FIBERTEX_LOOKS];
+
+  float crimp, crimp_frequency; /* shared in a bundle: mm; 1/mm */
+  float own_frequency;          /* of a strand's swing, 1/mm */
+  float curl;                   /* curvature of a bundle, 1/mm, over a byte's 128 */
+  float slope2;                 /* variance of the slope of what bundles share */
+  float scatter, scatter_up;    /* of strands about their bundle's course, when not told apart */
+  float lean, rise, rise2;      /* tangent of the elevation: mean, how far from it, variance */
+  float radius_spread;
+  float contact;         /* how much of the light strands take from what is close below */
+  float step, step_more; /* optical depth of the first layer; and what each next has more */
+  float far[2];          /* footprints between which bundles give way to the mean */
+  float deep, deep_ambient, deep_above, deep_depth; /* what is below the last layer */
+
+  /* cloth */
+  fibertex_yarn yarn[2]; /* warp, weft */
+  int32_t over, pair, shift;
+  float repeat, inverse_repeat;
+  float hollow, low, inverse_range; /* shade of furrows; their depth, and 1 over it */
+  float warp_share;                 /* of what is yarn */
+  float solid;                      /* share that is yarn */
+
+  float colour[FIBERTEX_COLOURS][3]; /* working space */
+  float second_share, variation;
+  int32_t second_chance; /* of 256 */
+
+  /* light on a strand: docs/fiber-texture.md */
+  float gloss[3], tilt[3], sharp[3]; /* of R, TT and TRT; the last over R's */
+  float beta2;                       /* R's variance */
+  float single, multiple;            /* diffuse: of light met once, and often */
+  float strand_alpha2;               /* roughness of a strand */
+  uint32_t seed;
+} fibertex_constants;
+
+/* Components of the output channels, in their order. */
+enum {
+  FIBERTEX_ALBEDO = 0,
+  FIBERTEX_RADIANCE = 3,
+  FIBERTEX_COVERAGE = 6,
+  FIBERTEX_TANGENT = 7,
+  FIBERTEX_STRAND = 10,
+  FIBERTEX_DEPTH = 11,
+  FIBERTEX_HEIGHT = 12,
+  FIBERTEX_NORMAL = 13,
+  FIBERTEX_ROUGHNESS = 16,
+  FIBERTEX_COMPONENTS = 17
+};
+
+/* Means over `count` points: of each layer's coverage at a point, of its bundles'
+ * formula, and of its strands' nearness where they do not cover; and of a cloth
+ * what share its warp and its weft show, those in the shade of furrows, and what they
+ * take of light from right above after being scattered, and straight. */
+typedef struct {
+  double point[FIBERTEX_LAYERS], formula[FIBERTEX_LAYERS], soft[FIBERTEX_LAYERS];
+  double yarn[2], shaded[2], around[2], straight[2];
+} fibertex_means;
+typedef void fibertex_measure(const fibertex_constants *w, uint32_t count, fibertex_means *out);
+
+/* One compilation of the kernel. */
+typedef struct {
+  kernel kernel;
+  fibertex_measure *measure;
+} fibertex_kernel;
+
+#endif

@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Filtering of fibre: albedo, radiance and coverage under a footprint against the
+ * mean of 1,024 points of the square that it stands for, for every preset and
+ * size of footprint.
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cmocka_all.h"
+#include "truth.h"
+
+#define PI 3.14159265358979
+enum { PLACES = 60, SIZES = 8, KINDS = 3, COVERAGE = 6 };
+static const double sizes[SIZES] = {0.003, 0.01, 0.03, 0.1, 0.3, 1, 3, 10};
+
+/* As truth_ask, under a light and from an eye that are not above. */
+static void ask(points *p, const sozai_texture *t, double size) {
+  double x = 400 * (uniform() - 0.5), y = 400 * (uniform() - 0.5), turn = PI * uniform();
+  double co = cos(turn), si = sin(turn);
+  double from[2] = {2 * PI * uniform(), 2 * PI * uniform()};
+  double sine[2] = {0.85 * sqrt(uniform()), 0.7 * sqrt(uniform())};
+  points_clear(p);
+  for (int i = 0; i <= TRUTH_SAMPLES; i++) {
+    int sample = i < TRUTH_SAMPLES;
+    double u = sample ? ((i % TRUTH_SIDE + uniform()) / TRUTH_SIDE - 0.5) * size : 0;
+    double v = sample ? ((i / TRUTH_SIDE + uniform()) / TRUTH_SIDE - 0.5) * size : 0;
+    unsigned j = points_add(p, x + u * co - v * si, y + u * si + v * co, 0, sample ? 0 : size);
+    for (int k = 0; k < 2; k++) {
+      float **to = k ? p->view : p->light;
+      to[0][j] = (float)(sine[k] * cos(from[k]));
+      to[1][j] = (float)(sine[k] * sin(from[k]));
+      to[2][j] = (float)sqrt(1 - sine[k] * sine[k]);
+    }
+  }
+  points_ask(p, t);
+}
+
+static void add(truth_errors *e, const points *p, int first, int count) {
+  for (int c = first; c < first + count; c++) {
+    double error = truth_error(p, c);
+    e->square += error * error;
+    e->mean += error;
+    e->n++;
+  }
+}
+
+static void against_1024_samples(void **state) {
+  (void)state;
+  static const char *const names[KINDS] = {"albedo", "radiance", "coverage"};
+  const sozai_texture_info *info = textures->find("fiber");
+  double worst[KINDS] = {0}, worst_mean[KINDS] = {0};
+  unsigned missed[KINDS] = {0}, missed_mean[KINDS] = {0};
+  points p = {0};
+  uniform_seed(71);
+  print_message("RMS / mean error by footprint in mm:\n%-26s", "");
+  for (unsigned f = 0; f < SIZES; f++) print_message("%16g", sizes[f]);
+  print_message("\n");
+  for (unsigned k = 0; k < info->preset_count; k++) {
+    sozai_texture *t;
+    assert_int_equal(textures->create(NULL, "fiber", info->presets[k]->id, NULL, 0, &t), SOZAI_OK);
+    truth_errors e[SIZES][KINDS];
+    memset(e, 0, sizeof e);
+    for (unsigned f = 0; f < SIZES; f++) {
+      for (int i = 0; i < PLACES; i++) {
+        ask(&p, t, sizes[f]);
+        add(&e[f][0], &p, ALBEDO, 3);
+        add(&e[f][1], &p, RADIANCE, 3);
+        add(&e[f][2], &p, COVERAGE, 1);
+      }
+    }
+    for (int kind = 0; kind < KINDS; kind++) {
+      print_message("%-17s%-9s", info->presets[k]->id, names[kind]);
+      for (unsigned f = 0; f < SIZES; f++) {
+        double rms = truth_rms(&e[f][kind]), mean = truth_mean(&e[f][kind]);
+        /* what chance gives the mean in so many places is no error of the filter's */
+        double far = fmax(fabs(mean) - 3 * rms / sqrt(PLACES), 0);
+        missed[kind] += rms > 0.01;
+        missed_mean[kind] += far > 0.002;
+        worst[kind] = fmax(worst[kind], rms);
+        worst_mean[kind] = fmax(worst_mean[kind], far);
+        print_message("  %.4f/%+.4f", rms, mean);
+      }
+      print_message("\n");
+    }
+    textures->destroy(t);
+  }
+  points_free(&p);
+  for (int kind = 0; kind < KINDS; kind++) {
+    print_message("%s: worst RMS %.4f (goal 0.01), missed by %u of %u; worst mean beyond chance "
+                  "%.4f (goal 0.002), missed by %u\n",
+                  names[kind], worst[kind], missed[kind], info->preset_count * SIZES,
+                  worst_mean[kind], missed_mean[kind]);
+  }
+  /* The goals are missed where a footprint holds some strands: docs/fiber-texture.md.
+   * What is held is that this gets no worse. */
+  static const double held[KINDS] = {0.135, 0.085, 0.1}, held_mean[KINDS] = {0.008, 0.008, 0.02};
+  static const unsigned held_missed[KINDS] = {172, 166, 62};
+  for (int kind = 0; kind < KINDS; kind++) {
+    assert_true(worst[kind] <= held[kind] && worst_mean[kind] <= held_mean[kind]);
+    assert_true(missed[kind] <= held_missed[kind]);
+  }
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {cmocka_unit_test(against_1024_samples)};
+  return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
+}
