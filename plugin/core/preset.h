@@ -18,6 +18,8 @@
   }
 #define CHOICE(name, c)                                                                            \
   { .id = name, .kind = SOZAI_KIND_CHOICE, .text = c }
+#define TEXT(name, t)                                                                              \
+  { .id = name, .kind = SOZAI_KIND_TEXT, .text = t }
 /* sRGB as 8-bit numbers */
 #define SRGB(name, r, g, b)                                                                        \
   {                                                                                                \

@@ -38,8 +38,31 @@ INLINE vf board_cut(const wood_boards *b, vf which, vf place) {
   return middle + spread * (place + place - splat(1.0f));
 }
 
+/* A sheet peeled off the log: x along it, y up the stem, its face outwards. What
+ * lay at the angle a has the length x = R a - thickness a^2 / 4 pi before it, and
+ * the radius s = sqrt(R^2 - thickness x / pi): a = 2 x / (R + s). */
+INLINE void veneer_at(const wood_constants *w, const vf p[3], wood_board *out, vf log[3]) {
+  vf zero = splat(0.0f), one = splat(1.0f), big = splat(w->peel_radius);
+  vf left = vmax(big * big - splat(w->peel_lead) * p[0], splat(0.25f)), r = vsqrt(left);
+  vf s, c, angle = (p[0] + p[0]) / (big + r);
+  sine_cosine(splat(w->peel_turn) - angle, &s, &c);
+  const vf rows[3][3] = {{s, zero, c}, {zero, one, zero}, {zero - c, zero, s}};
+  memcpy(out->turn, rows, sizeof rows);
+  memset(&out->unit, 0, sizeof out->unit);
+  out->own = splatu(0);
+  out->tone = one;
+  r = r + p[2];
+  log[0] = r * c + splat(w->shift[0]);
+  log[1] = p[1] + splat(w->shift[1]);
+  log[2] = r * s + splat(w->shift[2]);
+}
+
 /* p: object space, mm; log[3]: where that is in the board's log. */
 INLINE void board_at(const wood_constants *w, const vf p[3], vf e, wood_board *out, vf log[3]) {
+  if (w->peeled) {
+    veneer_at(w, p, out, log);
+    return;
+  }
   const wood_boards *b = &w->boards;
   vf one = splat(1.0f), zero = splat(0.0f), half = splat(0.5f);
   layout_unit *unit = &out->unit;

@@ -50,8 +50,32 @@ static double normal(uint32_t seed, uint32_t stream, uint32_t k) {
 
 /* ---- cut -------------------------------------------------------------- */
 
-static void build_cut(wood_constants *w, const settings *s) {
+static int32_t build_veneer(wood_constants *w, const settings *s) {
+  double radius = number_at(s, P_CUT_DISTANCE);
+  if (radius < 1.0) {
+    return fail(SOZAI_ERROR_RANGE,
+                "cut_distance: %.9g mm is where the knife begins with cut = rotary; 1 to 5000 mm",
+                radius);
+  }
+  if (choice_at(s, P_LAYOUT) != 0) {
+    return fail(SOZAI_ERROR_RANGE, "layout: %s of a sheet of veneer (cut = rotary); only none",
+                s->list[P_LAYOUT].text);
+  }
+  w->peeled = 1;
+  w->peel_radius = (float)radius;
+  w->peel_lead = (float)(number_at(s, P_VENEER) / (0.5 * TWO_PI));
+  /* at first the face looks as that of a flat-sawn board does */
+  w->peel_turn = (float)(TWO_PI * (0.25 + number_at(s, P_CUT_ROTATION) / 360.0));
+  w->shift[1] += (float)number_at(s, P_CUT_HEIGHT);
+  return SOZAI_OK;
+}
+
+static int32_t build_cut(wood_constants *w, const settings *s) {
   int cut = choice_at(s, P_CUT);
+  if (cut == CUT_ROTARY) {
+    for (int i = 0; i < 3; i++) w->shift[i] = (float)s->list[P_CUT_OFFSET].number[i];
+    return build_veneer(w, s);
+  }
   double angle = number_at(s, P_CUT_ROTATION) * TWO_PI / 360.0, d = number_at(s, P_CUT_DISTANCE);
   double c = scalar_cos(angle), n = scalar_sin(angle);
   /* the object's axes in the log, before the turn: columns are x, y, z */
@@ -76,6 +100,7 @@ static void build_cut(wood_constants *w, const settings *s) {
     }
     w->shift[i] = (float)shift;
   }
+  return SOZAI_OK;
 }
 
 /* ---- stem ------------------------------------------------------------- */
@@ -671,9 +696,10 @@ int32_t wood_build(wood_constants *w, const sozai_host *host, const settings *s,
                    const float (*colours)[3], const image_set *images) {
   w->seed = seed_of(s);
   for (uint32_t i = 0; i < WOOD_SEEDS; i++) w->seeds[i] = hash1(w->seed + 0x9e3779b9u * (i + 1));
-  build_cut(w, s);
+  int32_t r = build_cut(w, s);
+  if (r) return r;
   build_season(w, s);
-  int32_t r = build_grown(w, host, s, colours);
+  r = build_grown(w, host, s, colours);
   if (r) return r;
   build_grain(w, s);
   r = build_figure(w, s);

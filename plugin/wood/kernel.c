@@ -183,7 +183,7 @@ INLINE void to_log(const wood_constants *w, int boards, const block *k, const vf
 INLINE void stage_board(const wood_constants *w, int boards, const kernel_io *io, block *k,
                         vf normal[3]) {
   vf zero = splat(0.0f), id = zero, u = zero, v = zero, edge = zero, height = zero;
-  if (boards) {
+  if (boards && !w->peeled) {
     const layout_unit *unit = &k->board.unit;
     layout_height h = layout_relief(&w->boards.layout, &w->boards.profile, unit, k->s);
     id = layout_number(unit->id);
@@ -798,7 +798,7 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const kern
   if (w->has_curl || w->has_quilt || w->has_eyes) EACH(stage_figure(w, boards, &blocks[k]));
   EACH(stage_rho(w, &blocks[k]));
   if (w->knots) {
-    EACH(stage_knots(w, io, boards ? knot_shift(&blocks[k]) : splat(0.0f), &blocks[k]));
+    EACH(stage_knots(w, io, boards && !w->peeled ? knot_shift(&blocks[k]) : splat(0.0f), &blocks[k]));
   } else {
     EACH(store_lanes(io, WOOD_KNOT, &blocks[k], splat(0.0f)));
   }
@@ -896,7 +896,7 @@ static void evaluate(const void *constants, const kernel_io *io, uint32_t from, 
       k->whole = k->n == LANES && !io->in->active;
       k->knot = w->knots ? &knots[count] : NULL;
     }
-    if (w->boards.layout.kind != LAYOUT_NONE) {
+    if (w->boards.layout.kind != LAYOUT_NONE || w->peeled) {
       evaluate_boards(w, io, &want, blocks, reliefs, count);
     } else {
       evaluate_piece(w, io, &want, blocks, reliefs, count);

@@ -22,13 +22,14 @@ static const sozai_parameter object = {
    "own. Empty: the seed alone.",
    .default_text = ""};
 
-static const char *const cut_choices[] = {"log", "flat", "quarter", "rift", "end"};
+static const char *const cut_choices[] = {"log", "flat", "quarter", "rift", "end", "rotary"};
 static const char *const cut_docs[] = {
    "object space is log space: +y up the stem, the pith at x = z = 0",
    "flat-sawn: +y along the board, +z the face, square to the radius",
    "quarter-sawn: +y along the board, +x along the radius, +z the face",
    "rift-sawn: as flat, the rings at 45 degrees to the face",
-   "end grain: +z, the face, looks up the stem"};
+   "end grain: +z, the face, looks up the stem",
+   "veneer peeled off the turning log: +x along the sheet, +y up the stem, +z the face; it begins at cut_distance"};
 static const sozai_parameter cut = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_CHOICE,
    .id = "cut", .label = "Cut", .group = "cut", .unit = "",
@@ -58,6 +59,12 @@ static const sozai_parameter cut_offset = {
    .id = "cut_offset", .label = "Offset", .group = "cut", .unit = "mm",
    .doc = "Added to the point in log space, after the turn; y is the height along the stem.",
    .hard_min = -100000, .hard_max = 100000, .soft_min = -1000, .soft_max = 1000, .default_number = {0, 0, 0}};
+
+static const sozai_parameter veneer_thickness = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "veneer_thickness", .label = "Veneer thickness", .group = "cut", .unit = "mm",
+   .doc = "How much nearer to the pith the knife is after each turn of the log; for cut = rotary.",
+   .hard_min = 0.1, .hard_max = 10, .soft_min = 0.5, .soft_max = 3, .default_number = {0.8}};
 
 static const sozai_parameter ring_width = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -1032,6 +1039,7 @@ const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_CUT_HEIGHT] = &cut_height,
    [P_CUT_ROTATION] = &cut_rotation,
    [P_CUT_OFFSET] = &cut_offset,
+   [P_VENEER] = &veneer_thickness,
    [P_RING_WIDTH] = &ring_width,
    [P_RING_VARIATION] = &ring_variation,
    [P_RING_WIDTHS] = &ring_widths,

@@ -96,6 +96,9 @@ typedef struct {
   float turn[3][3];
   float shift[3];
   int32_t turned; /* 0: the rows are the axes, and there is nothing to turn */
+  int32_t peeled; /* veneer: each point has a turn of its own; see boards.h */
+  float peel_radius, peel_lead; /* mm, where the sheet begins; thickness over pi */
+  float peel_turn;              /* radians, of its beginning */
 
   /* the stem */
   float pith_amplitude, pith_frequency; /* mm, 1/mm */

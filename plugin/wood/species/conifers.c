@@ -2,23 +2,26 @@
  * Conifers: no vessels, and rays too fine to see. */
 #include "entry.h"
 
-static const sozai_value values_sugi[] = {
-    RINGS(3.4, 0.32, 0.9),
-    LATEWOOD(0.2, 0.72),
-    NUMBER("latewood_variation", 0.35),
-    NUMBER("slope_noise", 0.012),
-    CONIFER,
-    NUMBER("fibre_brightness", 0.09),
-    NUMBER("fibre_width", 0.05),
-    SRGB("earlywood_colour", 226, 176, 138),
-    SRGB("latewood_colour", 152, 86, 56),
-    SRGB("sapwood_earlywood_colour", 238, 220, 190),
-    SRGB("sapwood_latewood_colour", 198, 158, 116),
-    NUMBER("heartwood_years", 110.0),
-    NUMBER("specular", 0.05),
-    AGED(184, 128, 86, 3.0),
-    TRACHEIDS(32.0, 38.0, 12.0, 320.0),
-};
+/* clang-format off */
+#define SUGI \
+    RINGS(3.4, 0.32, 0.9), \
+    LATEWOOD(0.2, 0.72), \
+    NUMBER("latewood_variation", 0.35), \
+    NUMBER("slope_noise", 0.012), \
+    CONIFER, \
+    NUMBER("fibre_brightness", 0.09), \
+    NUMBER("fibre_width", 0.05), \
+    SRGB("earlywood_colour", 226, 176, 138), \
+    SRGB("latewood_colour", 152, 86, 56), \
+    SRGB("sapwood_earlywood_colour", 238, 220, 190), \
+    SRGB("sapwood_latewood_colour", 198, 158, 116), \
+    NUMBER("heartwood_years", 110.0), \
+    NUMBER("specular", 0.05), \
+    AGED(184, 128, 86, 3.0), \
+    TRACHEIDS(32.0, 38.0, 12.0, 320.0)
+/* clang-format on */
+
+static const sozai_value values_sugi[] = {SUGI};
 SPECIES(sugi, "Sugi, Japanese cedar (Cryptomeria japonica)",
         "A conifer: pinkish earlywood and dark, abrupt latewood.", FFPRI "; " INSIDEWOOD);
 
@@ -67,25 +70,28 @@ SPECIES(karamatsu, "Karamatsu, Japanese larch (Larix kaempferi)",
         "A conifer: orange-brown heart, with wide dark latewood abrupt in both directions.",
         FFPRI "; " GYMNOSPERMS);
 
-static const sozai_value values_akamatsu[] = {
-    RINGS(2.6, 0.32, 0.8),
-    LATEWOOD(0.25, 0.6),
-    NUMBER("latewood_variation", 0.3),
-    NUMBER("slope_noise", 0.02),
-    CONIFER,
-    NUMBER("fibre_brightness", 0.08),
-    NUMBER("fibre_width", 0.05),
-    SRGB("earlywood_colour", 226, 186, 132),
-    SRGB("latewood_colour", 174, 116, 66),
-    SRGB("sapwood_earlywood_colour", 238, 216, 172),
-    SRGB("sapwood_latewood_colour", 202, 158, 106),
-    NUMBER("heartwood_years", 100.0),
-    NUMBER("specular", 0.06),
-    AGED(194, 134, 76, 2.0),
-    TRACHEIDS(34.0, 42.0, 16.0, 430.0),
-    CANALS(0.7, 150.0),
-    SRGB("canal_colour", 206, 152, 96),
-};
+/* clang-format off */
+#define AKAMATSU \
+    RINGS(2.6, 0.32, 0.8), \
+    LATEWOOD(0.25, 0.6), \
+    NUMBER("latewood_variation", 0.3), \
+    NUMBER("slope_noise", 0.02), \
+    CONIFER, \
+    NUMBER("fibre_brightness", 0.08), \
+    NUMBER("fibre_width", 0.05), \
+    SRGB("earlywood_colour", 226, 186, 132), \
+    SRGB("latewood_colour", 174, 116, 66), \
+    SRGB("sapwood_earlywood_colour", 238, 216, 172), \
+    SRGB("sapwood_latewood_colour", 202, 158, 106), \
+    NUMBER("heartwood_years", 100.0), \
+    NUMBER("specular", 0.06), \
+    AGED(194, 134, 76, 2.0), \
+    TRACHEIDS(34.0, 42.0, 16.0, 430.0), \
+    CANALS(0.7, 150.0), \
+    SRGB("canal_colour", 206, 152, 96)
+/* clang-format on */
+
+static const sozai_value values_akamatsu[] = {AKAMATSU};
 SPECIES(akamatsu, "Akamatsu, Japanese red pine (Pinus densiflora)",
         "A conifer: yellowish, with a broad resinous latewood.", FFPRI "; " GYMNOSPERMS);
 
@@ -417,3 +423,17 @@ static const sozai_value values_southern_pine[] = {
 SPECIES(southern_pine, "Longleaf pine (Pinus palustris)",
         "A conifer: orange-yellow with latewood half of the ring, dark and abrupt.",
         HANDBOOK "; " GYMNOSPERMS);
+
+/* ---- with the knots of a grown tree ------------------------------------- */
+
+static const sozai_value values_knotty_pine[] = {AKAMATSU, TREE("akamatsu", 45.0, 6000.0),
+                                                 NUMBER("knot_size", 0.45)};
+SPECIES(knotty_pine, "Pine, knotty (Pinus densiflora)",
+        "Whorls of knots up the stem, some alive, most of them dead in a ring of bark.",
+        FFPRI "; " GYMNOSPERMS);
+
+static const sozai_value values_knotty_sugi[] = {SUGI, TREE("sugi", 45.0, 5000.0),
+                                                 SRGB("knot_colour", 150, 86, 56)};
+SPECIES(knotty_sugi, "Sugi, knotty (Cryptomeria japonica)",
+        "Many small red-brown knots all along the board: sugi that was not pruned.",
+        FFPRI "; " GYMNOSPERMS);

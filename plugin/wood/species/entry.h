@@ -80,6 +80,10 @@ SPECIES_ALL(DECLARE)
       NUMBER("cell_depth_late", 0.85 * (width)), NUMBER("cell_length", 1.2),                       \
       NUMBER("basic_density", density)
 
+/* Of the generator tree; years; mm up its stem. */
+#define TREE(species, age, height)                                                                 \
+  TEXT("tree", species), NUMBER("tree_age", age), NUMBER("log_height", height)
+
 #define SPECIES(key, name, about, literature)                                                      \
   const sozai_preset species_##key = {.size = sizeof(sozai_preset),                                \
                                       .value_count = COUNT(values_##key),                          \

@@ -104,7 +104,9 @@
   X(tsuga) \
   X(ichii) \
   X(redwood) \
-  X(southern_pine)
+  X(southern_pine) \
+  X(knotty_pine) \
+  X(knotty_sugi)
 
 #define SPECIES_FIGURED(X) \
   X(curly_maple) \
