@@ -203,8 +203,8 @@ static bool saw(saw_work *w, const session_options *shared, failure *why) {
   bool ok = grow_and_saw(w, shared, why);
   session_close(&s);
   if (ok)
-    fprintf(stderr, "sozai: %zu %s, %.1f %% of the log\n", w->plan.count,
-            w->job.plan == SAW_ROTARY ? "sheets" : "boards", w->yield);
+    fprintf(stderr, "sozai: %zu %s%s, %.1f %% of the log\n", w->plan.count,
+            w->job.plan == SAW_ROTARY ? "sheet" : "board", w->plan.count == 1 ? "" : "s", w->yield);
   return ok;
 }
 
@@ -220,7 +220,7 @@ int run_saw(int argc, char **argv) {
   saw_options *o = &w->options;
   *o = (saw_options){.plan = "live",
                      .age = 45,
-                     .log_height = 300,
+                     .log_height = 3000,
                      .log_length = 2400,
                      .kerf = 3,
                      .knot_size = 1,
@@ -234,7 +234,7 @@ int run_saw(int argc, char **argv) {
       {"seed", 0, OPTION_COUNT, &o->seed, "N", "which tree (default: 1)", 0, 4294967295.0},
       {"wood", 0, OPTION_TEXT, &o->wood, "PRESET", "of wood (default: the tree's own)", 0, 0},
       {"log-height", 0, OPTION_NUMBER, &o->log_height, "MM",
-       "of the log's lower end above the ground (default: 300)", 0, 100000},
+       "of the log's lower end above the ground (default: 3000)", 0, 100000},
       {"log-length", 0, OPTION_NUMBER, &o->log_length, "MM", "(default: 2400)", 50, 20000},
       {"plan", 0, OPTION_TEXT, &o->plan, "PLAN", "live (default), quarter, rift or rotary", 0, 0},
       {"thickness", 0, OPTION_NUMBER, &o->thickness, "MM",

@@ -54,20 +54,21 @@ static double ring_noise(uint32_t seed, double turns, uint32_t n) {
 }
 
 /* Plates with furrows between them: how far the bark goes, over its thickness. */
-static double bark_height(double turns) {
-  double plate = ring_noise(1, turns, 58), rough = ring_noise(2, turns, 240);
+static double bark_height(uint32_t seed, double turns) {
+  double plate = ring_noise(seed + 1, turns, 58), rough = ring_noise(seed + 2, turns, 240);
   double furrow = fmin(1, 2.2 * fabs(plate - 0.5));
   return 0.45 + 0.42 * furrow + 0.18 * rough;
 }
 
 static void draw_bark(const end_view *v, long i, long j, double r, double turns) {
+  uint32_t seed = v->work->options.seed * 16;
   double thick = BARK * v->work->lower, deep = r - v->work->lower;
   double share = fmin(1, fmax(0, deep / v->pixel + 0.5));
-  double end = thick * bark_height(turns), out = fmin(1, fmax(0, (end - deep) / v->pixel + 0.5));
+  double end = thick * bark_height(seed, turns), out = fmin(1, fmax(0, (end - deep) / v->pixel + 0.5));
   if (share <= 0 || out <= 0) return;
   /* a pale line of bast, then brown, darker outside, in fine layers */
   double t = fmin(1, fmax(0, deep / thick));
-  double layer = ring_noise(3 + (uint32_t)(t * 9), turns + 0.01 * t, 320);
+  double layer = ring_noise(seed + 3 + (uint32_t)(t * 9), turns + 0.01 * t, 320);
   double shade = (0.36 - 0.2 * t) * (0.7 + 0.6 * layer);
   const float rgb[3] = {(float)(shade * 1.05), (float)(shade * 0.78), (float)(shade * 0.6)};
   saw_blend(v->canvas, i, j, rgb, share * out);
@@ -103,6 +104,7 @@ static void mark_board(const end_view *v, const saw_board *b, float *waste) {
 static bool mark_boards(const end_view *v, failure *why) {
   const saw_plan *p = &v->work->plan;
   size_t n = (size_t)v->side * v->side;
+  static const float pale[3] = {1, 0.95f, 0.85f};
   float *waste = malloc(n * sizeof *waste);
   if (!waste) return fail(why, EXIT_FAILURE, "out of memory");
   for (size_t i = 0; i < n; i++) waste[i] = 1;
@@ -110,12 +112,17 @@ static bool mark_boards(const end_view *v, failure *why) {
   for (uint32_t y = 0; y < v->side; y++)
     for (uint32_t x = 0; x < v->side; x++) {
       double dx = (x + 0.5 - 0.5 * v->side) * v->pixel, dz = (0.5 * v->side - y - 0.5) * v->pixel;
+      size_t at = (size_t)y * v->side + x;
       double wood = fmin(1, fmax(0, (v->work->lower - hypot(dx, dz)) / v->pixel + 0.5));
       float *to = v->canvas->rgb + 3 * ((size_t)(v->y + y) * v->canvas->width + v->x + x);
       float grey = 0.3f * to[0] + 0.55f * to[1] + 0.15f * to[2];
-      const float dull[3] = {0.5f * grey + 0.16f, 0.5f * grey + 0.155f, 0.5f * grey + 0.15f};
-      saw_blend(v->canvas, v->x + x, v->y + y, dull,
-                0.72 * wood * (double)waste[(size_t)y * v->side + x]);
+      float dull[3];
+      for (int k = 0; k < 3; k++) dull[k] = 0.34f * grey + 0.34f * to[k] + 0.02f;
+      saw_blend(v->canvas, v->x + x, v->y + y, dull, wood * (double)waste[at]);
+      /* the upper end */
+      double off = fabs(hypot(dx, dz) - v->work->job.radius) / v->pixel;
+      double dash = fmod(atan2(dz, dx) * 24 / SAW_PI + 48, 1) < 0.55 ? 0.5 : 0;
+      saw_blend(v->canvas, v->x + x, v->y + y, pale, dash * waste[at] * fmin(1, fmax(0, 1.3 - off)));
     }
   free(waste);
   uint32_t least = v->side / 70 > 9 ? v->side / 70 : 9, most = v->side / 34;
@@ -129,23 +136,23 @@ static bool mark_boards(const end_view *v, failure *why) {
   return true;
 }
 
-/* The knife's way, turn by turn; where they would run together, every few. */
+/* The knife's way; where its turns would run together, one for every few. */
 static void mark_spiral(const end_view *v) {
   static const float ink[3] = {0.10f, 0.05f, 0.02f};
   const saw_job *job = &v->work->job;
   const saw_plan *p = &v->work->plan;
   double core = p->boards[p->count - 1].to, t = job->thickness;
-  double each = ceil(5 * v->pixel / t), turns = (job->radius - core) / t;
+  double lead = t * ceil(8 * v->pixel / t), turns = (job->radius - core) / lead;
   for (uint32_t y = 0; y < v->side; y++)
     for (uint32_t x = 0; x < v->side; x++) {
       double dx = (x + 0.5 - 0.5 * v->side) * v->pixel, dz = (0.5 * v->side - y - 0.5) * v->pixel;
       double r = hypot(dx, dz);
       /* the turn on which the knife comes by here is n + after */
-      double after = job->azimuth / 360 - atan2(dz, dx) / (2 * SAW_PI);
+      double after = 0.25 + job->azimuth / 360 - atan2(dz, dx) / (2 * SAW_PI);
       after -= floor(after);
-      double n = round(((job->radius - r) / t - after) / each) * each;
+      double n = round((job->radius - r) / lead - after);
       if (n < 0 || n + after > turns) continue;
-      double off = fabs(r - (job->radius - (n + after) * t)) / v->pixel;
+      double off = fabs(r - (job->radius - (n + after) * lead)) / v->pixel;
       saw_blend(v->canvas, v->x + x, v->y + y, ink, 0.6 * fmin(1, fmax(0, 1.1 - off)));
     }
   for (size_t i = 0; p->count > 1 && i < p->count && p->count <= MOST_NUMBERS; i++) {

@@ -41,7 +41,7 @@ static void place_sheet(const saw_face *f, double x, double y, double point[3], 
   double peeled = (f->from + x * f->pixel) * b->thickness / SAW_PI;
   double radius = sqrt(fmax(b->from * b->from - peeled, 0));
   double turns = (f->work->job.radius - radius) / b->thickness;
-  double a = (f->work->job.azimuth / 360 - fmod(turns, 1)) * 2 * SAW_PI;
+  double a = (0.25 + f->work->job.azimuth / 360 - fmod(turns, 1)) * 2 * SAW_PI;
   point[0] = radius * cos(a);
   point[1] = (f->height - y) * f->pixel;
   point[2] = radius * sin(a);

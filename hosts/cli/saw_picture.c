@@ -122,10 +122,14 @@ static void write_beside(saw_canvas *c, const saw_work *w, const layout *l, cons
 static void write_title(saw_canvas *c, const saw_work *w, uint32_t letters) {
   const saw_options *o = &w->options;
   char text[256];
+  static const char *const sawn[SAW_PLANS] = {"Live-sawn", "Quarter-sawn", "Rift-sawn",
+                                              "Rotary-cut"};
+  bool sheet = w->job.plan == SAW_ROTARY;
+  size_t n = w->plan.count;
   snprintf(text, sizeof text,
-           "%s, %g years: log of %g mm, %.0f to %.0f mm across, %s-sawn into %zu; %.0f %% of it",
+           "%s, %g years. Log of %g mm, %.0f to %.0f mm across. %s: %zu %s%s, %.0f %% of it",
            o->species, o->age, w->log.length, 2 * w->lower, 2 * w->job.radius,
-           saw_plan_names[w->job.plan], w->plan.count, w->yield);
+           sawn[w->job.plan], n, sheet ? "sheet" : "board", n == 1 ? "" : "s", w->yield);
   image_text(c->rgb, c->width, c->height, letters, 2 * letters, c->width, letters, text);
 }
 

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * Quarter-sawn: the log in four, and each quarter by turns from its two faces,
- * so that every board's rings stand at more than half a right angle to its
- * face in the middle of it. */
+ * for as long as the rings stand at 45 degrees or more to the face in its middle. */
 #include "plan.h"
 
 #include <math.h>
@@ -12,8 +11,10 @@
 static bool saw_one(saw_plan *p, const saw_job *job, double azimuth, failure *why) {
   double a = 0.5 * job->kerf, b = a, step = job->thickness + job->kerf;
   for (int failed = 0, side = 0; failed < 2; side ^= 1) {
-    double inner = side ? b : a, outer = saw_half_chord(job, (side ? a : b) + job->thickness);
-    if (outer - inner < saw_least_width(job)) {
+    double inner = side ? b : a, under = side ? a : b;
+    double outer = saw_half_chord(job, under + job->thickness);
+    bool flat = under + 0.5 * job->thickness > 0.5 * (inner + outer);
+    if (flat || outer - inner < saw_least_width(job)) {
       failed++;
       continue;
     }

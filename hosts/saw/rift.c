@@ -67,23 +67,14 @@ static bool add_round(saw_plan *p, const saw_job *job, const place *w, int n, fa
   return true;
 }
 
-/* The round that uses most of the log. */
-static int first_round(const saw_job *job, place *out) {
-  double least = saw_least_width(job), best = 0;
-  int count = 0;
-  for (int i = 1; i < 2 * OFFSETS; i++) {
-    place w = widest(job, job->radius * i / (2 * OFFSETS));
-    if (w.s1 - w.s0 < least) continue;
-    double room = 2 * SAW_PI * w.s0 / (job->thickness + job->kerf);
-    int n = room < SAW_MOST_BOARDS ? (int)room + 1 : SAW_MOST_BOARDS;
-    while (n > 0 && !round_fits(job, &w, n)) n--;
-    if (n * (w.s1 - w.s0) > best) {
-      best = n * (w.s1 - w.s0);
-      count = n;
-      *out = w;
-    }
-  }
-  return count;
+/* The widest boards at one offset, as many as there is room for round the log. */
+static int first_round(const saw_job *job, double p, place *out) {
+  *out = widest(job, p);
+  if (out->s1 - out->s0 < saw_least_width(job)) return 0;
+  double room = 2 * SAW_PI * out->s0 / (job->thickness + job->kerf);
+  int n = room < SAW_MOST_BOARDS ? (int)room + 1 : SAW_MOST_BOARDS;
+  while (n > 0 && !round_fits(job, out, n)) n--;
+  return n;
 }
 
 /* The widest that fits at one offset and turn, with its inner or its outer end
@@ -118,12 +109,29 @@ static bool next_round(const saw_plan *p, const saw_job *job, int n, place *best
   return best->s1 > best->s0;
 }
 
-bool saw_rift(saw_plan *p, const saw_job *job, failure *why) {
+static bool fill(saw_plan *p, const saw_job *job, double offset, failure *why) {
   place w;
-  int n = first_round(job, &w);
+  p->count = 0;
+  int n = first_round(job, offset, &w);
   while (n > 0) {
     if (!add_round(p, job, &w, n, why)) return false;
     if (!next_round(p, job, n, &w)) break;
   }
   return true;
+}
+
+/* Which first round leaves the best room for the others is tried. */
+bool saw_rift(saw_plan *p, const saw_job *job, failure *why) {
+  double best = 0, offset = 0;
+  for (int i = 1; i < OFFSETS; i++) {
+    failure ignored;
+    double at = job->radius * i / OFFSETS;
+    if (!fill(p, job, at, &ignored)) continue;
+    double area = saw_area(p);
+    if (area <= best) continue;
+    best = area;
+    offset = at;
+  }
+  /* too many at every offset is a failure, with its reason */
+  return fill(p, job, best > 0 ? offset : job->radius / 2, why);
 }

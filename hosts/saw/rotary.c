@@ -6,6 +6,7 @@
 
 #include <math.h>
 
+#define MOST 10.0 /* mm: as wood's veneer_thickness */
 #define CORE 45.0 /* mm: the radius that is left, or a third of the log's */
 
 double saw_sheet_length(double from, double to, double thickness) {
@@ -15,7 +16,8 @@ double saw_sheet_length(double from, double to, double thickness) {
 bool saw_rotary(saw_plan *p, const saw_job *job, failure *why) {
   double core = fmin(CORE, job->radius / 3), t = job->thickness;
   double length = saw_sheet_length(job->radius, core, t), n = 1;
-  if (t > job->radius - core) return true;
+  if (t > MOST)
+    return fail(why, EXIT_BAD_INPUT, "--thickness: a veneer of %.9g mm; 0.1 to %.9g mm", t, MOST);
   if (job->width > 0) n = ceil(length / job->width - 1e-9);
   if (n > SAW_MOST_BOARDS)
     return fail(why, EXIT_BAD_INPUT,
@@ -29,9 +31,10 @@ bool saw_rotary(saw_plan *p, const saw_job *job, failure *why) {
     /* its middle, where the recipe's x is 0 */
     double middle = sqrt(square - (i + 0.5) * share), turns = (job->radius - middle) / t;
     b.rotation = job->azimuth - 360 * fmod(turns, 1);
-    double a = b.rotation * SAW_PI / 180;
-    b.centre[0] = middle * cos(a);
-    b.centre[1] = middle * sin(a);
+    double along[2], out[2];
+    saw_board_axes(&b, along, out);
+    b.centre[0] = middle * out[0];
+    b.centre[1] = middle * out[1];
     p->boards[p->count++] = b;
   }
   return true;
