@@ -153,7 +153,7 @@ static bool draw(saw_canvas *c, const saw_work *w, layout *l, failure *why) {
   if (side > c->width / 2) side = c->width / 2;
   l->letters = letters;
   l->gap = letters / 2;
-  l->gutter = 4 * letters;
+  l->gutter = (w->plan.count > 24 ? 2 : 4) * letters;
   l->left = side + 2 * margin;
   l->top = top;
   l->width = c->width - l->left - margin;

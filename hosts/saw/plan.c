@@ -45,7 +45,7 @@ double saw_area(const saw_plan *p) {
 }
 
 double saw_least_width(const saw_job *job) {
-  double least = fmax(25, 1.5 * job->thickness);
+  double least = fmax(25, job->thickness);
   return job->width > 0 ? fmin(least, job->width) : least;
 }
 

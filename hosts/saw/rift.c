@@ -120,6 +120,13 @@ static bool fill(saw_plan *p, const saw_job *job, double offset, failure *why) {
   return true;
 }
 
+/* What a plan is worth: of two with as much wood the one of wider boards is better. */
+static double worth(const saw_plan *p) {
+  double sum = 0;
+  for (size_t i = 0; i < p->count; i++) sum += p->boards[i].width * p->boards[i].width;
+  return sum;
+}
+
 /* Which first round leaves the best room for the others is tried. */
 bool saw_rift(saw_plan *p, const saw_job *job, failure *why) {
   double best = 0, offset = 0;
@@ -127,9 +134,9 @@ bool saw_rift(saw_plan *p, const saw_job *job, failure *why) {
     failure ignored;
     double at = job->radius * i / OFFSETS;
     if (!fill(p, job, at, &ignored)) continue;
-    double area = saw_area(p);
-    if (area <= best) continue;
-    best = area;
+    double value = worth(p);
+    if (value <= best) continue;
+    best = value;
     offset = at;
   }
   /* too many at every offset is a failure, with its reason */

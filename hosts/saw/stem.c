@@ -87,9 +87,8 @@ typedef struct knot {
 } knot;
 
 static knot knot_at(const saw_stem *s, uint64_t i) {
-  double death = growth_number(&s->knots, i, "death"), shed = growth_number(&s->knots, i, "shed");
   double inclination = growth_number(&s->knots, i, "inclination");
-  (void)death; /* a dead one stands in the wood until it is shed */
+  double shed = growth_number(&s->knots, i, "shed"); /* a dead one stands in the wood till then */
   return (knot){.birth = growth_number(&s->knots, i, "birth"),
                 .end = shed < 0 ? s->age : fmin(shed, s->age),
                 .azimuth = growth_number(&s->knots, i, "azimuth"),
@@ -167,29 +166,55 @@ static bool disc_meets(const saw_log *log, const face_plane *f, const knot *k, d
          fabs(y) <= f->half_length + length * fabs(chord[1]);
 }
 
-static bool crosses(const saw_log *log, const saw_board *b, const face_plane *f, const knot *k) {
-  const double step = 0.1; /* of a year */
-  for (double year = k->birth; year <= k->end; year += step) {
+#define STEP 0.1 /* years: stems grow by less than a millimetre in it */
+
+static bool crosses(const saw_log *log, const saw_board *b, const knot *k) {
+  face_plane f = plane_of(log, b);
+  for (double year = k->birth; year <= k->end; year += STEP) {
     double u = saw_stem_radius(log->stem, k->height, year);
     double radius = log->knot_size * knot_radius(log->stem, k, year);
-    if (b->plan != SAW_ROTARY) {
-      if (disc_meets(log, f, k, u, radius)) return true;
-      continue;
-    }
+    if (disc_meets(log, &f, k, u, radius)) return true;
+  }
+  return false;
+}
+
+/* The first year in which the stem is thicker than that, where the knot is. */
+static double year_of(const saw_log *log, const knot *k, double radius) {
+  double low = k->birth, high = k->end;
+  while (high - low > 0.01) {
+    double middle = 0.5 * (low + high);
+    *(saw_stem_radius(log->stem, k->height, middle) < radius ? &low : &high) = middle;
+  }
+  return low;
+}
+
+/* The knife comes by a knot once a turn: whether it does on this sheet while
+ * the knot is there, half the knot's width earlier or later. */
+static bool peeled(const saw_log *log, const saw_board *b, const knot *k) {
+  double t = b->thickness, middle = hypot(b->centre[0], b->centre[1]);
+  double at = 0.25 + b->rotation / 360 - k->azimuth / (2 * SAW_PI); /* turns from its middle */
+  double begin = (middle - b->from) / t, end = (middle - b->to) / t;
+  double last = saw_stem_radius(log->stem, k->height, k->end);
+  for (double turn = ceil(begin - at - 1); turn <= end - at + 1; turn++) {
+    double u = middle - (turn + at) * t;
+    if (u <= 0 || u > last) continue;
+    double year = year_of(log, k, u), radius = log->knot_size * knot_radius(log->stem, k, year);
+    double grown = radius / (2 * SAW_PI * u);
     double y = k->height - log->base + u * k->rise;
-    if (u <= b->from && u >= b->to && y > -radius && y < log->length + radius) return true;
+    if (turn + at + grown >= begin && turn + at - grown <= end && y + radius > 0 &&
+        y - radius < log->length)
+      return true;
   }
   return false;
 }
 
 uint32_t saw_knots_crossing(const saw_log *log, const saw_board *b) {
   uint32_t count = 0;
-  face_plane f = plane_of(log, b);
   for (uint64_t i = 0; i < log->stem->knots.rows; i++) {
     knot k = knot_at(log->stem, i);
     double far = 2000 + fabs(k.rise) * 500;
     if (k.height < log->base - far || k.height > log->base + log->length + far) continue;
-    if (crosses(log, b, &f, &k)) count++;
+    if (b->plan == SAW_ROTARY ? peeled(log, b, &k) : crosses(log, b, &k)) count++;
   }
   return count;
 }

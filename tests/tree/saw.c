@@ -160,7 +160,7 @@ static double check_boards(const saw_job *j) {
 /* Whether even one board could be sawn: a plan may only then be empty. */
 static bool one_fits(const saw_job *j) {
   double q = j->plan == SAW_LIVE ? 0.5 * j->thickness : j->thickness + 0.5 * j->kerf;
-  double square = j->radius * j->radius - q * q, least = fmax(25, 1.5 * j->thickness);
+  double square = j->radius * j->radius - q * q, least = fmax(25, j->thickness);
   if (square <= 0) return false;
   return j->plan == SAW_LIVE ? 2 * sqrt(square) >= least
                              : sqrt(square) - 0.5 * j->kerf >= least;
