@@ -16,9 +16,9 @@
 
 /* What each board's recipe says for itself, or the log's options do. */
 static const char *const own[] = {
-    "cut",      "cut_distance", "cut_height", "cut_rotation", "cut_offset", "veneer_thickness",
-    "layout",   "tree",         "tree_age",   "tree_field",   "log_height", "knot_size",
-    "seed",     "knots",        "knot_radii", "stem_rings"};
+    "cut",    "cut_distance", "cut_height", "cut_rotation", "cut_offset", "veneer_thickness",
+    "layout", "tree",         "tree_age",   "tree_field",   "log_height", "knot_size",
+    "seed",   "knots",        "knot_radii", "stem_rings"};
 
 static bool find_plan(const char *name, int *out, failure *why) {
   for (int i = 0; i < SAW_PLANS; i++) {
@@ -59,8 +59,7 @@ static bool choose_wood(const saw_work *w, recipe *r, failure *why) {
   if (o->wood) return recipe_set_preset(r, o->wood, why);
   const sozai_texture_info *info = w->session->plugin.textures->find("wood");
   for (uint32_t i = 0; info && i < info->preset_count; i++)
-    if (strcmp(info->presets[i]->id, o->species) == 0)
-      return recipe_set_preset(r, o->species, why);
+    if (strcmp(info->presets[i]->id, o->species) == 0) return recipe_set_preset(r, o->species, why);
   return fail(why, EXIT_BAD_INPUT,
               "--wood: wood has no preset '%.80s'; name one of `sozai list`: --wood PRESET",
               o->species);
@@ -107,10 +106,11 @@ static bool measure_log(saw_work *w, failure *why) {
   w->job.radius = saw_stem_radius(&w->stem, top, age);
   double tall = saw_stem_height(&w->stem);
   if (top >= tall)
-    return fail(why, EXIT_BAD_INPUT,
-                "--log-length: the log ends %.9g mm above the ground, and the tree, %.9g years old, "
-                "is %.0f mm high",
-                top, o->age, tall);
+    return fail(
+        why, EXIT_BAD_INPUT,
+        "--log-length: the log ends %.9g mm above the ground, and the tree, %.9g years old, "
+        "is %.0f mm high",
+        top, o->age, tall);
   if (w->job.radius < 20)
     return fail(why, EXIT_BAD_INPUT,
                 "--log-length: the log's upper end, %.9g mm above the ground, has a radius of %.1f "
@@ -250,8 +250,9 @@ int run_saw(int argc, char **argv) {
       SESSION_DISPLAY_OPTIONS(shared),
       SESSION_RUN_OPTIONS(shared)};
   const command_line line = {.usage = "saw --species NAME -o DIR [options]",
-                             .about = "Saws a log of a grown tree into boards, each a .sozai file, and "
-                                      "draws the log with\nits cuts and the boards' faces.\n",
+                             .about =
+                                 "Saws a log of a grown tree into boards, each a .sozai file, and "
+                                 "draws the log with\nits cuts and the boards' faces.\n",
                              .options = options,
                              .option_count = sizeof options / sizeof options[0]};
   int parsed = options_parse(&line, argc, argv, NULL, &why), code = 0;

@@ -23,14 +23,14 @@ typedef struct saw_cut {
 typedef struct saw_work {
   saw_options options;
   session *session;
-  const recipe *wood;            /* of the log: every board has these parameters, and its own */
-  const sozai_texture *texture;  /* the log's, cut = log */
+  const recipe *wood;           /* of the log: every board has these parameters, and its own */
+  const sozai_texture *texture; /* the log's, cut = log */
   saw_stem stem;
   saw_log log;
   saw_job job;
   saw_plan plan;
-  double lower;                  /* mm: radius at the log's lower end */
-  double yield;                  /* percent of the log */
+  double lower; /* mm: radius at the log's lower end */
+  double yield; /* percent of the log */
   uint32_t crossing[SAW_MOST_BOARDS];
   double share[SAW_MOST_BOARDS]; /* of knots on the face */
 } saw_work;

@@ -8,7 +8,7 @@
 #include "samples.h"
 #include "saw_face.h"
 
-#define BARK 0.045      /* thickness over the log's radius */
+#define BARK 0.045       /* thickness over the log's radius */
 #define MOST_NUMBERS 200 /* more could not be read */
 
 /* A square of the canvas, and mm of the log to its pixel. */
@@ -64,7 +64,8 @@ static void draw_bark(const end_view *v, long i, long j, double r, double turns)
   uint32_t seed = v->work->options.seed * 16;
   double thick = BARK * v->work->lower, deep = r - v->work->lower;
   double share = fmin(1, fmax(0, deep / v->pixel + 0.5));
-  double end = thick * bark_height(seed, turns), out = fmin(1, fmax(0, (end - deep) / v->pixel + 0.5));
+  double end = thick * bark_height(seed, turns),
+         out = fmin(1, fmax(0, (end - deep) / v->pixel + 0.5));
   if (share <= 0 || out <= 0) return;
   /* a pale line of bast, then brown, darker outside, in fine layers */
   double t = fmin(1, fmax(0, deep / thick));
@@ -122,7 +123,8 @@ static bool mark_boards(const end_view *v, failure *why) {
       /* the upper end */
       double off = fabs(hypot(dx, dz) - v->work->job.radius) / v->pixel;
       double dash = fmod(atan2(dz, dx) * 24 / SAW_PI + 48, 1) < 0.55 ? 0.5 : 0;
-      saw_blend(v->canvas, v->x + x, v->y + y, pale, dash * waste[at] * fmin(1, fmax(0, 1.3 - off)));
+      saw_blend(v->canvas, v->x + x, v->y + y, pale,
+                dash * waste[at] * fmin(1, fmax(0, 1.3 - off)));
     }
   free(waste);
   uint32_t least = v->side / 70 > 9 ? v->side / 70 : 9, most = v->side / 34;

@@ -84,11 +84,8 @@ static int32_t evaluate_block(const row_job *job, uint32_t row, uint32_t first, 
     }
     in[6][i] = (float)f->pixel;
   }
-  sozai_batch b = {.size = sizeof b,
-                   .count = count,
-                   .footprint = in[6],
-                   .out = out,
-                   .out_count = components};
+  sozai_batch b = {
+      .size = sizeof b, .count = count, .footprint = in[6], .out = out, .out_count = components};
   for (int c = 0; c < 3; c++) {
     b.point[c] = in[c];
     b.normal[c] = in[c + 3];
@@ -99,7 +96,8 @@ static int32_t evaluate_block(const row_job *job, uint32_t row, uint32_t first, 
 static void evaluate_row(void *context, uint32_t row) {
   const row_job *job = context;
   const saw_face *f = job->face;
-  uint32_t components = f->work->session->plugin.textures->info_of(f->work->texture)->component_count;
+  uint32_t components =
+      f->work->session->plugin.textures->info_of(f->work->texture)->component_count;
   float rgb[3][BLOCK], knot[BLOCK];
   float **out = calloc(components, sizeof *out);
   job->results[row] = out ? SOZAI_OK : SOZAI_ERROR_MEMORY;

@@ -50,7 +50,8 @@ bool saw_folder_file(const saw_folder *f, const char *name, char out[FOLDER_PATH
 /* board-NN.sozai, as this command writes them */
 static bool is_board(const char *name) {
   size_t n = strlen(name);
-  if (n < 14 || strncmp(name, "board-", 6) != 0 || strcmp(name + n - 6, ".sozai") != 0) return false;
+  if (n < 14 || strncmp(name, "board-", 6) != 0 || strcmp(name + n - 6, ".sozai") != 0)
+    return false;
   for (const char *c = name + 6; c < name + n - 6; c++)
     if (!isdigit((unsigned char)*c)) return false;
   return true;

@@ -43,10 +43,8 @@ static bool list_tiles(layout *l, const saw_work *w, failure *why) {
     double pieces = w->plan.count > 1 ? 1 : floor(sqrt(length / across * room));
     pieces = fmin(fmax(pieces, 1), PIECES);
     for (int k = 0; k < (int)pieces; k++)
-      l->tiles[l->count++] = (tile){.board = i,
-                                    .from = length * k / pieces,
-                                    .length = length / pieces,
-                                    .across = across};
+      l->tiles[l->count++] = (tile){
+          .board = i, .from = length * k / pieces, .length = length / pieces, .across = across};
   }
   return true;
 }
@@ -128,8 +126,8 @@ static void write_title(saw_canvas *c, const saw_work *w, uint32_t letters) {
   size_t n = w->plan.count;
   snprintf(text, sizeof text,
            "%s, %g years. Log of %g mm, %.0f to %.0f mm across. %s: %zu %s%s, %.0f %% of it",
-           o->species, o->age, w->log.length, 2 * w->lower, 2 * w->job.radius,
-           sawn[w->job.plan], n, sheet ? "sheet" : "board", n == 1 ? "" : "s", w->yield);
+           o->species, o->age, w->log.length, 2 * w->lower, 2 * w->job.radius, sawn[w->job.plan], n,
+           sheet ? "sheet" : "board", n == 1 ? "" : "s", w->yield);
   image_text(c->rgb, c->width, c->height, letters, 2 * letters, c->width, letters, text);
 }
 
@@ -174,8 +172,7 @@ static bool write_png(const saw_canvas *c, const saw_work *w, const char *path, 
   static const char *const names[3] = {"R", "G", "B"};
   image_channel channels[3];
   for (int i = 0; i < 3; i++) channels[i] = (image_channel){names[i], c->rgb + i, 3, IMAGE_UINT8};
-  const image_colour space = {.srgb =
-                                  display_is_srgb(&w->session->colour, &w->session->shown)};
+  const image_colour space = {.srgb = display_is_srgb(&w->session->colour, &w->session->shown)};
   return image_write(path, c->width, c->height, channels, 3, &space, why);
 }
 

@@ -84,8 +84,8 @@ static bool in_range(const char *name, double value, double low, double high, fa
 }
 
 bool saw_plan_make(saw_plan *p, const saw_job *job, failure *why) {
-  static bool (*const plans[SAW_PLANS])(saw_plan *, const saw_job *, failure *) = {
-      saw_live, saw_quarter, saw_rift, saw_rotary};
+  static bool (*const plans[SAW_PLANS])(saw_plan *, const saw_job *,
+                                        failure *) = {saw_live, saw_quarter, saw_rift, saw_rotary};
   p->count = 0;
   if (!(job->radius >= 10 && job->radius <= 20000))
     return fail(why, EXIT_BAD_INPUT, "the log's radius of %.9g mm is outside 10 to 20000 mm",

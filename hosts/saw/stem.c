@@ -72,8 +72,8 @@ double saw_log_volume(const saw_log *log) {
   const int slices = 64;
   double sum = 0;
   for (int i = 0; i < slices; i++) {
-    double r = saw_stem_radius(log->stem, log->base + log->length * (i + 0.5) / slices,
-                               log->stem->age);
+    double r =
+        saw_stem_radius(log->stem, log->base + log->length * (i + 0.5) / slices, log->stem->age);
     sum += SAW_PI * r * r;
   }
   return sum * log->length / slices;
@@ -106,9 +106,9 @@ static double knot_radius(const saw_stem *s, const knot *k, double year) {
     const float *row = row_of(&s->radii, k->first + i);
     double at = (double)row[1], radius = (double)row[2];
     if (year <= at)
-      return at > before_year ? before + (radius - before) * fmax(0, year - before_year) /
-                                             (at - before_year)
-                              : radius;
+      return at > before_year
+                 ? before + (radius - before) * fmax(0, year - before_year) / (at - before_year)
+                 : radius;
     before_year = at;
     before = radius;
   }
@@ -137,8 +137,7 @@ static bool disc_meets(const saw_log *log, const face_plane *f, const knot *k, d
                        double radius) {
   double c = cos(k->azimuth), s = sin(k->azimuth);
   const double axis[3] = {k->cosine * c, k->cosine * k->rise, k->cosine * s};
-  const double from[3] = {u * c - f->centre[0],
-                          k->height - log->base + u * k->rise - f->centre[1],
+  const double from[3] = {u * c - f->centre[0], k->height - log->base + u * k->rise - f->centre[1],
                           u * s - f->centre[2]};
   double off = 0, lean = 0;
   for (int i = 0; i < 3; i++) {

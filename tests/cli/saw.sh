@@ -44,9 +44,9 @@ to_log() { # RECIPE: points of its object in the log, by the words of describe w
 }
 
 shows_the_log() { # RECIPE Z [SHARE of its width]
-  local size w l t
+  local size w l
   size=$(sed -n 's/^  size: \[\(.*\)\]/\1/p' "$1" | tr -d ,)
-  read -r w l t <<<"$size"
+  read -r w l _ <<<"$size"
   w=$(awk "BEGIN { print $w * ${3:-1} }")
   points "$w" "$l" "$2" >places
   { printf '%s' "$columns"; cat places; } >board.csv
@@ -63,7 +63,9 @@ shows_the_log() { # RECIPE Z [SHARE of its width]
 
 for plan in live quarter rift rotary; do
   # of veneer sheets, where x is small enough to be a float without loss
-  works saw "${quick[@]}" --plan "$plan" -o "$plan" $([[ $plan == rotary ]] && echo --width 900)
+  sheets=()
+  [[ $plan == rotary ]] && sheets=(--width 900)
+  works saw "${quick[@]}" --plan "$plan" "${sheets[@]}" -o "$plan"
   check "$plan: saw.json is JSON" "$json_check" "$plan/saw.json"
   check "$plan: the picture is finite" "$picture" finite "$plan/log.png"
   boards=$(grep -c '"board":' "$plan/saw.json")

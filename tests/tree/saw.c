@@ -162,8 +162,7 @@ static bool one_fits(const saw_job *j) {
   double q = j->plan == SAW_LIVE ? 0.5 * j->thickness : j->thickness + 0.5 * j->kerf;
   double square = j->radius * j->radius - q * q, least = fmax(25, j->thickness);
   if (square <= 0) return false;
-  return j->plan == SAW_LIVE ? 2 * sqrt(square) >= least
-                             : sqrt(square) - 0.5 * j->kerf >= least;
+  return j->plan == SAW_LIVE ? 2 * sqrt(square) >= least : sqrt(square) - 0.5 * j->kerf >= least;
 }
 
 static void sawn(int kind, int least_made) {
