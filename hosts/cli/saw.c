@@ -3,16 +3,13 @@
  * sozai saw: a log of a grown tree into boards. */
 #include "saw.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 #include "cancel.h"
 #include "commands.h"
 #include "json.h"
-#include "parallel.h"
 #include "progress.h"
-#include "saw_face.h"
 
 /* What each board's recipe says for itself, or the log's options do. */
 static const char *const own[] = {
@@ -122,29 +119,7 @@ static bool measure_log(saw_work *w, failure *why) {
 static bool make_plan(saw_work *w, failure *why) {
   if (!measure_log(w, why) || !saw_plan_make(&w->plan, &w->job, why)) return false;
   w->yield = 100 * saw_area(&w->plan) * w->log.length / saw_log_volume(&w->log);
-  for (size_t i = 0; i < w->plan.count; i++) {
-    if (cancel_requested()) return fail(why, EXIT_FAILURE, "cancelled");
-    w->crossing[i] = saw_knots_crossing(&w->log, &w->plan.boards[i]);
-  }
   return true;
-}
-
-/* Over the whole face, in squares of 3 mm or of as many as there is time for. */
-static bool measure_share(saw_work *w, size_t i, failure *why) {
-  const saw_board *b = &w->plan.boards[i];
-  double length = b->plan == SAW_ROTARY ? b->width : w->log.length;
-  double across = b->plan == SAW_ROTARY ? w->log.length : b->width;
-  double pixel = fmin(fmax(3, sqrt(length * across / 2e5)), fmin(length, across));
-  saw_face f = saw_board_face(w, b, 0, length, pixel);
-  size_t n = (size_t)f.width * f.height;
-  float *knot = malloc(n * sizeof *knot);
-  if (!knot) return fail(why, EXIT_FAILURE, "out of memory");
-  bool ok = saw_face_evaluate(&f, NULL, knot, why);
-  double sum = 0;
-  for (size_t k = 0; ok && k < n; k++) sum += (double)knot[k];
-  w->share[i] = sum / (double)n;
-  free(knot);
-  return ok;
 }
 
 static bool saw_into(saw_work *w, failure *why) {
@@ -152,7 +127,7 @@ static bool saw_into(saw_work *w, failure *why) {
   if (!saw_folder_begin(&f, w->options.output, why)) return false;
   bool ok = true;
   for (size_t i = 0; ok && i < w->plan.count; i++) {
-    ok = measure_share(w, i, why);
+    ok = saw_measure_knots(w, i, why);
     progress_show(0.5f * (float)(i + 1) / (float)w->plan.count, "sawing");
   }
   ok = ok && saw_write_files(w, &f, why) && saw_write_picture(w, &f, why);

@@ -37,6 +37,9 @@ typedef struct saw_work {
 
 saw_cut saw_cut_of(const saw_work *w, const saw_board *b);
 
+/* How many knots board i has on its face, and their share of it. */
+bool saw_measure_knots(saw_work *w, size_t i, failure *why);
+
 /* A board's file name, "board-01.sozai". */
 void saw_board_file(const saw_work *w, size_t i, char out[64]);
 

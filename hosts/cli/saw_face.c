@@ -140,3 +140,22 @@ bool saw_face_evaluate(const saw_face *f, float *rgb, float *knot, failure *why)
   free(job.results);
   return ok;
 }
+
+bool saw_knot_share(const saw_work *w, uint32_t count, float *const point[3], float *knot,
+                    failure *why) {
+  const sozai_textures_1 *textures = w->session->plugin.textures;
+  const sozai_texture_info *info = textures->info_of(w->texture);
+  uint32_t at = 0;
+  if (!component(info, "knot", &at, why)) return false;
+  float **out = calloc(info->component_count, sizeof *out);
+  if (!out) return fail(why, EXIT_FAILURE, "out of memory");
+  out[at] = knot;
+  sozai_batch b = {.size = sizeof b,
+                   .count = count,
+                   .point = {point[0], point[1], point[2]},
+                   .out = out,
+                   .out_count = info->component_count};
+  int32_t result = count ? textures->evaluate(w->texture, &b) : SOZAI_OK;
+  free(out);
+  return result == SOZAI_OK || fail(why, EXIT_FAILURE, "evaluate failed: %d", result);
+}

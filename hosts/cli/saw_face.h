@@ -26,5 +26,8 @@ saw_face saw_board_face(const saw_work *w, const saw_board *b, double from, doub
 /* rgb: 3 floats a pixel, scene-linear, top row first; knot: the share of knots.
  * Either may be NULL. */
 bool saw_face_evaluate(const saw_face *f, float *rgb, float *knot, failure *why);
+/* The same at points of the log, mm: x, y and z each. */
+bool saw_knot_share(const saw_work *w, uint32_t count, float *const point[3], float *knot,
+                    failure *why);
 
 #endif

@@ -131,50 +131,68 @@ static face_plane plane_of(const saw_log *log, const saw_board *b) {
       .half_length = 0.5 * log->length};
 }
 
-/* Whether the disc that is the knot's section, `u` from the pith and square to
- * its axis, meets the face. */
+/* The middle of what the face has of the chord that a knot's disc, `u` from the
+ * pith and square to its axis, cuts from it. false: they do not meet. */
 static bool disc_meets(const saw_log *log, const face_plane *f, const knot *k, double u,
-                       double radius) {
-  double c = cos(k->azimuth), s = sin(k->azimuth);
+                       double radius, double point[3]) {
+  double c = cos(k->azimuth), s = sin(k->azimuth), off = 0, lean = 0, square = 0;
   const double axis[3] = {k->cosine * c, k->cosine * k->rise, k->cosine * s};
   const double from[3] = {u * c - f->centre[0], k->height - log->base + u * k->rise - f->centre[1],
                           u * s - f->centre[2]};
-  double off = 0, lean = 0;
   for (int i = 0; i < 3; i++) {
     off += from[i] * f->out[i];
     lean += axis[i] * f->out[i];
   }
   double across = 1 - lean * lean; /* square of the face's normal within the disc */
-  double left = radius * radius - (across > 1e-9 ? off * off / across : 1e30);
-  if (across <= 1e-9) left = fabs(off) <= radius ? radius * radius : -1;
-  if (left < 0) return false;
-  double half = sqrt(left), a = 0, y = 0;
-  double chord[3] = {axis[1] * f->out[2] - axis[2] * f->out[1],
-                     axis[2] * f->out[0] - axis[0] * f->out[2],
-                     axis[0] * f->out[1] - axis[1] * f->out[0]};
+  if (across < 1e-6) across = 1e-6;
+  square = radius * radius - off * off / across;
+  if (square < 0) return false;
+  /* along the chord, in the face: across it and up the stem */
+  const double way[3] = {axis[1] * f->out[2] - axis[2] * f->out[1],
+                         axis[2] * f->out[0] - axis[0] * f->out[2],
+                         axis[0] * f->out[1] - axis[1] * f->out[0]};
+  double at[2] = {0, 0}, step[2] = {0, 0}, low = -sqrt(square), high = sqrt(square);
   for (int i = 0; i < 3; i++) {
-    double normal = f->out[i] - lean * axis[i];
-    double at = from[i] - (across > 1e-9 ? off / across * normal : 0);
-    a += at * f->along[i];
-    if (i == 1) y = at;
+    double foot = from[i] - off / across * (f->out[i] - lean * axis[i]);
+    at[0] += foot * f->along[i];
+    step[0] += way[i] * f->along[i] / sqrt(across);
+    if (i != 1) continue;
+    at[1] = foot;
+    step[1] = way[1] / sqrt(across);
   }
-  double length = sqrt(across) > 1e-6 ? half / sqrt(across) : 0;
-  double reach_a = 0;
-  for (int i = 0; i < 3; i++) reach_a += chord[i] * f->along[i];
-  return fabs(a) <= f->half_width + length * fabs(reach_a) &&
-         fabs(y) <= f->half_length + length * fabs(chord[1]);
+  const double half[2] = {f->half_width, f->half_length};
+  for (int i = 0; i < 2; i++) {
+    if (fabs(step[i]) < 1e-9) {
+      if (fabs(at[i]) > half[i]) return false;
+      continue;
+    }
+    double a = (-half[i] - at[i]) / step[i], b = (half[i] - at[i]) / step[i];
+    low = fmax(low, fmin(a, b));
+    high = fmin(high, fmax(a, b));
+  }
+  if (low > high) return false;
+  double t = 0.5 * (low + high);
+  for (int i = 0; i < 3; i++)
+    point[i] =
+        f->centre[i] + (at[0] + t * step[0]) * f->along[i] + (i == 1 ? at[1] + t * step[1] : 0);
+  return true;
 }
 
-#define STEP 0.1 /* years: stems grow by less than a millimetre in it */
+#define STEP 0.1   /* years: stems grow by less than a millimetre in it */
+#define BEYOND 8.0 /* mm: wood's rings may carry a knot so much farther than the tree's */
 
-static bool crosses(const saw_log *log, const saw_board *b, const knot *k) {
+static void on_board(const saw_log *log, const saw_board *b, const knot *k, uint32_t number,
+                     saw_knot_seen seen, void *context) {
   face_plane f = plane_of(log, b);
+  double point[3], bark = saw_stem_radius(log->stem, k->height, log->stem->age);
+  double last = saw_stem_radius(log->stem, k->height, k->end);
   for (double year = k->birth; year <= k->end; year += STEP) {
     double u = saw_stem_radius(log->stem, k->height, year);
     double radius = log->knot_size * knot_radius(log->stem, k, year);
-    if (disc_meets(log, &f, k, u, radius)) return true;
+    if (disc_meets(log, &f, k, u, radius, point)) seen(context, number, point);
   }
-  return false;
+  for (double u = last; u <= fmin(last + BEYOND, bark); u += 0.5)
+    if (disc_meets(log, &f, k, u, log->knot_size * k->radius, point)) seen(context, number, point);
 }
 
 /* The first year in which the stem is thicker than that, where the knot is. */
@@ -187,33 +205,32 @@ static double year_of(const saw_log *log, const knot *k, double radius) {
   return low;
 }
 
-/* The knife comes by a knot once a turn: whether it does on this sheet while
- * the knot is there, half the knot's width earlier or later. */
-static bool peeled(const saw_log *log, const saw_board *b, const knot *k) {
+/* The knife comes by a knot once a turn, and half its width earlier and later. */
+static void on_sheet(const saw_log *log, const saw_board *b, const knot *k, uint32_t number,
+                     saw_knot_seen seen, void *context) {
   double t = b->thickness, middle = hypot(b->centre[0], b->centre[1]);
   double at = 0.25 + b->rotation / 360 - k->azimuth / (2 * SAW_PI); /* turns from its middle */
   double begin = (middle - b->from) / t, end = (middle - b->to) / t;
-  double last = saw_stem_radius(log->stem, k->height, k->end);
+  double last = saw_stem_radius(log->stem, k->height, k->end) + BEYOND;
   for (double turn = ceil(begin - at - 1); turn <= end - at + 1; turn++) {
     double u = middle - (turn + at) * t;
     if (u <= 0 || u > last) continue;
-    double year = year_of(log, k, u), radius = log->knot_size * knot_radius(log->stem, k, year);
-    double grown = radius / (2 * SAW_PI * u);
-    double y = k->height - log->base + u * k->rise;
-    if (turn + at + grown >= begin && turn + at - grown <= end && y + radius > 0 &&
-        y - radius < log->length)
-      return true;
+    double radius = log->knot_size * knot_radius(log->stem, k, year_of(log, k, u));
+    double nearest = fmin(fmax(turn + at, begin), end), away = nearest - turn - at;
+    double y = fmin(fmax(k->height - log->base + u * k->rise, 0), log->length);
+    double high = y - (k->height - log->base + u * k->rise), wide = away * 2 * SAW_PI * u;
+    if (hypot(high, wide) > radius) continue;
+    double a = k->azimuth - away * 2 * SAW_PI, r = middle - nearest * t;
+    const double point[3] = {r * cos(a), y, r * sin(a)};
+    seen(context, number, point);
   }
-  return false;
 }
 
-uint32_t saw_knots_crossing(const saw_log *log, const saw_board *b) {
-  uint32_t count = 0;
+void saw_knot_places(const saw_log *log, const saw_board *b, saw_knot_seen seen, void *context) {
   for (uint64_t i = 0; i < log->stem->knots.rows; i++) {
     knot k = knot_at(log->stem, i);
     double far = 2000 + fabs(k.rise) * 500;
     if (k.height < log->base - far || k.height > log->base + log->length + far) continue;
-    if (b->plan == SAW_ROTARY ? peeled(log, b, &k) : crosses(log, b, &k)) count++;
+    (b->plan == SAW_ROTARY ? on_sheet : on_board)(log, b, &k, (uint32_t)i, seen, context);
   }
-  return count;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0
- * What a grown tree's tables say of a log from it: how thick it is, and which
- * knots a board's face crosses. */
+ * What a grown tree's tables say of a log from it: how thick it is, and where
+ * knots may cross a board's face. */
 #ifndef SOZAI_SAW_STEM_H
 #define SOZAI_SAW_STEM_H
 
@@ -30,9 +30,11 @@ double saw_stem_height(const saw_stem *s);
 /* Of the log under its bark, mm^3. */
 double saw_log_volume(const saw_log *log);
 
-/* How many knots come through the board's face; of a veneer, through what it
- * was peeled from. A knot is a cone about its pith, as wide in each year as its
- * branch was and as long as the stem was thick. */
-uint32_t saw_knots_crossing(const saw_log *log, const saw_board *b);
+/* Places in the log, mm, where a knot, a row of the table, may come through a
+ * board's face; all of one knot follow one another. A knot is taken for a cone
+ * about a straight pith, as wide in each year as its branch was and as long as the
+ * stem was thick, and a little longer: whether it is there the wood must say. */
+typedef void (*saw_knot_seen)(void *context, uint32_t knot, const double point[3]);
+void saw_knot_places(const saw_log *log, const saw_board *b, saw_knot_seen seen, void *context);
 
 #endif
