@@ -7,6 +7,7 @@
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -14,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace {
@@ -37,6 +39,19 @@ void describe(OIIO::ImageSpec &spec, const image_colour &colour) {
     spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8),
                    colour.chromaticities);
   if (colour.srgb) spec.attribute("oiio:ColorSpace", "sRGB");
+}
+
+// OpenImageIO's PNG writer does not say when the disk is full, so: a PNG's last
+// chunk is there, or there is no telling, as the path is a device or a pipe.
+bool ends(const char *path) {
+  static const unsigned char end[] = {'I', 'E', 'N', 'D', 0xae, 0x42, 0x60, 0x82};
+  struct stat status;
+  if (stat(path, &status) != 0 || !S_ISREG(status.st_mode)) return true;
+  std::unique_ptr<FILE, int (*)(FILE *)> file(std::fopen(path, "rbe"), std::fclose);
+  unsigned char last[sizeof end];
+  return file && std::fseek(file.get(), -long(sizeof last), SEEK_END) == 0 &&
+         std::fread(last, 1, sizeof last, file.get()) == sizeof last &&
+         std::memcmp(last, end, sizeof end) == 0;
 }
 
 bool write(const char *path, uint32_t width, uint32_t height, const image_channel *channels,
@@ -66,6 +81,8 @@ bool write(const char *path, uint32_t width, uint32_t height, const image_channe
   bool ok =
       output->open(path, spec) && output->write_image(OIIO::TypeDesc::FLOAT, interleaved.data());
   ok = output->close() && ok;
+  if (ok && std::strcmp(output->format_name(), "png") == 0 && !ends(path))
+    return fail(why, EXIT_FAILURE, "cannot write %s: it was cut short; the disk may be full", path);
   return ok || fail(why, EXIT_FAILURE, "cannot write %s: %s", path, output->geterror().c_str());
 }
 
