@@ -54,7 +54,7 @@ static void arguments(void **unused) {
   assert_null(g);
   assert_int_equal(t->grow(NULL, "tree", NULL, NULL, 1, &g), SOZAI_ERROR_ARGUMENT);
   assert_int_equal(t->grow(NULL, NULL, NULL, NULL, 0, &g), SOZAI_ERROR_ARGUMENT);
-  assert_null(t->info(1));
+  assert_null(t->info(2));
   assert_null(t->find("sapling"));
   assert_int_equal(t->count(), 2);
   t->release(NULL);
