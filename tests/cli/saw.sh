@@ -61,6 +61,16 @@ shows_the_log() { # RECIPE Z [SHARE of its width]
   same "$1 shows the log's wood: points of 60 that differ by more than 1e-4" "0 60" "$far"
 }
 
+# Whether a recipe's origin is the middle of the plan's board.
+stands_in_place() { # PLAN BOARD RECIPE
+  local wanted got
+  wanted=$(awk -v board="$2" '$1 == "\"board\":" { at = $2 + 0 }
+    $1 == "\"middle\":" && at == board + 0 { on = 1; next } on && /]/ { exit }
+    on { printf "%.4f ", $1 }' "$1/saw.json")
+  got=$(echo 0,0,0 | to_log "$3" | awk -F, '{ printf "%.4f %.4f %.4f ", $1, $2, $3 }')
+  same "$3 stands in the plan's place" "${wanted//-0.0000/0.0000}" "${got//-0.0000/0.0000}"
+}
+
 for plan in live quarter rift rotary; do
   # of veneer sheets, where x is small enough to be a float without loss
   sheets=()
@@ -77,6 +87,9 @@ for plan in live quarter rift rotary; do
     z=$(param "$recipe" cut | awk -v t="$(sed -n 's/.*size: .*, \([0-9.]*\)\]/\1/p' "$recipe")" '{
       print $1 == "rotary" ? 0 : t / 2 }')
     shows_the_log "$recipe" "$z"
+  done
+  for ((i = 1; i <= boards; i++)); do
+    stands_in_place "$plan" "$i" "$(printf '%s/board-%02d.sozai' "$plan" "$i")"
   done
 done
 works saw "${quick[@]}" --plan rotary -o sheet
