@@ -58,7 +58,8 @@ static void never_falls(void **unused) {
     double moved = 0;
     for (int most = 0; most < 14; most++) {
       char text[128];
-      snprintf(text, sizeof text, "mode=%s count=60 halvings=0 iterations=%d", modes[k], most);
+      snprintf(text, sizeof text, "mode=%s count=60 halvings=0 length=25 step=2 iterations=%d",
+               modes[k], most);
       sozai_geometry *g = grow(&m, text);
       sozai_table t = table_of(g, "strands");
       for (uint64_t i = 0; i < 60; i++) {
