@@ -30,7 +30,7 @@ const shot_sheet gallery_sheets[GALLERY_SHEETS] = {
     {"gallery", 15},                                  /* five species, three cuts of each */
     {"stones", 5},   {"layouts", 6}, {"finishes", 4}, /* two species, near and far */
     {"macro", 3},                                     /* of a species its three faces */
-    {"figured", 4},  {"fibers", 6}, {"knots", 4},
+    {"figured", 4},  {"fibers", 6},  {"knots", 4},
 };
 
 /* Two and a half metres before the eye and beyond, or so. */
@@ -245,12 +245,12 @@ const shot gallery_shots[] = {
     KNOTTY_BLOCK("sugi", "knotty_sugi", "sugi", "45", "5210", "Sugi of 45 years"),
     KNOTTY_BLOCK("keyaki", "keyaki", "keyaki", "70", "5300", "Keyaki of 70 years"),
     KNOTTY_BLOCK("cherry", "cherry", "cherry", "50", "3250", "Yamazakura of 50 years"),
-    KNOTTY("panel", "knotty_pine", "Knotty pine, a panel 1.2 m across", "1200x1000",
-           "layout=strip", "board_width=140", "board_length=1800"),
+    KNOTTY("panel", "knotty_pine", "Knotty pine, a panel 1.2 m across", "1200x1000", "layout=strip",
+           "board_width=140", "board_length=1800"),
     KNOTTY("board", "knotty_sugi", "Sugi, flat-sawn, 0.7 m of a board", "720x600", "cut=flat",
            "cut_distance=70"),
-    KNOTTY("spike", "knotty_pine", "A knot cut along", "240x200", "cut=quarter",
-           "cut_distance=100", "cut_rotation=114.2", "cut_height=80"),
+    KNOTTY("spike", "knotty_pine", "A knot cut along", "240x200", "cut=quarter", "cut_distance=100",
+           "cut_rotation=114.2", "cut_height=80"),
     KNOTTY("veneer", "knotty_pine", "Pine peeled off the log, 1.2 m of the sheet", "1200x1000",
            "cut=rotary", "cut_distance=110"),
     {.name = "stone",

@@ -58,5 +58,5 @@ static const char *instruction_set(const void *state) {
   return ((const fibertex_state *)state)->use.wide->name;
 }
 
-const material fibertex_material = {describe, sizeof(fibertex_state), build, evaluate,
-                                    instruction_set, NULL, NULL};
+const material fibertex_material = {
+    describe, sizeof(fibertex_state), build, evaluate, instruction_set, NULL, NULL};
