@@ -75,6 +75,18 @@ INLINE vf knot_grown(const wood_knot *k, vf tau) {
   return splat(2.0f) * tau / (straight + vsqrt(straight * straight + splat(4.0f * k->q) * tau));
 }
 
+/* Up to where it was left when it broke off: rounded, and aslant. */
+typedef struct {
+  vf end, by_d, by_a, by_h; /* rho, and its derivatives */
+} knot_stub;
+
+INLINE knot_stub knot_stub_of(const wood_knot *k, vf a, vf h, vf d) {
+  vf zero = splat(0.0f), ca = splat(KNOT_SLANT * k->check_c), ch = splat(KNOT_SLANT * k->check_s);
+  vf round = splat(KNOT_ROUND * k->inverse_radius) * d;
+  return (knot_stub){splat(k->end) - round * d - ca * a - ch * h, zero - round - round, zero - ca,
+                     zero - ch};
+}
+
 /* Length of row g within the surface. */
 INLINE vf knot_extent(const vf g[3], const vf n[3], int ball) {
   vf square = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
@@ -121,8 +133,9 @@ INLINE void knot_see(const wood_knots *all, const wood_knot *k, const knot_secti
 
   /* the part of the footprint along the knot in which there is one; its middle */
   vf wu = vmax(s * knot_extent(row_u, n, ball), splat(0.2f));
+  vf end = knot_stub_of(k, o->a, o->h, vmin(o->d, splat(k->radius))).end;
   vf low = vmax(splat(-0.5f) * wu, zero - o->u);
-  vf high = vmin(vmin(half * wu, splat(k->end) - rho), splat(k->reach) - o->u);
+  vf high = vmin(vmin(half * wu, end - rho), splat(k->reach) - o->u);
   vf along = clamp01((high - low) / wu), there = rho + half * (low + high);
   vf front = vmin(there, dead);
   vf tau = vmax(front - splat(k->born), splat(0.05f)) * splat(k->inverse_length);
@@ -137,7 +150,7 @@ INLINE void knot_see(const wood_knots *all, const wood_knot *k, const knot_secti
   if (any(gt(shell, zero))) {
     skin = vmax(knot_share(&q, shell) * seen - share, zero);
     /* and over the end of what is left of it */
-    vf past = vabs(rho - splat(k->end) - half * shell), e = wu + splat(0.2f);
+    vf past = vabs(rho - end - half * shell), e = wu + splat(0.2f);
     vf cap = clamp01(half - (past - half * shell) / e) * vmin(shell / e, one) * weight;
     q.radius = splat(k->radius);
     skin = vmax(skin, cap * knot_share(&q, zero));

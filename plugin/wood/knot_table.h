@@ -19,6 +19,9 @@
 /* Width of the collar to the sides, in radii, and what is more above and below. */
 #define KNOT_WIDE 0.8f
 #define KNOT_WIDE_RISING 2.4f
+/* How a stub's end is rounded over its radius, and how far aslant. */
+#define KNOT_ROUND 0.5f
+#define KNOT_SLANT 0.45f
 #define KNOT_LEVELS 5
 #define KNOT_COARSE 2 /* the level whose cells say what wide footprints see */
 

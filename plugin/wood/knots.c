@@ -119,7 +119,9 @@ static int make_knot(wood_knot *k, const wood_constants *w, const knot_source *f
   k->q = (float)slowing(&c, row, born, length, radius);
   k->death = (float)(lives ? NEVER : end);
   k->end = (float)(stays ? NEVER : rho_in(&c, (double)row[KNOT_SHED]));
-  if (k->end < k->death + 0.5f && !lives) k->end = k->death + 0.5f;
+  /* no part of the stub's end lies within what it was when it died */
+  double stub = end + 1.1 * (double)(KNOT_ROUND + KNOT_SLANT) * radius;
+  if (!stays && (double)k->end < stub) k->end = (float)stub;
   double reach = 1.2 * now + 20.0;
   /* a scar closes within three radii */
   if (!stays && (double)k->end + 12.0 * radius < reach) reach = (double)k->end + 12.0 * radius;

@@ -54,7 +54,8 @@ INLINE void knot_bend(const wood_knots *all, const wood_knot *k, const knot_sect
   /* after its death, and after it fell */
   vf relax = splat(0.6f * k->inverse_radius), after = vmax(rho - dead, zero) * relax;
   vf fade = one / (one + after * after), fade_rho = zero - two * after * relax * fade * fade;
-  vm gone = lt(splat(k->end), rho), there = and_(near, not_(gone));
+  knot_stub stub = knot_stub_of(k, a, h, d);
+  vm gone = lt(stub.end, rho), there = and_(near, not_(gone));
   vf keep = one - smooth_step(splat(2.0f * k->radius), splat(6.0f * k->radius), s);
 
   /* the collar, deeper above and below than at the sides */
@@ -76,19 +77,23 @@ INLINE void knot_bend(const wood_knots *all, const wood_knot *k, const knot_sect
   vf by_g = zero - sel(in, splat(k->high_rising) * d, fade * hill_g);
 
   /* the scar closes */
-  vf fresh = clamp01(one - (rho - splat(k->end)) * splat(0.5f * k->inverse_radius));
+  vf fresh = clamp01(one - (rho - stub.end) * splat(0.5f * k->inverse_radius));
   vf within = vmax(one - e * e, zero), dent = splat(0.4f * k->radius) * keep;
   vm scar = and_(near, and_(gone, gt(within, zero)));
+  vf stub_less = zero;
   if (any(scar)) {
     vf closing = within * within * fresh * fresh;
     new_rho = sel(scar, new_rho + dent * closing, new_rho);
     vf less = dent * within * within * fresh * splat(k->inverse_radius);
     by_rho = sel(scar, by_rho - less, by_rho);
+    stub_less = sel(scar, less, zero);
     vf inward = splat(-4.0f) * dent * within * e * splat(k->inverse_radius) * fresh * fresh;
     by_d = sel(scar, by_d + inward, by_d);
   }
 
-  vf by_a = by_d * da - by_g * steep * h, by_h = by_d * dh + by_g * steep * a;
+  by_d = by_d + stub_less * stub.by_d;
+  vf by_a = by_d * da - by_g * steep * h + stub_less * stub.by_a;
+  vf by_h = by_d * dh + by_g * steep * a + stub_less * stub.by_h;
   vm touched = and_(near, or_(or_(in, scar), gt(v, zero)));
 
   /* the fibres part */

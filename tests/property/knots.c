@@ -100,7 +100,8 @@ static void radius_bark_and_scar(void **state) {
     }
     /* oblong, by a seventh at most: its height is within 7 % of the circle's */
     double radius = 0.2 * (z < dead ? z : dead);
-    if (z < gone) {
+    /* its end is rounded and aslant, by 0.95 radii at most */
+    if (z < gone - 0.95 * radius) {
       worst = fmax(worst, fabs(edge / radius - 1));
       if (z > dead + 5) bark = fmax(bark, fabs(skin - 1.5));
     } else if (z > gone + 3) {
