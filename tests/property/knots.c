@@ -222,6 +222,36 @@ static void branches_cross_the_board(void **state) {
         crossings, off, missed);
 }
 
+/* Two branches that were measured, one to the south and one to the east. */
+static void a_measured_tree(void **state) {
+  (void)state;
+  static const char field[] =
+      "trunk\n50 0 90 20\n50 0 90 19\n50 0 90 18\nB100\n0\n60 180 30 3\nB200\n0\n0\n60 90 0 2\n";
+  const sozai_value values[] = {{.id = "tree_field", .kind = SOZAI_KIND_TEXT, .text = field},
+                                {.id = "tree_age", .kind = SOZAI_KIND_FLOAT, .number = {25}},
+                                {.id = "log_height", .kind = SOZAI_KIND_FLOAT, .number = {0}},
+                                {.id = "pith_wander", .kind = SOZAI_KIND_FLOAT, .number = {0}},
+                                {.id = "taper", .kind = SOZAI_KIND_FLOAT, .number = {0}}};
+  sozai_texture *t = NULL;
+  int32_t r = textures->create(NULL, "wood", "sugi", values, 5, &t);
+  if (r) fail_msg("%s", textures->last_error());
+  /* at their places, and as far on the other sides of the stem */
+  const double at[][3] = {
+      {0, 500 + 50 * tan(PI / 6), 50}, {50, 1000, 0}, {0, 500, -50}, {-50, 1000, 0}};
+  points p = {0};
+  for (int i = 0; i < 4; i++) points_add(&p, at[i][0], at[i][1], at[i][2], 0);
+  points_ask(&p, t);
+  for (int i = 0; i < 4; i++) {
+    print_message("(%g, %g, %g): knot %g, year %.1f\n", at[i][0], at[i][1], at[i][2],
+                  (double)p.out[KNOT][i], (double)p.out[TIME][i]);
+    assert_int_equal(p.out[KNOT][i] > 0.99f, i < 2);
+    if (i < 2)
+      assert_true(fabs((double)p.out[REFERENCE][i] + (double)p.out[REFERENCE + 1][i]) < 0.5);
+  }
+  points_free(&p);
+  textures->destroy(t);
+}
+
 /* ---- fibres and rings --------------------------------------------------- */
 
 static void a_walk_stays_on_its_fibre(void **state) {
@@ -403,13 +433,11 @@ static int setup(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(radius_bark_and_scar),
-      cmocka_unit_test(axis_and_years),
-      cmocka_unit_test(branches_cross_the_board),
-      cmocka_unit_test(rings_never_cross),
-      cmocka_unit_test(a_walk_stays_on_its_fibre),
-      cmocka_unit_test(against_1024_samples),
-      cmocka_unit_test(refusals),
+      cmocka_unit_test(radius_bark_and_scar),     cmocka_unit_test(axis_and_years),
+      cmocka_unit_test(branches_cross_the_board), cmocka_unit_test(a_measured_tree),
+
+      cmocka_unit_test(rings_never_cross),        cmocka_unit_test(a_walk_stays_on_its_fibre),
+      cmocka_unit_test(against_1024_samples),     cmocka_unit_test(refusals),
   };
   return cmocka_run_group_tests(tests, setup, wood_teardown);
 }
