@@ -431,19 +431,23 @@ INLINE void section_arc_row(const block *k, vf a[3]) {
   }
 }
 
-/* The footprint over (arc, rho) of the reference section. */
-INLINE footprint2 footprint_in_section(const kernel_io *io, const block *k) {
-  vf a[3];
+/* Rows of the map from surface to arc and rho of the reference section; in a knot,
+ * to its own. */
+INLINE void section_rows(const block *k, vf a[3], vf b[3]) {
   section_arc_row(k, a);
-  if (!k->knot || !any(gt(k->knot->inside, splat(0.0f)))) {
-    return footprint_through(a, k->b, k->nrm, !io->in->normal[0], k->s);
-  }
-  vf b[3];
+  for (int c = 0; c < 3; c++) b[c] = k->b[c];
+  if (!k->knot) return;
   vm in = gt(k->knot->inside, splat(0.0f));
   for (int c = 0; c < 3; c++) {
     a[c] = sel(in, k->knot->round[c], a[c]);
-    b[c] = sel(in, k->knot->out[c], k->b[c]);
+    b[c] = sel(in, k->knot->out[c], b[c]);
   }
+}
+
+/* The footprint over them. */
+INLINE footprint2 footprint_in_section(const kernel_io *io, const block *k) {
+  vf a[3], b[3];
+  section_rows(k, a, b);
   return footprint_through(a, b, k->nrm, !io->in->normal[0], k->s);
 }
 

@@ -76,15 +76,21 @@ INLINE void surface_place_of(const wood_constants *w, int boards, const kernel_i
                              surface_place *p) {
   stem_row(k);
   vf slope, one = splat(1.0f), widen = one + outline_at(w, k->c, k->sn, &slope);
-  vf rho2 = splat(0.0f), along_normal = rho2;
-  section_arc_row(k, p->arc);
-  k->f = footprint_through(p->arc, k->b, k->nrm, !io->in->normal[0], k->s);
+  vf rho2 = splat(0.0f), along_normal = rho2, b[3];
+  section_rows(k, p->arc, b);
+  k->f = footprint_through(p->arc, b, k->nrm, !io->in->normal[0], k->s);
+  if (k->knot) {
+    /* a branch's section is round */
+    vm in = gt(k->knot->inside, splat(0.0f));
+    widen = sel(in, one, widen);
+    slope = sel(in, splat(0.0f), slope);
+  }
   vf xr = widen * k->c, zr = widen * k->sn;
   vf xa = slope * k->c - zr, za = slope * k->sn + xr;
   for (int c = 0; c < 3; c++) {
     p->rho[c] = k->b[c];
-    p->along_x[c] = k->b[c] * xr + p->arc[c] * xa;
-    p->along_z[c] = k->b[c] * zr + p->arc[c] * za;
+    p->along_x[c] = b[c] * xr + p->arc[c] * xa;
+    p->along_z[c] = b[c] * zr + p->arc[c] * za;
     rho2 = rho2 + k->b[c] * k->b[c];
     along_normal = along_normal + k->b[c] * k->nrm[c];
   }
