@@ -49,10 +49,11 @@ static bool draw_each(session *s, const figure *list, size_t count, const char *
 }
 
 static bool known(const char *only) {
-  const figure *const lists[] = {wood_figures, stone_figures, tree_figures, fiber_figures};
+  const figure *const lists[] = {wood_figures, stone_figures, tree_figures, fiber_figures,
+                                 sawn_figures};
   const size_t counts[] = {wood_figure_count, stone_figure_count, tree_figure_count,
-                           fiber_figure_count};
-  for (int k = 0; k < 4; k++)
+                           fiber_figure_count, sawn_figure_count};
+  for (int k = 0; k < 5; k++)
     for (size_t i = 0; i < counts[k]; i++)
       if (strncmp(lists[k][i].name, only, strlen(only)) == 0) return true;
   return false;

@@ -80,8 +80,8 @@ check "names in any case of letters" "$sozai" render "${small[@]}" --display srg
 check "they are the same" cmp standard.png case.png
 
 # ---- figures --------------------------------------------------------------------------
-works figures -o figures
-works figures --view Raw -o figures-raw
+works figures wood -o figures
+works figures wood --view Raw -o figures-raw
 check "figures through a view" not cmp -s figures/wood-07.png figures-raw/wood-07.png
 check "ink is no colour" cmp figures/wood-05.png figures-raw/wood-05.png
 check "figures say that they are sRGB" grep -q sRGB <(chunks figures/wood-07.png)
