@@ -108,7 +108,7 @@ for plan in live quarter rift; do
   for ((i = 1; i <= $(grep -c '"board":' "$plan/saw.json"); i++)); do
     knots=$(number "$plan" knots "$i") share=$(number "$plan" knot_share "$i")
     check "$plan: board $i: $knots knots, a share of $share" \
-      awk "BEGIN { exit !($knots > 0 ? $share > 0 && $share < 0.3 : $share < 1e-4) }"
+      awk "BEGIN { exit !($knots > 0 ? $share > 0 && $share < 0.3 : $share < 5e-4) }"
     ((knots > 0)) && with=$((with + 1))
   done
   check "$plan: some boards have knots: $with" test "$with" -gt 1
