@@ -4,9 +4,9 @@
  */
 #include "parameters.h"
 
-#include "catalogue.h"
+#include "../generator_parameters.h"
 
-#define COUNT(a) (sizeof(a) / sizeof((a)[0]))
+#include "catalogue.h"
 
 static const char *const mode_choices[] = {"field", "exact", "literal"};
 static const char *const mode_docs[] = {"distances from a field of exact ones",
@@ -17,64 +17,6 @@ static const char *const contact_docs[] = {"strands pass through one another, as
                                            "pushed apart whole",
                                            "pushed apart, and bent where they touch"};
 
-#define N_(name, i, l, g, u, h0, h1, s0, s1, d, t)                                                 \
-  static const sozai_parameter p_##name = {.size = sizeof(sozai_parameter),                        \
-                                           .kind = SOZAI_KIND_FLOAT,                               \
-                                           .id = i,                                                \
-                                           .label = l,                                             \
-                                           .group = g,                                             \
-                                           .unit = u,                                              \
-                                           .doc = t,                                               \
-                                           .hard_min = h0,                                         \
-                                           .hard_max = h1,                                         \
-                                           .soft_min = s0,                                         \
-                                           .soft_max = s1,                                         \
-                                           .default_number = {d}};
-#define I_(name, i, l, g, u, h0, h1, s0, s1, d, t)                                                 \
-  static const sozai_parameter p_##name = {.size = sizeof(sozai_parameter),                        \
-                                           .kind = SOZAI_KIND_INT,                                 \
-                                           .id = i,                                                \
-                                           .label = l,                                             \
-                                           .group = g,                                             \
-                                           .unit = u,                                              \
-                                           .doc = t,                                               \
-                                           .hard_min = h0,                                         \
-                                           .hard_max = h1,                                         \
-                                           .soft_min = s0,                                         \
-                                           .soft_max = s1,                                         \
-                                           .default_number = {d}};
-#define C_(name, i, l, g, list, d, t)                                                              \
-  static const sozai_parameter p_##name = {.size = sizeof(sozai_parameter),                        \
-                                           .kind = SOZAI_KIND_CHOICE,                              \
-                                           .id = i,                                                \
-                                           .label = l,                                             \
-                                           .group = g,                                             \
-                                           .unit = "",                                             \
-                                           .doc = t,                                               \
-                                           .choices = list##_choices,                              \
-                                           .choice_docs = list##_docs,                             \
-                                           .choice_count = COUNT(list##_choices),                  \
-                                           .default_number = {d}};
-#define B_(name, i, l, g, k, t)                                                                    \
-  static const sozai_parameter p_##name = {.size = sizeof(sozai_parameter),                        \
-                                           .kind = SOZAI_KIND_BUFFER,                              \
-                                           .id = i,                                                \
-                                           .label = l,                                             \
-                                           .group = g,                                             \
-                                           .unit = "",                                             \
-                                           .doc = t,                                               \
-                                           .buffer_kind = k};
-#define X3_(name, i, l, g, a, b, c, t)                                                             \
-  static const sozai_parameter p_##name = {.size = sizeof(sozai_parameter),                        \
-                                           .kind = SOZAI_KIND_FLOAT3,                              \
-                                           .id = i,                                                \
-                                           .label = l,                                             \
-                                           .group = g,                                             \
-                                           .unit = "",                                             \
-                                           .doc = t,                                               \
-                                           .hard_max = 1,                                          \
-                                           .soft_max = 1,                                          \
-                                           .default_number = {a, b, c}};
 FIBER_PARAMETERS(N_, I_, C_, B_, X3_)
 
 #define AT_(name, ...) [F_##name] = &p_##name,
