@@ -110,22 +110,12 @@ static void expect(const answer *a, const answer *wanted) {
 
 /* One instruction set against the reference, in every way. */
 static void every_way(const char *cpu, const answer *some, const answer *many) {
-  static const unsigned batches[] = {1, 2, 3, 5, 16, 17, 1000, 4096};
+  static const unsigned batches[] = {1, 3, 17, 1000, 4096};
   static const struct {
     unsigned batch, threads;
     const char *ways;
-  } ways[] = {{4096, 2, ""},
-              {17, 5, ""},
-              {1000, 5, "misaligned"},
-              {3, 1, "misaligned"},
-              {4096, 1, "masked"},
-              {5, 2, "masked"},
-              {1, 1, "masked"},
-              {4096, 1, "subset"},
-              {16, 5, "subset"},
-              {1, 2, "subset"},
-              {1000, 2, "misaligned masked subset"},
-              {17, 5, "misaligned masked subset"}};
+  } ways[] = {{4096, 2, ""},       {16, 5, "misaligned"}, {5, 2, "masked"},
+              {4096, 1, "subset"}, {2, 5, "subset"},      {1000, 5, "misaligned masked subset"}};
   answer a;
   int code = run(cpu, 0, SOME / SHARE, 4096, 1, "", &a);
   if (code == SKIPPED) return;
@@ -139,9 +129,7 @@ static void every_way(const char *cpu, const answer *some, const answer *many) {
     expect(&a, some);
   }
   if (strcmp(cpu, "scalar") == 0) return;
-  failures += run(cpu, 0, MANY / SHARE, 4096, 2, "", &a) != 0;
-  expect(&a, many);
-  failures += run(cpu, 0, MANY / SHARE, 1000, 1, "misaligned", &a) != 0;
+  failures += run(cpu, 0, MANY / SHARE, 1000, 2, "misaligned", &a) != 0;
   expect(&a, many);
 }
 
@@ -190,9 +178,10 @@ static void same_as_other_processor(void **unused) {
   for (int i = 0; i < 2; i++) {
     failures += run(other[i], 1, FEW, 4096, 1, "", &a) != 0;
     expect(&a, &few);
-    failures += run(other[i], 1, FEW, 3, 1, "misaligned masked", &a) != 0;
-    expect(&a, &few);
   }
+  /* the ways that are not the processor's are shown at home */
+  failures += run(other[1], 1, FEW, 3, 1, "misaligned masked", &a) != 0;
+  expect(&a, &few);
   assert_int_equal(failures, 0);
 }
 
