@@ -46,16 +46,27 @@ INLINE void cells_centre(vu h, const vf f[3], int dx, int dy, int dz, vf x[3]) {
   x[2] = to_float((vi)((h >> 2) & splatu(1023u))) * splat(k) + (splat((float)dz + o) - f[2]);
 }
 
-/* The nearest two, by power distance, of the 27 cells about the point. */
+/* Cell n of the 27 about a point, 0 to 26: how many cells on it is. */
+INLINE void cells_step(vi n, vi d[3]) {
+  /* n / 9 and n / 3 of small numbers */
+  vi z = (n * splati(57)) >> 9, rest = n - z * splati(9);
+  vi y = (rest * splati(11)) >> 5, x = rest - y * splati(3);
+  d[0] = x - splati(1);
+  d[1] = y - splati(1);
+  d[2] = z - splati(1);
+}
+
+/* The nearest two, by power distance, of the 27 cells about the point. Which cell
+ * it is stands in the lowest bits of its distance, 4e-6 of it: then two minima and
+ * a maximum keep the two, where cells' numbers and hashes would take a choice each. */
 STAGE void cells_find(const stone_cells *c, const vf q[3], cells_near *first, cells_near *second) {
   vf f[3];
   vi whole[3];
   for (int k = 0; k < 3; k++) f[k] = q[k] - vfloor(q[k], &whole[k]);
   vf d1 = splat(1e30f), d2 = d1, weight = splat(c->grading / 63.0f);
-  vu h1 = splatu(0), h2 = h1;
-  vi c1 = splati(13), c2 = c1;
   vu at = (vu)whole[0] * splatu(HASH_X) + (vu)whole[1] * splatu(HASH_Y) +
           (vu)whole[2] * splatu(HASH_Z) + splatu(c->seed);
+  UNROLL(27)
   for (int n = 0; n < 27; n++) {
     int dx = n % 3 - 1, dy = n / 3 % 3 - 1, dz = n / 9 - 1;
     vu h = hash_mix(at +
@@ -63,30 +74,27 @@ STAGE void cells_find(const stone_cells *c, const vf q[3], cells_near *first, ce
     vf x[3];
     cells_centre(h, f, dx, dy, dz, x);
     vf d = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + to_float((vi)(h & splatu(63u))) * weight;
-    vm nearest = lt(d, d1), near = lt(d, d2);
-    d2 = sel(nearest, d1, sel(near, d, d2));
-    h2 = (vu)seli(nearest, (vi)h1, seli(near, (vi)h, (vi)h2));
-    c2 = seli(nearest, c1, seli(near, splati(n), c2));
-    d1 = sel(nearest, d, d1);
-    h1 = (vu)seli(nearest, (vi)h, (vi)h1);
-    c1 = seli(nearest, splati(n), c1);
+    /* never denormal, which some hosts have flushed to zero */
+    vf key = float_of((bits_of(d + splat(1e-6f)) & splati(~31)) | splati(n));
+    d2 = vmin(d2, vmax(d1, key));
+    d1 = vmin(d1, key);
   }
   cells_near *out[2] = {first, second};
-  const vi code[2] = {c1, c2};
-  const vu hash[2] = {h1, h2};
-  const vf distance[2] = {d1, d2};
+  const vf key[2] = {d1, d2};
   for (int k = 0; k < 2; k++) {
-    /* n / 9 and n / 3 of small numbers */
-    vi z = (code[k] * splati(57)) >> 9, rest = code[k] - z * splati(9);
-    vi y = (rest * splati(11)) >> 5, x = rest - y * splati(3);
-    const vi d[3] = {x - splati(1), y - splati(1), z - splati(1)};
-    cells_centre(hash[k], f, 0, 0, 0, out[k]->x);
+    cells_near *o = out[k];
+    vi d[3];
+    cells_step(bits_of(key[k]) & splati(31), d);
+    vu h = hash_mix(at + (vu)d[0] * splatu(HASH_X) + (vu)d[1] * splatu(HASH_Y) +
+                    (vu)d[2] * splatu(HASH_Z));
+    cells_centre(h, f, 0, 0, 0, o->x);
     for (int a = 0; a < 3; a++) {
-      out[k]->x[a] = out[k]->x[a] + to_float(d[a]);
-      out[k]->at[a] = whole[a] + d[a];
+      o->x[a] = o->x[a] + to_float(d[a]);
+      o->at[a] = whole[a] + d[a];
     }
-    out[k]->d = distance[k];
-    out[k]->h = hash[k];
+    o->d = o->x[0] * o->x[0] + o->x[1] * o->x[1] + o->x[2] * o->x[2] +
+           to_float((vi)(h & splatu(63u))) * weight;
+    o->h = h;
   }
 }
 
@@ -195,15 +203,17 @@ INLINE void cells_add(const stone_cells *c, vu h, const vi at[3], vf share, vf u
   out->toned[2] = out->toned[2] + b * tone;
 }
 
-/* A square well below a cell's size: the two cells that it meets. */
+/* A square well below a cell's size: the two cells that it meets. nearest: the one
+ * that its middle is in. */
 INLINE void cells_look(const stone_cells *c, const vf p[3], const cells_square *s,
-                       cells_cover *out) {
+                       cells_cover *out, vu *nearest) {
   vf q[3], share[2];
   vf uneven = cells_place(c, p, q) * splat(1.3f * c->variation) + splat(1.0f);
   cells_near near[2];
   cells_find(c, q, &near[0], &near[1]);
   cells_shares(c, &near[0], &near[1], s, &share[0], &share[1]);
   for (int n = 0; n < 2; n++) cells_add(c, near[n].h, near[n].at, share[n], uneven, out);
+  *nearest = near[0].h;
 }
 
 /* How far x lies along a side of the square, in sides, and how much of the side
@@ -234,6 +244,7 @@ INLINE void cells_sum(const stone_cells *c, const vf p[3], const cells_square *s
   vf iu = inverse_root(uu), iv = inverse_root(vv);
   vu at = (vu)whole[0] * splatu(HASH_X) + (vu)whole[1] * splatu(HASH_Y) +
           (vu)whole[2] * splatu(HASH_Z) + splatu(c->seed);
+  UNROLL(27)
   for (int m = 0; m < 27; m++) {
     int dx = m % 3 - 1, dy = m / 3 % 3 - 1, dz = m / 9 - 1;
     vu h = hash_mix(at +
@@ -260,9 +271,10 @@ INLINE void cells_sum(const stone_cells *c, const vf p[3], const cells_square *s
 INLINE vf cells_length(const vf x[3]) { return vsqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]); }
 
 /* Over a footprint: as many looks or sums as it takes, and past what those
- * reach the expected shares. t1, t2: the square's sides, unit; s: mm. */
-STAGE void cells_at(const stone_cells *c, const vf p[3], const vf t1[3], const vf t2[3], vf s,
-                    cells_cover *out) {
+ * reach the expected shares. t1, t2: the square's sides, unit; s: mm. Whether one look
+ * at the point itself was all; then nearest is the cell that it is in. */
+STAGE int cells_at(const stone_cells *c, const vf p[3], const vf t1[3], const vf t2[3], vf s,
+                   cells_cover *out, vu *nearest) {
   vf zero = splat(0.0f), one = splat(1.0f);
   cells_square all, part;
   cells_turn(c, t1, all.u);
@@ -287,7 +299,8 @@ STAGE void cells_at(const stone_cells *c, const vf p[3], const vf t1[3], const v
     part.v[k] = all.v[k] * inverse[1];
   }
   cells_cover sum = {{zero, zero}, {zero, zero, zero}};
-  vm seen = gt(keep, zero);
+  vm seen = gt(keep, zero), more = gt(n[0] * n[1], one);
+  int once = !any(or_(or_(more, summed), not_(seen)));
   for (int j = 0; j < CELLS_STEPS; j++) {
     vm row = and_(seen, lt(splat((float)j), n[1]));
     if (!any(row)) break;
@@ -298,7 +311,7 @@ STAGE void cells_at(const stone_cells *c, const vf p[3], const vf t1[3], const v
       vf u = (splat((float)i + 0.5f) * inverse[0] - splat(0.5f)) * s, at[3];
       for (int k = 0; k < 3; k++) at[k] = p[k] + t1[k] * u + t2[k] * v;
       cells_cover look = {{zero, zero}, {zero, zero, zero}}, whole = look;
-      if (any(and_(there, not_(summed)))) cells_look(c, at, &part, &look);
+      if (any(and_(there, not_(summed)))) cells_look(c, at, &part, &look, nearest);
       if (c->shaped && any(and_(there, summed))) cells_sum(c, at, &part, &whole);
       for (int k = 0; k < 2; k++) {
         vf x = sum.cover[k] + sel(summed, whole.cover[k], look.cover[k]);
@@ -319,6 +332,7 @@ STAGE void cells_at(const stone_cells *c, const vf p[3], const vf t1[3], const v
     vf mean = splat(k ? c->mean[k - 1] : 1.0f - c->mean[0] - c->mean[1]);
     out->toned[k] = sel(seen, mix(mean, sum.toned[k] * each, keep), mean);
   }
+  return once;
 }
 
 #endif

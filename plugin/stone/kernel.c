@@ -19,7 +19,9 @@ typedef struct {
   vf s;
   vf t1[3], t2[3]; /* the footprint's sides */
   vf albedo[3], speck, hole;
-  laid laid; /* where there is a paving */
+  int crystal_known; /* the colour has met it */
+  vu crystal;        /* that the point is in */
+  laid laid;         /* where there is a paving */
   surface surface;
 } block;
 
@@ -86,7 +88,8 @@ INLINE void stage_load(const stone_constants *w, int paved, const kernel_io *io,
 INLINE void lay_over(const stone_cells *c, const block *k, vf weight[STONE_COLOURS], int first,
                      int second, vf *cover) {
   cells_cover q;
-  cells_at(c, k->p, k->t1, k->t2, k->s, &q);
+  vu unused;
+  cells_at(c, k->p, k->t1, k->t2, k->s, &q, &unused);
   *cover = vmin(q.cover[0] + q.cover[1], splat(1.0f));
   vf left = splat(1.0f) - *cover;
   for (int i = 0; i < STONE_COLOURS; i++) weight[i] = weight[i] * left;
@@ -101,7 +104,8 @@ STAGE void stage_fabric(const stone_constants *w, block *k) {
   k->speck = k->hole = zero;
   if (w->layer[LAYER_GRAINS].on) {
     cells_cover q;
-    cells_at(&w->layer[LAYER_GRAINS], k->p, k->t1, k->t2, k->s, &q);
+    k->crystal_known =
+        cells_at(&w->layer[LAYER_GRAINS], k->p, k->t1, k->t2, k->s, &q, &k->crystal);
     weight[COLOUR_BASE] = q.toned[0];
     weight[COLOUR_SECOND] = q.toned[1];
     weight[COLOUR_THIRD] = q.toned[2];
@@ -157,11 +161,14 @@ STAGE void stage_paper(const stone_constants *w, block *k) {
 /* The number of the crystal at the point itself. */
 STAGE void stage_grain(const stone_constants *w, const kernel_io *io, block *k) {
   const stone_cells *c = &w->layer[LAYER_GRAINS];
-  vf q[3];
-  cells_near near[2];
-  (void)cells_place(c, k->p, q);
-  cells_find(c, q, &near[0], &near[1]);
-  vu h = hash_mix(near[0].h + splatu(HASH_Z));
+  if (!k->crystal_known) {
+    vf q[3];
+    cells_near near[2];
+    (void)cells_place(c, k->p, q);
+    cells_find(c, q, &near[0], &near[1]);
+    k->crystal = near[0].h;
+  }
+  vu h = hash_mix(k->crystal + splatu(HASH_Z));
   put(io, k, STONE_GRAIN, to_float((vi)(h >> 8)) * splat(1.0f / 16777216.0f));
 }
 
