@@ -24,6 +24,7 @@ typedef struct gallery {
   session session;
   const char *folder;
   uint32_t spp;
+  bool all;
   FILE *index;
   sheet sheets[GALLERY_SHEETS];
   uint32_t made, left_out;
@@ -183,8 +184,12 @@ static bool make_pictures(gallery *g, failure *why) {
   for (const shot *s = gallery_shots; s < end;) {
     uint32_t each = 0;
     while (s + each < end && s[each].each_preset &&
-           strcmp(material_of(s + each), material_of(s)) == 0)
+           s[each].more == s->more && strcmp(material_of(s + each), material_of(s)) == 0)
       each++;
+    if (s->more && !g->all) {
+      s += each ? each : 1;
+      continue;
+    }
     if (each ? !make_of_each(g, s, each, why)
              : !make_picture(g, s, s->name, s->title, s->preset, why))
       return false;
@@ -218,9 +223,9 @@ static bool make_index(gallery *g, failure *why) {
   return false;
 }
 
-static bool make_gallery(const session_options *shared, const char *folder, uint32_t spp,
+static bool make_gallery(const session_options *shared, const char *folder, uint32_t spp, bool all,
                          failure *why) {
-  gallery g = {.folder = folder, .spp = spp};
+  gallery g = {.folder = folder, .spp = spp, .all = all};
   if (!folder) return fail(why, EXIT_BAD_INPUT, "gallery: no output is given: -o DIR");
   if (!session_open(&g.session, shared, why)) return false;
   bool ok = make_folder(folder, why) && make_index(&g, why);
@@ -239,21 +244,25 @@ int run_gallery(int argc, char **argv) {
   if (!session_options_init(&shared, argc, &why)) return report(&why);
   const char *folder = NULL;
   uint32_t spp = 16;
+  bool all = false;
   const option options[] = {
       {"output", 'o', OPTION_TEXT, &folder, "DIR", "folder for the pictures; made if need be", 0,
        0},
+      {"all", 0, OPTION_FLAG, &all, NULL, "every picture: some minutes; without it a choice of them",
+       0, 0},
       {"spp", 0, OPTION_COUNT, &spp, "N", "samples per pixel (default: 16)", 1, 65536},
       SESSION_DISPLAY_OPTIONS(shared),
       SESSION_RUN_OPTIONS(shared)};
   const command_line line = {.usage = "gallery -o DIR [options]",
                              .about =
-                                 "Renders every preset, and what materials can do, into a folder "
-                                 "with an index.html.\n",
+                                 "Renders the woods, their grain and their figure, into a folder "
+                                 "with an index.html;\nwith --all every preset of every material, "
+                                 "and what each can do.\n",
                              .options = options,
                              .option_count = sizeof options / sizeof options[0]};
   int parsed = options_parse(&line, argc, argv, NULL, &why);
   int code = 0;
-  if (parsed == OPTIONS_BAD || (parsed == OPTIONS_RUN && !make_gallery(&shared, folder, spp, &why)))
+  if (parsed == OPTIONS_BAD || (parsed == OPTIONS_RUN && !make_gallery(&shared, folder, spp, all, &why)))
     code = report(&why);
   session_options_free(&shared);
   return code;

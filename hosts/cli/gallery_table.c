@@ -8,7 +8,7 @@
 
 #define LAID(id, label, species, mm, a, b, c)                                                      \
   {                                                                                                \
-    .name = "layout-" id, .title = label, .preset = species, .sheet = "layouts",                   \
+    .name = "layout-" id, .title = label, .more = true, .preset = species, .sheet = "layouts",                   \
     .params = {"layout=" id, a, b, c}, .shape = "plane", .camera = "front", .size = mm,            \
     .width = 400, .height = 400                                                                    \
   }
@@ -16,7 +16,7 @@
 /* A surface under raking light, of two species, near and far. */
 #define WORKED_(id, label, species, where, mm, cut_, a, b)                                         \
   {                                                                                                \
-    .name = id "-" species "-" where, .title = label, .preset = species, .sheet = "finishes",      \
+    .name = id "-" species "-" where, .title = label, .more = true, .preset = species, .sheet = "finishes",      \
     .params = {cut_, "cut_distance=70", "reflection=fibre_cone", a, b}, .shape = "plane",          \
     .camera = "front", .size = mm, .light = "35,22", .sky = 0.7, .width = 640, .height = 440       \
   }
@@ -36,7 +36,7 @@ const shot_sheet gallery_sheets[GALLERY_SHEETS] = {
 /* Two and a half metres before the eye and beyond, or so. */
 #define PAVED(id, label, stone, a, b, c, d, sun)                                                   \
   {                                                                                                \
-    .name = "paving-" id, .title = label, .material = "stone", .preset = stone,                    \
+    .name = "paving-" id, .title = label, .more = true, .material = "stone", .preset = stone,                    \
     .params = {a, b, c, d}, .shape = "plane", .size = "5000x9000", .camera = "-90,20,30",          \
     .light = sun, .zoom = 4, .ahead = -2500, .width = 960, .height = 540                           \
   }
@@ -44,7 +44,7 @@ const shot_sheet gallery_sheets[GALLERY_SHEETS] = {
 /* 8 mm across, 0.02 mm to a pixel */
 #define MACRO(species, face, words)                                                                \
   {                                                                                                \
-    .name = "macro-" species "-" face, .title = words, .preset = species, .sheet = "macro",        \
+    .name = "macro-" species "-" face, .title = words, .more = true, .preset = species, .sheet = "macro",        \
     .params = {"cut=" face, "cut_distance=90", "cell_contrast=0.9"}, .shape = "plane",             \
     .camera = "front", .size = "8x5.6", .width = 400, .height = 280                                \
   }
@@ -108,6 +108,7 @@ const shot gallery_shots[] = {
      .width = 960,
      .height = 720},
     {.name = "sphere",
+     .more = true,
      .title = "Keyaki, a turned sphere",
      .preset = "keyaki",
      .params = {"cut=flat", "cut_distance=50"},
@@ -235,6 +236,7 @@ const shot gallery_shots[] = {
     FIGURED("spalted", "spalted_beech", "flat", "Spalted beech, flat-sawn", "75,48"),
     FIGURED("spalted-end", "spalted_beech", "end", "Spalted beech, end grain", "75,48"),
     {.name = "fiber",
+     .more = true,
      .title = "8 mm across",
      .material = "fiber",
      .each_preset = true,
@@ -254,6 +256,7 @@ const shot gallery_shots[] = {
     KNOTTY("veneer", "knotty_pine", "Pine peeled off the log, 1.2 m of the sheet", "1200x1000",
            "cut=rotary", "cut_distance=110"),
     {.name = "stone",
+     .more = true,
      .title = "300 mm across",
      .material = "stone",
      .each_preset = true,
@@ -264,6 +267,7 @@ const shot gallery_shots[] = {
      .width = 320,
      .height = 240},
     {.name = "stone-ball",
+     .more = true,
      .title = "a ball of 120 mm",
      .material = "stone",
      .each_preset = true,
@@ -278,6 +282,7 @@ const shot gallery_shots[] = {
      .size = "30x20",
      FACE},
     {.name = "stone-flamed",
+     .more = true,
      .title = "Inada granite, flamed, lit from the side",
      .material = "stone",
      .preset = "inada",
@@ -287,6 +292,7 @@ const shot gallery_shots[] = {
      .sky = 0.3,
      FACE},
     {.name = "stone-hammered",
+     .more = true,
      .title = "The same, bush hammered",
      .material = "stone",
      .preset = "inada",
@@ -303,6 +309,7 @@ const shot gallery_shots[] = {
     FIBERS("linen", "linen", "Linen, 9 mm across", "9x6"),
     FIBERS("burlap", "burlap", "Burlap, 30 mm across", "30x20"),
     {.name = "fiber-velvet",
+     .more = true,
      .title = "Velvet on a ball of 50 mm",
      .material = "fiber",
      .preset = "velvet",
@@ -321,6 +328,7 @@ const shot gallery_shots[] = {
     PAVED("brick", "Brick pavers in herringbone", "brick_paver", "grime=0.15", NULL, NULL, NULL,
           "60,35"),
     {.name = "paving-near",
+     .more = true,
      .title = "Moss in the joints of a path, 400 mm across",
      .material = "stone",
      .preset = "ishidatami",
@@ -329,6 +337,7 @@ const shot gallery_shots[] = {
      .light = "60,30",
      FACE},
     {.name = "stone-paper",
+     .more = true,
      .title = "Yamanaka and Nagaoka's colours of figure 6: RGB 50 varied by 30, a texel to 2 mm",
      .material = "stone",
      .params = {"colour_mode=paper_rgb", "paper_texel=2"},

@@ -13,7 +13,8 @@ typedef struct shot {
   const char *title;
   const char *material;            /* NULL: wood */
   const char *preset;              /* NULL: the parameters' defaults */
-  bool each_preset;                /* once for every preset there is; these come first */
+  bool each_preset;                /* once for every preset there is */
+  bool more;                       /* only with --all: the others take a minute */
   const char *sheet;               /* id of the sheet that shows it small, or NULL */
   const char *params[SHOT_PARAMS]; /* name=value, the last ones NULL */
   /* As options of `sozai render` are written; NULL: their defaults. */

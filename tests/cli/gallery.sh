@@ -4,7 +4,11 @@
 # shellcheck source=tests/cli/lib.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh" "$@"
 
-works gallery -o "$scratch/pictures" --spp 1
+works gallery -o "$scratch/choice" --spp 1
+check "the choice is fewer than all" test ! -e "$scratch/choice/sphere.png"
+check "and has the sheet of woods" test -s "$scratch/choice/gallery.png"
+works gallery --all -o "$scratch/pictures" --spp 1
+check "sphere.png is there" test -s "$scratch/pictures/sphere.png"
 check "it says where the index is" grep -qF "$scratch/pictures/index.html" "$scratch/out"
 for name in gallery flat-mock_oak quarter-mock_maple; do
   check "$name.png is there" test -s "$scratch/pictures/$name.png"
