@@ -8,7 +8,7 @@
 
 #define LAID(id, label, species, mm, a, b, c)                                                      \
   {                                                                                                \
-    .name = "layout-" id, .title = label, .more = true, .preset = species, .sheet = "layouts",                   \
+    .name = "layout-" id, .title = label, .more = true, .preset = species, .sheet = "layouts",     \
     .params = {"layout=" id, a, b, c}, .shape = "plane", .camera = "front", .size = mm,            \
     .width = 400, .height = 400                                                                    \
   }
@@ -16,9 +16,10 @@
 /* A surface under raking light, of two species, near and far. */
 #define WORKED_(id, label, species, where, mm, cut_, a, b)                                         \
   {                                                                                                \
-    .name = id "-" species "-" where, .title = label, .more = true, .preset = species, .sheet = "finishes",      \
-    .params = {cut_, "cut_distance=70", "reflection=fibre_cone", a, b}, .shape = "plane",          \
-    .camera = "front", .size = mm, .light = "35,22", .sky = 0.7, .width = 640, .height = 440       \
+    .name = id "-" species "-" where, .title = label, .more = true, .preset = species,             \
+    .sheet = "finishes", .params = {cut_, "cut_distance=70", "reflection=fibre_cone", a, b},       \
+    .shape = "plane", .camera = "front", .size = mm, .light = "35,22", .sky = 0.7, .width = 640,   \
+    .height = 440                                                                                  \
   }
 #define WORKED(id, label, a, b)                                                                    \
   WORKED_(id, "Oak, " label, "oak", "near", "48x33", "cut=rift", a, b),                            \
@@ -36,7 +37,7 @@ const shot_sheet gallery_sheets[GALLERY_SHEETS] = {
 /* Two and a half metres before the eye and beyond, or so. */
 #define PAVED(id, label, stone, a, b, c, d, sun)                                                   \
   {                                                                                                \
-    .name = "paving-" id, .title = label, .more = true, .material = "stone", .preset = stone,                    \
+    .name = "paving-" id, .title = label, .more = true, .material = "stone", .preset = stone,      \
     .params = {a, b, c, d}, .shape = "plane", .size = "5000x9000", .camera = "-90,20,30",          \
     .light = sun, .zoom = 4, .ahead = -2500, .width = 960, .height = 540                           \
   }
@@ -44,9 +45,9 @@ const shot_sheet gallery_sheets[GALLERY_SHEETS] = {
 /* 8 mm across, 0.02 mm to a pixel */
 #define MACRO(species, face, words)                                                                \
   {                                                                                                \
-    .name = "macro-" species "-" face, .title = words, .more = true, .preset = species, .sheet = "macro",        \
-    .params = {"cut=" face, "cut_distance=90", "cell_contrast=0.9"}, .shape = "plane",             \
-    .camera = "front", .size = "8x5.6", .width = 400, .height = 280                                \
+    .name = "macro-" species "-" face, .title = words, .more = true, .preset = species,            \
+    .sheet = "macro", .params = {"cut=" face, "cut_distance=90", "cell_contrast=0.9"},             \
+    .shape = "plane", .camera = "front", .size = "8x5.6", .width = 400, .height = 280              \
   }
 #define MACROS(species, words)                                                                     \
   MACRO(species, "end", words ", end grain, 8 mm across"),                                         \
@@ -64,11 +65,11 @@ const shot_sheet gallery_sheets[GALLERY_SHEETS] = {
   { .name = "fiber-" id, .title = words, .material = "fiber", .preset = fiber, .size = mm, FACE }
 
 /* A block about as large as a hand, with the heart in one corner. */
-#define KNOTTY_BLOCK(species, wood, of, years, above, words)                                       \
+#define KNOTTY_BLOCK(species, wood, of, years, above, at, size_, words)                            \
   {                                                                                                \
     .name = "knots-" species, .title = words, .preset = wood, .sheet = "knots",                    \
-    .params = {"tree=" of, "tree_age=" years, "log_height=" above, "cut_offset=45,0,45",           \
-               "knot_size=0.5"},                                                                   \
+    .params = {"tree=" of, "tree_age=" years, "log_height=" above, "cut_offset=" at,               \
+               "knot_size=" size_},                                                                \
     .size = "170x260x170", .camera = "-40,28,20", .width = 480, .height = 400                      \
   }
 #define KNOTTY(id, wood, words, area, ...)                                                         \
@@ -243,10 +244,13 @@ const shot gallery_shots[] = {
      .sheet = "fibers",
      .size = "8x6",
      TILE},
-    KNOTTY_BLOCK("pine", "akamatsu", "akamatsu", "45", "6570", "Akamatsu of 45 years"),
-    KNOTTY_BLOCK("sugi", "knotty_sugi", "sugi", "45", "5210", "Sugi of 45 years"),
-    KNOTTY_BLOCK("keyaki", "keyaki", "keyaki", "70", "5300", "Keyaki of 70 years"),
-    KNOTTY_BLOCK("cherry", "cherry", "cherry", "50", "3250", "Yamazakura of 50 years"),
+    KNOTTY_BLOCK("pine", "akamatsu", "akamatsu", "45", "9790", "10,0,30", "1",
+                 "Akamatsu of 45 years"),
+    KNOTTY_BLOCK("sugi", "knotty_sugi", "sugi", "45", "5210", "45,0,45", "0.5", "Sugi of 45 years"),
+    KNOTTY_BLOCK("keyaki", "keyaki", "keyaki", "70", "5300", "45,0,45", "0.5",
+                 "Keyaki of 70 years"),
+    KNOTTY_BLOCK("cherry", "cherry", "cherry", "50", "3250", "45,0,45", "0.5",
+                 "Yamazakura of 50 years"),
     KNOTTY("panel", "knotty_pine", "Knotty pine, a panel 1.2 m across", "1200x1000", "layout=strip",
            "board_width=140", "board_length=1800"),
     KNOTTY("board", "knotty_sugi", "Sugi, flat-sawn, 0.7 m of a board", "720x600", "cut=flat",

@@ -19,7 +19,7 @@
 /* as trees are: sugi's spiral, the whorls of a pine, a broadleaf's thick limbs */
 static const char *const trees[][2] = {
     {"sugi", "tree=sugi; tree_age=40; log_height=4000"},
-    {"akamatsu", "tree=akamatsu; tree_age=45; log_height=6000; knot_size=0.5"},
+    {"akamatsu", "tree=akamatsu; tree_age=45; log_height=6000"},
     {"keyaki", "tree=keyaki; tree_age=60; log_height=5000; knot_size=0.6"},
 };
 #define TREES (sizeof trees / sizeof *trees)

@@ -426,8 +426,7 @@ SPECIES(southern_pine, "Longleaf pine (Pinus palustris)",
 
 /* ---- with the knots of a grown tree ------------------------------------- */
 
-static const sozai_value values_knotty_pine[] = {AKAMATSU, TREE("akamatsu", 45.0, 6000.0),
-                                                 NUMBER("knot_size", 0.45)};
+static const sozai_value values_knotty_pine[] = {AKAMATSU, TREE("akamatsu", 45.0, 6000.0)};
 SPECIES(knotty_pine, "Pine, knotty (Pinus densiflora)",
         "Whorls of knots up the stem, some alive, most of them dead in a ring of bark.",
         FFPRI "; " GYMNOSPERMS);
