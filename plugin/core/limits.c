@@ -62,7 +62,7 @@ uint64_t limit_of(const sozai_host *host, limit which) {
 int32_t limit_check(const sozai_host *host, limit which, uint64_t n, const char *what) {
   uint64_t most = limit_of(host, which);
   if (n <= most) return SOZAI_OK;
-  return fail(SOZAI_ERROR_LIMIT, "%s: %llu%s%s: the ceiling %s is %llu", what,
+  return fail(SOZAI_ERROR_LIMIT, "%s: %llu%s%s is above the ceiling %s, %llu", what,
               (unsigned long long)n, limit_infos[which].unit[0] ? " " : "", limit_infos[which].unit,
               limit_infos[which].id, (unsigned long long)most);
 }

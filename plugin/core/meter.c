@@ -84,7 +84,7 @@ int32_t meter_open(meter *m, const sozai_host *host, limit under, sozai_host *ou
 int32_t meter_result(const meter *m, int32_t r, const char *what) {
   uint64_t refused = atomic_load(&m->refused);
   if (r != SOZAI_ERROR_MEMORY || !refused) return r;
-  return fail(SOZAI_ERROR_LIMIT, "%s: it takes at least %llu B of memory: the ceiling %s is %llu",
+  return fail(SOZAI_ERROR_LIMIT, "%s: takes %llu B of memory or more: above the ceiling %s, %llu",
               what, (unsigned long long)refused, limit_infos[m->under].id,
               (unsigned long long)m->ceilings[m->under]);
 }

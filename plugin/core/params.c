@@ -156,8 +156,8 @@ static int32_t check_count(const sozai_host *host, const sozai_parameter *p, con
   uint64_t most = limit_of(host, LIMIT_BUFFER_BYTES);
   if (n > most / 4) {
     return fail(SOZAI_ERROR_LIMIT,
-                "%s: a buffer of %llu %s of 4 B each: the ceiling buffer_bytes is %llu", p->id,
-                (unsigned long long)n, what, (unsigned long long)most);
+                "%s: a buffer of %llu %s of 4 B each is above the ceiling buffer_bytes, %llu",
+                p->id, (unsigned long long)n, what, (unsigned long long)most);
   }
   if (n && !data) return fail(SOZAI_ERROR_ARGUMENT, "%s: the buffer's %s are NULL", p->id, what);
   return SOZAI_OK;
@@ -212,8 +212,10 @@ static int32_t check_buffer(const sozai_host *host, const sozai_parameter *p,
   }
   for (int i = 0; i < 3; i++) {
     if (b.dims[i] > (1u << 30)) {
-      return fail(SOZAI_ERROR_RANGE, "%s: a buffer of dimension %llu is larger than %u", p->id,
-                  (unsigned long long)b.dims[i], 1u << 30);
+      return fail(SOZAI_ERROR_LIMIT,
+                  "%s: a buffer of dimension %llu is above the ceiling buffer_bytes, %llu", p->id,
+                  (unsigned long long)b.dims[i],
+                  (unsigned long long)limit_of(host, LIMIT_BUFFER_BYTES));
     }
   }
   uint64_t n[4];
