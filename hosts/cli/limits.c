@@ -16,12 +16,12 @@ typedef struct row {
   const char *layer; /* who keeps it */
   const sozai_limit_info *info;
   uint64_t value;
+  bool settable;
 } row;
 
 static void print_text(const row *r) {
   char most[32] = "fixed";
-  if (r->info->value != r->info->most)
-    snprintf(most, sizeof most, "%llu", (unsigned long long)r->info->most);
+  if (r->settable) snprintf(most, sizeof most, "%llu", (unsigned long long)r->info->most);
   printf("%-10s %-18s %14llu %14s %-2s %s\n", r->layer, r->info->id, (unsigned long long)r->value,
          most, r->info->unit, r->info->doc);
 }
@@ -34,6 +34,7 @@ static void print_json(json *j, const row *r) {
   json_number(j, "value", (double)r->value);
   json_number(j, "usual", (double)r->info->value);
   json_number(j, "most", (double)r->info->most);
+  json_bool(j, "settable", r->settable);
   json_text(j, "doc", r->info->doc);
   json_close(j, '}');
 }
@@ -52,11 +53,12 @@ static uint64_t in_force(const sozai_limit_info *info, const sozai_host *host) {
   return n;
 }
 
+/* host: whose ceilings are set; NULL: nobody can. */
 static void put_table(json *j, const char *layer, const sozai_limits_1 *table,
                       const sozai_host *host) {
   for (uint32_t i = 0; table && i < table->count(); i++) {
     const sozai_limit_info *info = table->info(i);
-    put(j, &(row){layer, info, in_force(info, host)});
+    put(j, &(row){layer, info, host ? in_force(info, host) : info->value, host != NULL});
   }
 }
 
@@ -70,10 +72,10 @@ static bool print_all(const plugin *p, const sozai_entry_v1 *services, bool as_j
   else
     printf("%-10s %-18s %14s %14s\n", "layer", "ceiling", "in force", "up to");
   put_table(j, "plugin", p->entry->get_factory(SOZAI_LIMITS_1), &host);
-  const sozai_host none = {.size = sizeof none};
-  if (services) put_table(j, "pictures", services->get_factory(SOZAI_LIMITS_1), &none);
+  if (services) put_table(j, "pictures", services->get_factory(SOZAI_LIMITS_1), NULL);
   for (int i = 0; i < HOST_LIMITS; i++)
-    put(j, &(row){"programs", &host_limit_infos[i], limits_value((host_limit)i)});
+    put(j, &(row){"programs", &host_limit_infos[i], limits_value((host_limit)i),
+                  host_limit_infos[i].value != host_limit_infos[i].most});
   if (j) json_close(j, ']');
   return true;
 }

@@ -49,6 +49,9 @@ static bool set(const char *pair, const char *from, failure *why) {
   for (int i = 0; i < HOST_LIMITS; i++) {
     const sozai_limit_info *info = &host_limit_infos[i];
     if (strlen(info->id) != length || strncmp(info->id, pair, length) != 0) continue;
+    if (info->value == info->most)
+      return fail(why, EXIT_BAD_INPUT, "%s: %s is fixed at %llu", from, info->id,
+                  (unsigned long long)info->most);
     if (n > info->most)
       return fail(why, EXIT_BAD_INPUT, "%s: %s: %llu is outside 0 to %llu", from, info->id,
                   (unsigned long long)n, (unsigned long long)info->most);

@@ -16,7 +16,7 @@
 extern "C" {
 #endif
 
-/* Those that arrays are sized by: fixed. */
+/* Those that arrays are sized by, or formats: fixed. */
 #define RECIPE_MOST_TEXT 65536
 #define RECIPE_MOST_PIXELS 1048576 /* a side */
 #define CSV_LONGEST_LINE 65536
@@ -32,7 +32,7 @@ extern "C" {
 #define HAIR_MOST_SEGMENTS 65535
 #define PLY_MOST_LINES 10000
 
-/* X(NAME, id, unit, usual, what it may be set to, doc) */
+/* X(NAME, id, unit, usual, what it may be set to, doc); equal: it is fixed */
 /* clang-format off */
 #define HOST_LIMIT_ROWS(X) \
   X(RECIPE_BYTES, "recipe_bytes", "B", 1u << 20, 1u << 26, "A .sozai file, each of those included too.") \
@@ -42,8 +42,8 @@ extern "C" {
   X(QUERY_BYTES, "query_bytes", "B", 65536, 1u << 24, "A file's name with its query, as of OpenImageIO.") \
   X(PICTURE_SIDE, "picture_side", "", RECIPE_MOST_PIXELS, RECIPE_MOST_PIXELS, "Texels along a side of a .sozai picture or volume; its levels halve that to 1.") \
   X(MESH_FILE_BYTES, "mesh_file_bytes", "B", 1ull << 33, 1ull << 40, "A mesh's file.") \
-  X(MESH_POINTS, "mesh_points", "", 1u << 30, 1u << 30, "Points of a mesh that is read.") \
-  X(MESH_TRIANGLES, "mesh_triangles", "", 1u << 30, 1u << 30, "Triangles of a mesh that is read.") \
+  X(MESH_POINTS, "mesh_points", "", 1u << 28, 1u << 30, "Points of a mesh that is read.") \
+  X(MESH_TRIANGLES, "mesh_triangles", "", 1u << 28, 1u << 30, "Triangles of a mesh that is read.") \
   X(FIELD_BYTES, "field_bytes", "B", FIELD_MOST, FIELD_MOST, "A measured tree's field table: what the plugin's text_bytes lets through.") \
   X(CSV_LINE, "csv_line", "B", CSV_LONGEST_LINE, CSV_LONGEST_LINE, "A line of the CSV file that eval reads; lines there may be any number of.") \
   X(EVAL_CHANNELS, "eval_channels", "", EVAL_MOST_CHANNELS, EVAL_MOST_CHANNELS, "Channels that eval writes.") \
