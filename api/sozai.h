@@ -40,7 +40,7 @@ extern "C" {
 #endif
 
 #define SOZAI_ABI_MAJOR 1u /* another major: not compatible */
-#define SOZAI_ABI_MINOR 1u /* a higher minor only adds ids and struct members */
+#define SOZAI_ABI_MINOR 2u /* a higher minor only adds ids and struct members */
 
 /* ---- results ---------------------------------------------------------- */
 
@@ -55,6 +55,7 @@ extern "C" {
 #define SOZAI_ERROR_FILE (-8)        /* missing, unreadable or malformed */
 #define SOZAI_ERROR_COLOUR (-9)      /* an unknown colour space, or a failing transform */
 #define SOZAI_ERROR_STATE (-10)      /* called before init or after the last deinit */
+#define SOZAI_ERROR_LIMIT (-11)      /* more than a ceiling allows: see sozai_limit_info */
 
 /* ---- entry ------------------------------------------------------------ */
 
@@ -241,6 +242,7 @@ typedef struct sozai_batch {
 
 typedef struct sozai_texture sozai_texture;
 struct sozai_host;
+struct sozai_limit;
 
 #define SOZAI_TEXTURES_1 "sozai.textures/1"
 
@@ -260,7 +262,7 @@ typedef struct sozai_textures_1 {
    * Colours are converted into the working space here, once; pictures are
    * opened here. The host's
    * callbacks are called on this thread, or through its thread pool.
-   * Errors: ARGUMENT, UNKNOWN, KIND, RANGE, MEMORY, FILE, COLOUR, CANCELLED,
+   * Errors: ARGUMENT, UNKNOWN, KIND, RANGE, LIMIT, MEMORY, FILE, COLOUR, CANCELLED,
    * STATE, and UNSUPPORTED for an instruction set that SOZAI_CPU asks for and
    * this machine lacks, or for a picture where there is no image service.
    * [thread-safe] */
@@ -425,15 +427,15 @@ typedef struct sozai_geometry_1 {
    * sozai_textures_1.create. The same values give the same bits on every
    * machine, with or without the host's thread pool. Calls host.progress, from
    * the pool's threads too. On failure *out is NULL and nothing is kept.
-   * Errors: ARGUMENT, UNKNOWN, KIND, RANGE, MEMORY, FILE (a malformed table),
-   * CANCELLED, STATE. [thread-safe] */
+   * Errors: ARGUMENT, UNKNOWN, KIND, RANGE, LIMIT, MEMORY, FILE (a malformed
+   * table), CANCELLED, STATE. [thread-safe] */
   int32_t (*grow)(const struct sozai_host *host, const char *generator_id, const char *preset,
                   const sozai_value *values, uint32_t value_count, sozai_geometry **out);
   /* Meshes and curves made of it stay. NULL is allowed. [exclusive] */
   void (*release)(sozai_geometry *geometry);
 
   /* As a mesh; detail NULL: level 0. Calls host.progress. Errors: ARGUMENT,
-   * RANGE (the level), MEMORY, CANCELLED, UNSUPPORTED (beyond 2^32 points).
+   * RANGE (the level), LIMIT, MEMORY, CANCELLED, UNSUPPORTED (beyond 2^32 points).
    * [thread-safe] */
   int32_t (*mesh)(const sozai_geometry *geometry, const sozai_detail *detail,
                   const sozai_mesh **out);
@@ -490,7 +492,80 @@ typedef struct sozai_host {
   /* Bytes of pictures that the image service beside the plugin may hold at
    * most; 0: 1 GiB. What the first texture that opens it asks for counts. */
   uint64_t image_memory;
+  /* Ceilings of the host's own, limit_count of them; of two for one id the later
+   * counts. Those not named are as sozai_limits_1 says. They hold for what is
+   * made with this host: read at every create() and grow(), and what was grown
+   * keeps its own for its meshes and curves. UNKNOWN: no such id (ask find()
+   * first: an older plugin has fewer). RANGE: above its `most`. */
+  const struct sozai_limit *limits;
+  uint32_t limit_count;
+  uint32_t reserved_2;
 } sozai_host;
+
+/* ---- limits ------------------------------------------------------------ */
+
+/* Ceilings on what comes from outside, beside the parameters' hard ranges. What
+ * exceeds one is refused with LIMIT; last_error() names what, its value and the
+ * ceiling. */
+#define SOZAI_LIMITS_1 "sozai.limits/1"
+
+/* A ceiling. Lives until the last deinit. */
+typedef struct sozai_limit_info {
+  uint32_t size;
+  uint32_t reserved;
+  const char *id;   /* "texture_bytes": lower_case, stable for ever */
+  const char *unit; /* "B" of memory, "" of a number of things */
+  const char *doc;
+  uint64_t value; /* the ceiling where a host names none */
+  uint64_t most;  /* the highest that a host may set it to */
+} sozai_limit_info;
+
+/* A host's own ceiling: sozai_host.limits. This struct never grows. */
+typedef struct sozai_limit {
+  const char *id;
+  uint64_t value;
+} sozai_limit;
+
+typedef struct sozai_limits_1 {
+  /* How many ceilings there are. [thread-safe] */
+  uint32_t (*count)(void);
+  /* The index-th, or NULL. [thread-safe] */
+  const sozai_limit_info *(*info)(uint32_t index);
+  /* The one of that id, or NULL. [thread-safe] */
+  const sozai_limit_info *(*find)(const char *limit_id);
+} sozai_limits_1;
+
+/* What memory something would take, before it is taken. */
+#define SOZAI_MEMORY_1 "sozai.memory/1"
+
+/* Bytes as asked of sozai_host.alloc. Pictures that an image service holds are
+ * not among them: see sozai_images_1.memory. */
+typedef struct sozai_memory {
+  uint32_t size; /* sizeof(sozai_memory), to be set */
+  uint32_t reserved;
+  uint64_t held; /* for as long as it lives: what bytes() will say */
+  uint64_t peak; /* at most at any one time while it is made, `held` included */
+} sozai_memory;
+
+/* Each does what its namesake would, up to where the sizes are known, holds
+ * meanwhile no more than that takes (of a tree its stem and branches without
+ * shoots; of fibre the hull and its field; of knots their list) under the same
+ * ceilings, frees it, and refuses what its namesake would have refused so far,
+ * with the same errors; LIMIT too where the answer itself is above the ceiling.
+ * On failure *out is all zero but its size. */
+typedef struct sozai_memory_1 {
+  /* Of a texture: arguments as of sozai_textures_1.create. [thread-safe] */
+  int32_t (*texture)(const struct sozai_host *host, const char *texture_id, const char *preset,
+                     const sozai_value *values, uint32_t value_count, sozai_memory *out);
+  /* Of a geometry: arguments as of sozai_geometry_1.grow. [thread-safe] */
+  int32_t (*geometry)(const struct sozai_host *host, const char *generator_id, const char *preset,
+                      const sozai_value *values, uint32_t value_count, sozai_memory *out);
+  /* Of a mesh made of it, and of curves. [thread-safe] */
+  int32_t (*mesh)(const sozai_geometry *geometry, const sozai_detail *detail, sozai_memory *out);
+  int32_t (*curves)(const sozai_geometry *geometry, const sozai_detail *detail, sozai_memory *out);
+  /* As of sozai_textures_1. [thread-safe] */
+  const char *(*last_error)(void);
+} sozai_memory_1;
 
 #ifdef __cplusplus
 }

@@ -148,6 +148,7 @@ typedef struct sozai_images_1 {
 
 /* ---- the services beside the plugin ----------------------------------- */
 
+/* Its entry also offers SOZAI_LIMITS_1: the ceilings on pictures and configs. */
 #define SOZAI_SERVICES_1 "sozai.services/1"
 
 typedef struct sozai_services sozai_services;

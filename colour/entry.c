@@ -3,6 +3,7 @@
  * The one exported symbol, and the counting of init and deinit.
  */
 #include "internal.h"
+#include "ceilings.h"
 
 #include <pthread.h>
 #include <stdlib.h>
@@ -55,8 +56,10 @@ const char *sozai_colour_shipped_config(void) { return locked(&shipped_config); 
 const char *sozai_colour_images_library(void) { return locked(&images_library); }
 
 static const void *get_factory(const char *factory_id) {
-  if (!factory_id || strcmp(factory_id, SOZAI_SERVICES_1) != 0) return NULL;
-  return sozai_colour_shipped_config() ? &sozai_colour_services : NULL;
+  if (!factory_id || !sozai_colour_shipped_config()) return NULL;
+  if (strcmp(factory_id, SOZAI_SERVICES_1) == 0) return &sozai_colour_services;
+  if (strcmp(factory_id, SOZAI_LIMITS_1) == 0) return &sozai_colour_limits;
+  return NULL;
 }
 
 extern const sozai_entry_v1 sozai_colour_entry;

@@ -6,6 +6,7 @@
 
 #include "boundary.hpp"
 #include "looks.hpp"
+#include "ceilings.h"
 
 #include <algorithm>
 #include <map>
@@ -18,8 +19,8 @@ namespace {
 
 // Far above real configs, whose chains are of three or four, and far below what
 // a thread's stack holds.
-constexpr size_t deepest = 100;
-constexpr unsigned long most_steps = 100000;
+constexpr size_t deepest = CONFIG_DEEPEST;
+constexpr unsigned long most_steps = CONFIG_MOST_STEPS;
 
 // What making something takes: how many steps, and how many inside one another.
 struct Cost {

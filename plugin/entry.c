@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "core/colour.h"
+#include "core/limits.h"
 #include "core/services.h"
 #include "core/status.h"
 #include "generator.h"
@@ -47,6 +48,8 @@ static const void *get_factory(const char *id) {
   if (strcmp(id, SOZAI_TEXTURES_1) == 0) return &textures_table;
   if (strcmp(id, SOZAI_WOOD_1) == 0) return &wood_table;
   if (strcmp(id, SOZAI_GEOMETRY_1) == 0) return &geometry_table;
+  if (strcmp(id, SOZAI_LIMITS_1) == 0) return &limits_table;
+  if (strcmp(id, SOZAI_MEMORY_1) == 0) return &memory_table;
   return NULL;
 }
 

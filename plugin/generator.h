@@ -36,7 +36,8 @@ curves_block *curves_block_make(const sozai_host *host, uint64_t curves, uint64_
 typedef struct generator {
   const sozai_generator_info *(*describe)(void); /* filled when first asked, at init */
   size_t state_bytes;
-  /* state is zeroed; release is called after a failure too. */
+  /* state is zeroed; release is called after a failure too. Rehearsing
+   * (core/meter.h): up to where all sizes are known, the rest claimed. */
   int32_t (*grow)(void *state, const sozai_host *host, const settings *s);
   void (*release)(void *state, const sozai_host *host);
   int32_t (*mesh)(const void *state, const sozai_host *host, uint32_t level, mesh_block **out);
@@ -48,6 +49,14 @@ typedef struct generator {
 
 extern const sozai_geometry_1 geometry_table;
 void geometry_describe(void); /* at init */
+
+/* What they would take; memory.c hands these out. */
+int32_t geometry_memory(const sozai_host *host, const char *id, const char *preset,
+                        const sozai_value *values, uint32_t value_count, sozai_memory *out);
+int32_t geometry_mesh_memory(const sozai_geometry *g, const sozai_detail *detail,
+                             sozai_memory *out);
+int32_t geometry_curves_memory(const sozai_geometry *g, const sozai_detail *detail,
+                               sozai_memory *out);
 
 /* fraction of the work done; CANCELLED when the host asks for it. */
 int32_t host_progress(const sozai_host *host, double fraction, const char *what);

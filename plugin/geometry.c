@@ -4,6 +4,7 @@
  */
 #include <string.h>
 
+#include "core/meter.h"
 #include "core/status.h"
 #include "fiber/generator.h"
 #include "generator.h"
@@ -19,6 +20,7 @@ struct sozai_geometry {
   const generator *kind;
   const sozai_generator_info *info;
   sozai_host host;
+  uint64_t ceilings[LIMITS]; /* as they were when it was grown */
   settings given;
   void *state;
 };
@@ -69,10 +71,10 @@ static void release(sozai_geometry *g) {
   host_free(&host, g, sizeof *g, 64);
 }
 
-static int32_t grow(const sozai_host *host, const char *id, const char *preset,
-                    const sozai_value *values, uint32_t value_count, sozai_geometry **out) {
-  if (!out) return fail(SOZAI_ERROR_ARGUMENT, "grow: out is NULL");
-  *out = NULL;
+/* Grows it, or rehearses that: then *out is NULL, and *memory what it would take. */
+static int32_t make(const sozai_host *host, const char *id, const char *preset,
+                    const sozai_value *values, uint32_t value_count, sozai_geometry **out,
+                    sozai_memory *memory) {
   if (!textures_ready()) return fail(SOZAI_ERROR_STATE, "grow: called before init");
   if (!id) return fail(SOZAI_ERROR_ARGUMENT, "grow: the generator's id is NULL");
   if (value_count && !values) return fail(SOZAI_ERROR_ARGUMENT, "grow: values is NULL");
@@ -82,24 +84,47 @@ static int32_t grow(const sozai_host *host, const char *id, const char *preset,
   }
   const generator *kind = generator_of(id);
   if (!kind) return fail(SOZAI_ERROR_UNKNOWN, "there is no generator \"%.80s\"", id);
-  sozai_host h = host_copy(host);
+  sozai_host own = host_copy(host), h;
+  meter counted;
+  int32_t r = meter_open(&counted, &own, LIMIT_GEOMETRY_BYTES, &h);
+  if (r) return r;
+  counted.rehearsing = memory != NULL;
   sozai_geometry *g = host_alloc(&h, sizeof *g, 64);
-  if (!g) return SOZAI_ERROR_MEMORY;
+  if (!g) return meter_result(&counted, SOZAI_ERROR_MEMORY, id);
   g->kind = kind;
   g->info = kind->describe();
-  g->host = h;
+  g->host = own;
+  memcpy(g->ceilings, counted.ceilings, sizeof g->ceilings);
   sozai_texture_info parameters = parameters_of(g->info);
-  int32_t r = settings_make(&g->given, &h, &parameters, preset, values, value_count);
+  r = settings_make(&g->given, &h, &parameters, preset, values, value_count);
   if (!r) {
     g->state = host_alloc(&h, kind->state_bytes, 64);
     r = g->state ? kind->grow(g->state, &h, &g->given) : SOZAI_ERROR_MEMORY;
   }
-  if (r) {
+  if (!r && memory) {
+    memory->held = atomic_load(&counted.held);
+    memory->peak = atomic_load(&counted.peak);
+  }
+  if (r || memory) {
     release(g);
-    return r;
+    return meter_result(&counted, r, id);
   }
   *out = g;
   return SOZAI_OK;
+}
+
+static int32_t grow(const sozai_host *host, const char *id, const char *preset,
+                    const sozai_value *values, uint32_t value_count, sozai_geometry **out) {
+  if (!out) return fail(SOZAI_ERROR_ARGUMENT, "grow: out is NULL");
+  *out = NULL;
+  return make(host, id, preset, values, value_count, out, NULL);
+}
+
+int32_t geometry_memory(const sozai_host *host, const char *id, const char *preset,
+                        const sozai_value *values, uint32_t value_count, sozai_memory *out) {
+  int32_t r = memory_clear(out, "geometry");
+  sozai_geometry *none = NULL;
+  return r ? r : make(host, id, preset, values, value_count, &none, out);
 }
 
 static int32_t level_of(const char *call, const sozai_detail *detail, uint32_t *level) {
@@ -114,15 +139,39 @@ static int32_t level_of(const char *call, const sozai_detail *detail, uint32_t *
   return fail(SOZAI_ERROR_RANGE, "%s: level %u is outside 0 to %u", call, *level, LEVEL_MAX);
 }
 
+/* Makes a mesh, or curves, or rehearses either. A rehearsal ends where the one
+ * block would be taken: with MEMORY, and nothing refused. */
+static int32_t make_blocks(const sozai_geometry *g, const char *call, const sozai_detail *detail,
+                           mesh_block **m, curves_block **c, sozai_memory *memory) {
+  uint32_t level;
+  meter counted;
+  sozai_host h;
+  int32_t r = level_of(call, detail, &level);
+  if (r) return r;
+  meter_reopen(&counted, &g->host, g->ceilings, LIMIT_MESH_BYTES, &h);
+  counted.rehearsing = memory != NULL;
+  r = m ? g->kind->mesh(g->state, &h, level, m) : g->kind->curves(g->state, &h, level, c);
+  r = meter_result(&counted, r, g->info->id);
+  if (!memory || r != SOZAI_ERROR_MEMORY || !atomic_load(&counted.held)) return r;
+  memory->held = memory->peak = atomic_load(&counted.held);
+  return SOZAI_OK;
+}
+
 static int32_t mesh(const sozai_geometry *g, const sozai_detail *detail, const sozai_mesh **out) {
   if (out) *out = NULL;
   if (!g || !out) return fail(SOZAI_ERROR_ARGUMENT, "mesh: geometry or out is NULL");
-  uint32_t level;
   mesh_block *m = NULL;
-  int32_t r = level_of("mesh", detail, &level);
-  if (!r) r = g->kind->mesh(g->state, &g->host, level, &m);
+  int32_t r = make_blocks(g, "mesh", detail, &m, NULL, NULL);
   if (!r) *out = &m->out;
   return r;
+}
+
+int32_t geometry_mesh_memory(const sozai_geometry *g, const sozai_detail *detail,
+                             sozai_memory *out) {
+  int32_t r = memory_clear(out, "mesh");
+  if (!r && !g) r = fail(SOZAI_ERROR_ARGUMENT, "memory: mesh: geometry is NULL");
+  mesh_block *none = NULL;
+  return r ? r : make_blocks(g, "mesh", detail, &none, NULL, out);
 }
 
 static void release_mesh(const sozai_mesh *m) {
@@ -136,12 +185,18 @@ static int32_t curves(const sozai_geometry *g, const sozai_detail *detail,
                       const sozai_curves **out) {
   if (out) *out = NULL;
   if (!g || !out) return fail(SOZAI_ERROR_ARGUMENT, "curves: geometry or out is NULL");
-  uint32_t level;
   curves_block *c = NULL;
-  int32_t r = level_of("curves", detail, &level);
-  if (!r) r = g->kind->curves(g->state, &g->host, level, &c);
+  int32_t r = make_blocks(g, "curves", detail, NULL, &c, NULL);
   if (!r) *out = &c->out;
   return r;
+}
+
+int32_t geometry_curves_memory(const sozai_geometry *g, const sozai_detail *detail,
+                               sozai_memory *out) {
+  int32_t r = memory_clear(out, "curves");
+  if (!r && !g) r = fail(SOZAI_ERROR_ARGUMENT, "memory: curves: geometry is NULL");
+  curves_block *none = NULL;
+  return r ? r : make_blocks(g, "curves", detail, NULL, &none, out);
 }
 
 static void release_curves(const sozai_curves *c) {
@@ -184,6 +239,12 @@ static uint64_t bytes(const sozai_geometry *g) {
 
 static size_t rounded(uint64_t n) { return (size_t)((n + 63) & ~63ull); }
 
+static void *take_block(const sozai_host *host, size_t size) {
+  if (!host_rehearses(host)) return host_alloc(host, size, 64);
+  host_claim(host, size);
+  return NULL;
+}
+
 mesh_block *mesh_block_make(const sozai_host *host, uint64_t points, uint64_t triangles) {
   if (points >> 32 || triangles > (1ull << 33)) {
     fail(SOZAI_ERROR_UNSUPPORTED, "mesh: %llu points do not fit into one mesh",
@@ -193,10 +254,10 @@ mesh_block *mesh_block_make(const sozai_host *host, uint64_t points, uint64_t tr
   size_t head = rounded(sizeof(mesh_block)), p3 = rounded(points * 12), p2 = rounded(points * 8),
          p1 = rounded(points * 4), t3 = rounded(triangles * 12);
   size_t size = head + 2 * p3 + p2 + p1 + t3;
-  mesh_block *m = host_alloc(host, size, 64);
+  mesh_block *m = take_block(host, size);
   if (!m) return NULL;
   char *at = (char *)m + head;
-  m->host = *host;
+  m->host = meter_real(host);
   m->bytes = size;
   m->points = (float *)(void *)at;
   m->normals = (float *)(void *)(at += p3);
@@ -219,10 +280,10 @@ curves_block *curves_block_make(const sozai_host *host, uint64_t curve_count, ui
   size_t head = rounded(sizeof(curves_block)), p3 = rounded(points * 12), p1 = rounded(points * 4),
          c8 = rounded((curve_count + 1) * 8), c4 = rounded(curve_count * 4);
   size_t size = head + p3 + p1 + c8 + c4;
-  curves_block *c = host_alloc(host, size, 64);
+  curves_block *c = take_block(host, size);
   if (!c) return NULL;
   char *at = (char *)c + head;
-  c->host = *host;
+  c->host = meter_real(host);
   c->bytes = size;
   c->points = (float *)(void *)at;
   c->radii = (float *)(void *)(at += p3);

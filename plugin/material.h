@@ -34,4 +34,11 @@ const void *texture_state(const sozai_texture *texture, const material *m);
 extern const sozai_textures_1 textures_table;
 int textures_ready(void); /* between init and deinit */
 
+/* What a texture would take; memory.c hands these out. */
+int32_t texture_memory(const sozai_host *host, const char *id, const char *preset,
+                       const sozai_value *values, uint32_t value_count, sozai_memory *out);
+extern const sozai_memory_1 memory_table;
+/* Zeroes it; ARGUMENT where it is NULL or too small. call: for the message. */
+int32_t memory_clear(sozai_memory *out, const char *call);
+
 #endif

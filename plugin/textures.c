@@ -6,6 +6,7 @@
 
 #include "core/colour.h"
 #include "core/images.h"
+#include "core/meter.h"
 #include "core/status.h"
 #include "material.h"
 
@@ -45,19 +46,18 @@ static const sozai_texture_info *find(const char *id) {
   return m ? m->describe() : NULL;
 }
 
-static int32_t build_state(sozai_texture *t) {
+static int32_t build_state(sozai_texture *t, const sozai_host *host) {
   size_t bytes = t->info->parameter_count * sizeof(float[3]);
-  float(*colours)[3] = host_alloc(&t->host, bytes, 64);
+  float(*colours)[3] = host_alloc(host, bytes, 64);
   if (!colours) return SOZAI_ERROR_MEMORY;
-  int32_t r = colour_convert(&t->host, t->info, &t->given, colours);
-  if (!r) r = images_open(&t->images, &t->host, t->info, &t->given);
+  int32_t r = colour_convert(host, t->info, &t->given, colours);
+  if (!r) r = images_open(&t->images, host, t->info, &t->given);
   if (!r) {
-    t->state = host_alloc(&t->host, t->kind->state_bytes, 64);
-    r = t->state
-            ? t->kind->build(t->state, &t->host, &t->given, (const float(*)[3])colours, &t->images)
-            : SOZAI_ERROR_MEMORY;
+    t->state = host_alloc(host, t->kind->state_bytes, 64);
+    r = t->state ? t->kind->build(t->state, host, &t->given, (const float(*)[3])colours, &t->images)
+                 : SOZAI_ERROR_MEMORY;
   }
-  host_free(&t->host, colours, bytes, 64);
+  host_free(host, colours, bytes, 64);
   return r;
 }
 
@@ -82,10 +82,10 @@ static void collect_needs(sozai_texture *t) {
   }
 }
 
-static int32_t create(const sozai_host *host, const char *id, const char *preset,
-                      const sozai_value *values, uint32_t value_count, sozai_texture **out) {
-  if (!out) return fail(SOZAI_ERROR_ARGUMENT, "create: out is NULL");
-  *out = NULL;
+/* Makes it, or rehearses that: then *out is NULL, and *memory what it would take. */
+static int32_t make(const sozai_host *host, const char *id, const char *preset,
+                    const sozai_value *values, uint32_t value_count, sozai_texture **out,
+                    sozai_memory *memory) {
   if (!textures_ready()) return fail(SOZAI_ERROR_STATE, "create: called before init");
   if (!id) return fail(SOZAI_ERROR_ARGUMENT, "create: the texture's id is NULL");
   if (host && host->size < 8) {
@@ -94,21 +94,43 @@ static int32_t create(const sozai_host *host, const char *id, const char *preset
   }
   const material *m = material_of(id);
   if (!m) return fail(SOZAI_ERROR_UNKNOWN, "there is no texture \"%.80s\"", id);
-  sozai_host h = host_copy(host);
+  sozai_host own = host_copy(host), h;
+  meter counted;
+  int32_t r = meter_open(&counted, &own, LIMIT_TEXTURE_BYTES, &h);
+  if (r) return r;
+  counted.rehearsing = memory != NULL;
   sozai_texture *t = host_alloc(&h, sizeof *t, 64);
-  if (!t) return SOZAI_ERROR_MEMORY;
+  if (!t) return meter_result(&counted, SOZAI_ERROR_MEMORY, id);
   t->kind = m;
   t->info = m->describe();
-  t->host = h;
+  t->host = own;
   collect_needs(t);
-  int32_t r = settings_make(&t->given, &h, t->info, preset, values, value_count);
-  if (!r) r = build_state(t);
-  if (r) {
+  r = settings_make(&t->given, &h, t->info, preset, values, value_count);
+  if (!r) r = build_state(t, &h);
+  if (!r && memory) {
+    memory->held = atomic_load(&counted.held);
+    memory->peak = atomic_load(&counted.peak);
+  }
+  if (r || memory) {
     destroy(t);
-    return r;
+    return meter_result(&counted, r, id);
   }
   *out = t;
   return SOZAI_OK;
+}
+
+static int32_t create(const sozai_host *host, const char *id, const char *preset,
+                      const sozai_value *values, uint32_t value_count, sozai_texture **out) {
+  if (!out) return fail(SOZAI_ERROR_ARGUMENT, "create: out is NULL");
+  *out = NULL;
+  return make(host, id, preset, values, value_count, out, NULL);
+}
+
+int32_t texture_memory(const sozai_host *host, const char *id, const char *preset,
+                       const sozai_value *values, uint32_t value_count, sozai_memory *out) {
+  int32_t r = memory_clear(out, "texture");
+  sozai_texture *none = NULL;
+  return r ? r : make(host, id, preset, values, value_count, &none, out);
 }
 
 static uint32_t inputs_of(const sozai_batch *b) {
@@ -212,7 +234,7 @@ static const sozai_texture_info *info_of(const sozai_texture *t) { return t ? t-
 static uint64_t bytes(const sozai_texture *t) {
   if (!t) return 0;
   uint64_t held = t->kind->bytes ? t->kind->bytes(t->state) : 0;
-  return sizeof *t + t->given.bytes + t->kind->state_bytes + held;
+  return sizeof *t + t->given.bytes + t->kind->state_bytes + images_bytes(&t->images) + held;
 }
 
 static const char *instruction_set(const sozai_texture *t) {

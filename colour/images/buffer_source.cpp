@@ -4,6 +4,7 @@
 // multiplied by it: what renderers keep in memory is.
 #include "boundary.hpp"
 #include "source.hpp"
+#include "../ceilings.h"
 
 #include <string>
 #include <vector>
@@ -14,7 +15,7 @@ using colour::Failure;
 
 namespace {
 
-constexpr uint64_t most_channels = 1024;
+constexpr uint64_t most_channels = IMAGE_MOST_CHANNELS;
 
 class BufferSource final : public Source {
 public:

@@ -3,13 +3,14 @@
 // What file and buffer have in common.
 #include "boundary.hpp"
 #include "source.hpp"
+#include "../ceilings.h"
 
 #include <string>
 
 namespace sozai::images {
 
-constexpr uint64_t largest_side = 1u << 17;
-constexpr uint64_t most_pixels = 1u << 30;
+constexpr uint64_t largest_side = IMAGE_LARGEST_SIDE;
+constexpr uint64_t most_pixels = IMAGE_MOST_PIXELS;
 
 void must_be_sane(const std::string &name, uint64_t width, uint64_t height) {
   if (width >= 1 && height >= 1 && width <= largest_side && height <= largest_side &&

@@ -9,9 +9,7 @@
 #include "numbers.h"
 #include "progress.h"
 #include "session.h"
-
-#define MOST_SIDE 65536
-#define MOST_SHARDS 100000
+#include "ceilings.h"
 
 /* What was asked for, as text where it needs more than a number. */
 typedef struct request {
@@ -73,7 +71,7 @@ static bool read_shard(bake_job *job, const request *q, failure *why) {
     return fail(why, EXIT_BAD_INPUT, "--merge goes with neither --shard nor --resume");
   if (!q->shard) return true;
   double part[2];
-  if (numbers_read(q->shard, '/', part, 2) == 2 && part[1] >= 1 && part[1] <= MOST_SHARDS &&
+  if (numbers_read(q->shard, '/', part, 2) == 2 && part[1] >= 1 && part[1] <= BAKE_MOST_SHARDS &&
       part[0] >= 1 && part[0] <= part[1] && part[0] == (double)(uint32_t)part[0] &&
       part[1] == (double)(uint32_t)part[1]) {
     job->shard = (uint32_t)part[0];
@@ -81,14 +79,14 @@ static bool read_shard(bake_job *job, const request *q, failure *why) {
     return true;
   }
   return fail(why, EXIT_BAD_INPUT, "--shard: '%s' is not I/N, I from 1 to N, N to %d", q->shard,
-              MOST_SHARDS);
+              BAKE_MOST_SHARDS);
 }
 
 static bool check_job(const bake_job *job, const request *q, failure *why) {
   const uint32_t *pixels = surface_shape_of(job->ground->surface)->pixels;
-  if (pixels[0] > MOST_SIDE || pixels[1] > MOST_SIDE)
+  if (pixels[0] > BAKE_MOST_SIDE || pixels[1] > BAKE_MOST_SIDE)
     return fail(why, EXIT_BAD_INPUT, "--res: %ux%u is more than %d a side", pixels[0], pixels[1],
-                MOST_SIDE);
+                BAKE_MOST_SIDE);
   if (q->mip && (job->outputs->format != BAKE_EXR || job->tile == 0))
     return fail(why, EXIT_BAD_INPUT, "--mip: only an EXR with tiles holds mipmaps");
   if (job->tile % 16 != 0)

@@ -4,6 +4,7 @@
 #ifndef SOZAI_CLI_COMMANDS_H
 #define SOZAI_CLI_COMMANDS_H
 
+int run_limits(int argc, char **argv);
 int run_list(int argc, char **argv);
 int run_describe(int argc, char **argv);
 int run_eval(int argc, char **argv);

@@ -7,7 +7,7 @@
 
 #define CHUNK 65536
 /* A block ends early at this size, however few its lines. */
-#define MOST_BYTES ((size_t)8 << 20)
+#define BLOCK_BYTES ((size_t)8 << 20)
 
 bool csv_open(csv_lines *lines, FILE *file, const char *name, uint32_t most, failure *why) {
   *lines = (csv_lines){.file = file, .name = name, .room = most, .first_line = 1};
@@ -60,7 +60,7 @@ bool csv_next(csv_lines *lines, uint32_t most, failure *why) {
   if (lines->done) memmove(lines->text, lines->text + lines->done, lines->used);
   lines->done = 0;
   size_t searched = 0; /* bytes beyond `done` known to hold no newline */
-  while (lines->count < most && lines->done < MOST_BYTES) {
+  while (lines->count < most && lines->done < BLOCK_BYTES) {
     size_t left = lines->used - lines->done;
     char *start = lines->text + lines->done;
     char *end = left > searched ? memchr(start + searched, '\n', left - searched) : NULL;

@@ -7,8 +7,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include "failure.h"
-
-#define CSV_LONGEST_LINE 65536
+#include "ceilings.h"
 
 typedef struct csv_lines {
   FILE *file;

@@ -14,11 +14,10 @@
 #include "output_file.h"
 #include "parallel.h"
 #include "session.h"
+#include "ceilings.h"
 
 #define SLICE 1024 /* lines */
 #define MOST_SLICES 64
-#define MOST_CHANNELS 64
-#define MOST_OUTPUTS 256
 #define NUMBER_LENGTH 17 /* of "-1.23456789e-38" and what follows it, with room */
 
 typedef struct slice {
@@ -32,9 +31,9 @@ typedef struct job {
   const sozai_texture_info *info;
   const sozai_texture *texture;
   columns columns;
-  uint32_t channels[MOST_CHANNELS];
+  uint32_t channels[EVAL_MOST_CHANNELS];
   uint32_t channel_count;
-  uint32_t outputs[MOST_OUTPUTS]; /* component of the texture's, in the order printed */
+  uint32_t outputs[EVAL_MOST_OUTPUTS]; /* component of the texture's, in the order printed */
   uint32_t output_count;
   csv_lines lines;
   float *arena; /* for each slice: COLUMNS + output_count arrays of SLICE */
@@ -56,16 +55,16 @@ static bool missing_input(const job *j, const sozai_channel *c, failure *why) {
 
 static bool choose_channels(job *j, const char *names, failure *why) {
   if (names) {
-    if (!session_channels(j->info, names, j->channels, MOST_CHANNELS, &j->channel_count, why))
+    if (!session_channels(j->info, names, j->channels, EVAL_MOST_CHANNELS, &j->channel_count, why))
       return false;
   } else
-    for (uint32_t i = 0; i < j->info->channel_count && j->channel_count < MOST_CHANNELS; i++)
+    for (uint32_t i = 0; i < j->info->channel_count && j->channel_count < EVAL_MOST_CHANNELS; i++)
       if (!(j->info->channels[i]->needs & ~j->columns.inputs)) j->channels[j->channel_count++] = i;
   for (uint32_t i = 0; i < j->channel_count; i++) {
     const sozai_channel *c = j->info->channels[j->channels[i]];
     if (c->needs & ~j->columns.inputs) return missing_input(j, c, why);
-    if (j->output_count + c->components > MOST_OUTPUTS)
-      return fail(why, EXIT_FAILURE, "more than %d output columns", MOST_OUTPUTS);
+    if (j->output_count + c->components > EVAL_MOST_OUTPUTS)
+      return fail(why, EXIT_FAILURE, "more than %d output columns", EVAL_MOST_OUTPUTS);
     for (uint32_t k = 0; k < c->components; k++) j->outputs[j->output_count++] = c->first + k;
   }
   if (j->output_count > 0) return true;
@@ -113,11 +112,11 @@ static bool parse_slice(const job *j, uint32_t first, uint32_t count, float *inp
 
 static bool evaluate_slice(const job *j, uint32_t count, const float *inputs, float *outputs,
                            failure *why) {
-  float *out[MOST_OUTPUTS] = {NULL};
+  float *out[EVAL_MOST_OUTPUTS] = {NULL};
   uint32_t out_count = 0;
   for (uint32_t i = 0; i < j->output_count; i++) {
-    if (j->outputs[i] >= MOST_OUTPUTS)
-      return fail(why, EXIT_FAILURE, "the material has more than %d components", MOST_OUTPUTS);
+    if (j->outputs[i] >= EVAL_MOST_OUTPUTS)
+      return fail(why, EXIT_FAILURE, "the material has more than %d components", EVAL_MOST_OUTPUTS);
     out[j->outputs[i]] = outputs + i * SLICE;
     if (j->outputs[i] >= out_count) out_count = j->outputs[i] + 1;
   }

@@ -17,6 +17,7 @@
 #include "progress.h"
 #include "session.h"
 #include "sheet.h"
+#include "ceilings.h"
 
 #define PATH_SIZE 4096
 
@@ -250,7 +251,7 @@ int run_gallery(int argc, char **argv) {
        0},
       {"all", 0, OPTION_FLAG, &all, NULL, "every picture: some minutes; without it a choice of them",
        0, 0},
-      {"spp", 0, OPTION_COUNT, &spp, "N", "samples per pixel (default: 16)", 1, 65536},
+      {"spp", 0, OPTION_COUNT, &spp, "N", "samples per pixel (default: 16)", 1, VIEW_MOST_SAMPLES},
       SESSION_DISPLAY_OPTIONS(shared),
       SESSION_RUN_OPTIONS(shared)};
   const command_line line = {.usage = "gallery -o DIR [options]",

@@ -16,6 +16,7 @@
 #include "progress.h"
 #include "session.h"
 #include "tree_view.h"
+#include "ceilings.h"
 
 typedef struct grow_options {
   const char *species, *age, *field, *output, *table;
@@ -136,7 +137,9 @@ static bool open_for(const grow_options *o, session *s, const session_options *s
   if (!plugin_open(&s->plugin, why)) return false;
   uint32_t threads = shared->threads ? shared->threads : parallel_default_threads();
   host_init(&s->host, threads, shared->verbose, NULL, NULL);
-  return true;
+  if (limits_give(s->plugin.entry, &s->host.abi, why)) return true;
+  session_close(s);
+  return false;
 }
 
 static bool grow(grow_options *o, const session_options *shared, const char *what, failure *why) {
@@ -172,8 +175,8 @@ int run_grow(int argc, char **argv) {
       {"curves", 0, OPTION_FLAG, &o.curves, NULL, "curves in place of a mesh, in .usda", 0, 0},
       {"table", 0, OPTION_TEXT, &o.table, "NAME", "which table a .csv takes: see describe tree", 0,
        0},
-      {"res", 0, OPTION_SIZE, o.view.size, "WxH", "pixels of a view", 1, 16384},
-      {"spp", 0, OPTION_COUNT, &o.view.spp, "N", "samples a pixel of a view", 1, 65536},
+      {"res", 0, OPTION_SIZE, o.view.size, "WxH", "pixels of a view", 1, VIEW_MOST_SIDE},
+      {"spp", 0, OPTION_COUNT, &o.view.spp, "N", "samples a pixel of a view", 1, VIEW_MOST_SAMPLES},
       {"camera", 0, OPTION_TEXT, &o.view.camera, "AZ,EL[,ANGLE]", "of a view, degrees", 0, 0},
       {"target", 0, OPTION_TEXT, &o.view.target, "X,Y,Z", "a view's middle, mm", 0, 0},
       {"zoom", 0, OPTION_NUMBER, &o.view.zoom, "X", "1: the whole tree", 0.01, 10000},

@@ -16,6 +16,7 @@
 #include "parallel.h"
 #include "progress.h"
 #include "session.h"
+#include "ceilings.h"
 
 typedef struct fiber_options {
   const char *hull, *material, *output, *table;
@@ -130,7 +131,9 @@ static bool open_for(const fiber_options *o, session *s, const session_options *
   if (!plugin_open(&s->plugin, why)) return false;
   uint32_t threads = shared->threads ? shared->threads : parallel_default_threads();
   host_init(&s->host, threads, shared->verbose, NULL, NULL);
-  return true;
+  if (limits_give(s->plugin.entry, &s->host.abi, why)) return true;
+  session_close(s);
+  return false;
 }
 
 static bool grow(const fiber_options *o, const session_options *shared, failure *why) {
@@ -165,8 +168,8 @@ int run_grow_fiber(int argc, char **argv) {
       {"level", 0, OPTION_COUNT, &o.level, "N", "of detail: 0 is all, each more about half", 0, 8},
       {"table", 0, OPTION_TEXT, &o.table, "NAME", "which table a .csv takes: statistics, strands",
        0, 0},
-      {"res", 0, OPTION_SIZE, o.view.size, "WxH", "pixels of a view", 1, 16384},
-      {"spp", 0, OPTION_COUNT, &o.view.spp, "N", "samples a pixel of a view", 1, 65536},
+      {"res", 0, OPTION_SIZE, o.view.size, "WxH", "pixels of a view", 1, VIEW_MOST_SIDE},
+      {"spp", 0, OPTION_COUNT, &o.view.spp, "N", "samples a pixel of a view", 1, VIEW_MOST_SAMPLES},
       {"bounces", 0, OPTION_COUNT, &o.view.bounces, "N", "of light, strand to strand", 0, 256},
       {"camera", 0, OPTION_TEXT, &o.view.camera, "AZ,EL[,ANGLE]", "of a view, degrees", 0, 0},
       {"target", 0, OPTION_TEXT, &o.view.target, "X,Y,Z", "a view's middle, mm", 0, 0},

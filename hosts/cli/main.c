@@ -24,6 +24,7 @@ static const command commands[] = {
     {"figures", "the figures of the papers, with their measured numbers", run_figures},
     {"gallery", "a folder of pictures of every preset", run_gallery},
     {"grow", "a tree, or fibre in a hull, as a mesh, curves, tables or a picture", run_grow},
+    {"limits", "the ceilings on what comes from outside", run_limits},
     {"match", "a material's palette from a photograph", run_match},
     {"saw", "a log of a grown tree into boards, and a picture of its cuts", run_saw},
 };

@@ -6,6 +6,7 @@
 #include <string.h>
 #include "numbers.h"
 #include "progress.h"
+#include "ceilings.h"
 
 static void print_help(const command_line *line) {
   printf("usage: sozai %s\n\n%s\n", line->usage, line->about);
@@ -51,6 +52,8 @@ static bool store(const option *o, const char *text, failure *why) {
     return true;
   case OPTION_COUNT:
     return read_count(o, text, o->target, why);
+  case OPTION_LIMIT:
+    return limits_set(text, why);
   case OPTION_SIZE:
     return read_size(o, text, o->target, why);
   case OPTION_NUMBER: {

@@ -8,6 +8,7 @@
 #include "job_options.h"
 #include "output_file.h"
 #include "session.h"
+#include "ceilings.h"
 
 #define PICTURE_EXR 0
 #define PICTURE_PNG 1
@@ -124,7 +125,8 @@ int run_render(int argc, char **argv) {
        "how a board lies in the log, e.g. flat, quarter; the same as -p cut=", 0, 0},
       {"res", 0, OPTION_SIZE, &q.resolution, "WxH",
        "pixels (default: 1024x768; a face's proportions from the front)", 1, 32768},
-      {"spp", 0, OPTION_COUNT, &q.spp, "N", "samples per pixel (default: 32)", 1, 65536},
+      {"spp", 0, OPTION_COUNT, &q.spp, "N", "samples per pixel (default: 32)", 1,
+       VIEW_MOST_SAMPLES},
       {"camera", 0, OPTION_TEXT, &q.look.camera, "VIEW",
        "front, or azimuth,elevation[,angle of view] (default: -32,42,24)", 0, 0},
       {"target", 0, OPTION_TEXT, &q.look.target, "X,Y,Z", "what the camera looks at, in mm", 0, 0},

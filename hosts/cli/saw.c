@@ -10,6 +10,7 @@
 #include "commands.h"
 #include "json.h"
 #include "progress.h"
+#include "ceilings.h"
 
 /* What each board's recipe says for itself, or the log's options do. */
 static const char *const own[] = {
@@ -221,7 +222,8 @@ int run_saw(int argc, char **argv) {
       {"knot-size", 0, OPTION_NUMBER, &o->knot_size, "X", "factor of the knots' radii", 0.1, 3},
       {"param", 'p', OPTION_PAIRS, &shared.params, "NAME=VALUE",
        "set a parameter of wood; any number of these", 0, 0},
-      {"res", 0, OPTION_SIZE, o->size, "WxH", "pixels of log.png (default: 1760x960)", 320, 16384},
+      {"res", 0, OPTION_SIZE, o->size, "WxH", "pixels of log.png (default: 1760x960)", 320,
+       VIEW_MOST_SIDE},
       SESSION_DISPLAY_OPTIONS(shared),
       SESSION_RUN_OPTIONS(shared)};
   const command_line line = {.usage = "saw --species NAME -o DIR [options]",

@@ -32,7 +32,9 @@ bool session_open(session *s, const session_options *o, failure *why) {
   }
   uint32_t threads = o->threads ? o->threads : parallel_default_threads();
   host_init(&s->host, threads, o->verbose, &s->colour, o->config);
-  return true;
+  if (limits_give(s->plugin.entry, &s->host.abi, why)) return true;
+  session_close(s);
+  return false;
 }
 
 void session_close(session *s) {

@@ -10,6 +10,7 @@
 #include "options.h"
 #include "plugin.h"
 #include "recipe.h"
+#include "ceilings.h"
 
 typedef struct session {
   plugin plugin;
@@ -39,7 +40,9 @@ typedef struct session_options {
   {.name = "config", .kind = OPTION_TEXT, .target = &(s).config, .argument = "FILE", \
    .help = "OpenColorIO config (default: $OCIO, else the shipped one)"}, \
   {.name = "threads", .kind = OPTION_COUNT, .target = &(s).threads, .argument = "N", \
-   .help = "threads (default: all)", .low = 1, .high = 256}, \
+   .help = "threads (default: all)", .low = 1, .high = MOST_THREADS}, \
+  {.name = "limit", .kind = OPTION_LIMIT, .argument = "NAME=VALUE", \
+   .help = "set a ceiling: see sozai limits; any number of these"}, \
   {.name = "verbose", .kind = OPTION_FLAG, .target = &(s).verbose, \
    .help = "log what the plugin says"}
 #define SESSION_DISPLAY_OPTIONS(s) \

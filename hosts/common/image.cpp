@@ -87,6 +87,12 @@ bool write(const char *path, uint32_t width, uint32_t height, const image_channe
 }
 
 std::unique_ptr<OIIO::ImageInput> open(const char *path, failure *why) {
+  struct stat status;
+  /* of a pipe that nobody writes to OpenImageIO would wait for ever */
+  if (stat(path, &status) == 0 && !S_ISREG(status.st_mode)) {
+    fail(why, EXIT_BAD_INPUT, "cannot read %s: not a file", path);
+    return nullptr;
+  }
   auto input = OIIO::ImageInput::open(path);
   if (!input) {
     fail(why, EXIT_BAD_INPUT, "cannot read %s: %s", path, OIIO::geterror().c_str());

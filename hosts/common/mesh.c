@@ -9,8 +9,10 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include "mesh_ply.h"
+#include "ceilings.h"
 
 bool mesh_allocate(mesh *m, uint32_t points, uint32_t triangles, failure *why) {
   memset(m, 0, sizeof *m);
@@ -78,9 +80,9 @@ static bool convert(mesh *m, const struct aiScene *scene, const char *path, floa
     triangles += scene->mMeshes[i]->mNumFaces;
     unwrapped = unwrapped || scene->mMeshes[i]->mTextureCoords[0];
   }
-  if (points > UINT32_MAX / 4 || triangles > UINT32_MAX / 4)
-    return fail(why, EXIT_BAD_INPUT, "%s: too large: %llu triangles", path,
-                (unsigned long long)triangles);
+  if (!limits_check(HOST_LIMIT_MESH_POINTS, points, path, why) ||
+      !limits_check(HOST_LIMIT_MESH_TRIANGLES, triangles, path, why))
+    return false;
   if (!mesh_allocate(m, (uint32_t)points, (uint32_t)triangles, why)) return false;
   if (unwrapped && !(m->uvs = malloc(2 * sizeof *m->uvs * ((size_t)points + 1)))) {
     mesh_free(m);
@@ -96,7 +98,10 @@ static bool convert(mesh *m, const struct aiScene *scene, const char *path, floa
 
 bool mesh_read(mesh *m, const char *path, double scale, failure *why) {
   memset(m, 0, sizeof *m);
-  if (access(path, R_OK) != 0) return fail(why, EXIT_BAD_INPUT, "cannot read mesh '%s'", path);
+  struct stat status;
+  if (access(path, R_OK) != 0 || stat(path, &status) != 0 || !S_ISREG(status.st_mode))
+    return fail(why, EXIT_BAD_INPUT, "cannot read mesh '%s'", path);
+  if (!limits_check(HOST_LIMIT_MESH_FILE_BYTES, (uint64_t)status.st_size, path, why)) return false;
   if (!mesh_ply_plausible(path, why)) return false;
   struct aiPropertyStore *settings = aiCreatePropertyStore();
   if (settings) aiSetImportPropertyFloat(settings, AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, 45);

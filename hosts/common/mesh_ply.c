@@ -1,15 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "mesh_ply.h"
+#include "ceilings.h"
 
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 
-#define MOST_LINES 10000
-
 static bool check_header(FILE *file, const char *path, double bytes, failure *why) {
   char line[512];
-  for (int i = 0; i < MOST_LINES && fgets(line, sizeof line, file); i++) {
+  for (int i = 0; i < PLY_MOST_LINES && fgets(line, sizeof line, file); i++) {
     char name[64];
     double count;
     if (strncmp(line, "end_header", 10) == 0) return true;

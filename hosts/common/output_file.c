@@ -41,7 +41,9 @@ bool output_begin(output_file *o, const char *path, failure *why) {
     return fail(why, EXIT_FAILURE, "out of memory");
   }
   if (o->in_place) return true;
-  int file = open(o->writing, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+  /* a new one: not through a link that someone has laid there */
+  unlink(o->writing);
+  int file = open(o->writing, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (file < 0) {
     fail(why, EXIT_BAD_INPUT, "cannot write '%s': %s", path, strerror(errno));
     forget(o);

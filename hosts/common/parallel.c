@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #define _GNU_SOURCE /* sched_getaffinity */
 #include "parallel.h"
+#include "ceilings.h"
 
 #include <pthread.h>
 #include <sched.h>
 #include <stdatomic.h>
-
-#define MOST_THREADS 256
 
 typedef struct work {
   void (*task)(void *context, uint32_t i);

@@ -6,10 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include "numbers.h"
+#include "ceilings.h"
 
 #define ENDING ".sozai"
-#define MOST_PARAMS 1024
-
 static bool out_of_memory(failure *why) { return fail(why, EXIT_FAILURE, "out of memory"); }
 
 static bool set_string(char **slot, const char *text, failure *why) {
@@ -23,8 +22,7 @@ static bool set_string(char **slot, const char *text, failure *why) {
 static recipe_param *slot_for(recipe *r, const char *id, failure *why) {
   for (size_t i = 0; i < r->param_count; i++)
     if (strcmp(r->params[i].id, id) == 0) return &r->params[i];
-  if (r->param_count == MOST_PARAMS) {
-    fail(why, EXIT_BAD_INPUT, "more than %d parameters", MOST_PARAMS);
+  if (!limits_check(HOST_LIMIT_RECIPE_PARAMETERS, r->param_count + 1, "parameters", why)) {
     return NULL;
   }
   recipe_param *more = realloc(r->params, (r->param_count + 1) * sizeof *more);
@@ -212,6 +210,7 @@ static int exit_code_of(int32_t result) {
   case SOZAI_ERROR_UNKNOWN:
   case SOZAI_ERROR_KIND:
   case SOZAI_ERROR_RANGE:
+  case SOZAI_ERROR_LIMIT:
   case SOZAI_ERROR_FILE:
   case SOZAI_ERROR_COLOUR:
     return EXIT_BAD_INPUT;

@@ -5,8 +5,7 @@
 #define SOZAI_HOSTS_RECIPE_IMAGE_H
 
 #include "failure.h"
-
-#define RECIPE_MOST_PIXELS 1048576 /* a side */
+#include "ceilings.h"
 
 #define RECIPE_FORMAT_AUTO 0 /* colours half, all else float */
 #define RECIPE_FORMAT_HALF 1

@@ -11,8 +11,8 @@
 #include <string.h>
 #include "cancel.h"
 #include "curve_files.h"
+#include "ceilings.h"
 
-#define SEGMENTS_MOST 65535u
 #define CHUNK 4096u
 
 static void put32(unsigned char *to, uint32_t x) {
@@ -71,9 +71,9 @@ bool curves_write_hair(const sozai_curves *c, const char *path, failure *why) {
     return fail(why, EXIT_BAD_INPUT, "--output: .hair holds 2^32 points at most, not %llu",
                 (unsigned long long)c->point_count);
   for (uint64_t i = 0; i < c->curve_count; i++)
-    if (c->first[i + 1] - c->first[i] > SEGMENTS_MOST)
+    if (c->first[i + 1] - c->first[i] > HAIR_MOST_SEGMENTS)
       return fail(why, EXIT_BAD_INPUT, "--output: .hair holds %u segments a strand at most",
-                  SEGMENTS_MOST);
+                  HAIR_MOST_SEGMENTS);
   FILE *f = fopen(path, "wb");
   if (!f) return fail(why, EXIT_FAILURE, "cannot write '%s': %s", path, strerror(errno));
   bool ok = put_header(f, c) && put_segments(f, c) &&

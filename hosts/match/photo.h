@@ -7,7 +7,6 @@
 #include <stdint.h>
 #include "colour.h"
 
-#define PHOTO_MOST_PIXELS (1u << 26)
 #define PHOTO_LEAST_PIXELS 1024u /* fewer say nothing of a covariance */
 
 /* What photo.pixel holds. */

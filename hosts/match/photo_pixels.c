@@ -7,6 +7,7 @@
 #include "appearance.h"
 #include "image.h"
 #include "photo_rule.h"
+#include "ceilings.h"
 
 #define GREY 0.02f /* of a pixel's brightness: differences of channels below it are no colour */
 #define FULL 0.998f
@@ -15,9 +16,7 @@
 
 static bool check_size(const char *path, uint32_t width, uint32_t height, uint32_t channels,
                        failure *why) {
-  if ((uint64_t)width * height > PHOTO_MOST_PIXELS)
-    return fail(why, EXIT_BAD_INPUT, "%s: %ux%u pixels are more than %u; make it smaller", path,
-                width, height, PHOTO_MOST_PIXELS);
+  if (!limits_check(HOST_LIMIT_PHOTO_PIXELS, (uint64_t)width * height, path, why)) return false;
   return channels == 3 || channels == 4 ||
          fail(why, EXIT_BAD_INPUT, "%s: has %u channel%s, not three of colour", path, channels,
               channels == 1 ? "" : "s");

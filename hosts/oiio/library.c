@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include "display.h"
 #include "parallel.h"
+#include "ceilings.h"
 
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 static library opened;
@@ -25,6 +26,11 @@ static bool open_all(library *l, failure *why) {
   host_init(&l->host, parallel_default_threads(), false, &l->colour, NULL);
   /* The terminal is the host's. */
   l->host.abi.progress = NULL;
+  if (!limits_give(l->plugin.entry, &l->host.abi, why)) {
+    colour_close(&l->colour);
+    plugin_close(&l->plugin);
+    return false;
+  }
   const char *name = NULL;
   float xy[8];
   if (display_working(&l->colour, &name, xy) && name)

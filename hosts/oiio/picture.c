@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "texture.h"
+#include "ceilings.h"
 
 static const char *wrap_name(int wrap) {
   switch (wrap) {
@@ -58,6 +59,7 @@ static bool is_sozai(const char *name) {
 bool picture_open(picture **out, const char *name, failure *why) {
   *out = NULL;
   if (!is_sozai(name)) return fail(why, EXIT_BAD_INPUT, "%.200s: not a .sozai file", name);
+  if (!limits_check(HOST_LIMIT_QUERY_BYTES, strlen(name), "a file's name", why)) return false;
   picture *p = calloc(1, sizeof *p);
   if (!p) return fail(why, EXIT_FAILURE, "out of memory");
   if (!recipe_open(&p->recipe, name, why) || !open_parts(p, why)) {

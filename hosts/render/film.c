@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "image.h"
+#include "ceilings.h"
 
 #define NAME_SIZE 80
 
@@ -18,6 +19,9 @@ bool film_allocate(film *f, uint32_t width, uint32_t height, const sozai_texture
   for (uint32_t i = 0; i < channel_count; i++)
     f->components += info->channels[channels[i]]->components;
   size_t pixels = (size_t)width * height;
+  if (!limits_check(HOST_LIMIT_VIEW_BYTES, pixels * sizeof(float) * (4ull + f->components),
+                    "the picture", why))
+    return false;
   f->beauty = calloc(3 * pixels, sizeof(float));
   f->coverage = calloc(pixels, sizeof(float));
   f->layers = calloc(pixels * f->components + 1, sizeof(float));

@@ -11,6 +11,7 @@
 #include "failure.h"
 #include "film.h"
 #include "sozai.h"
+#include "ceilings.h"
 
 #define SHAPE_BOARD 0  /* +y along its length, +z its face's normal, centred */
 #define SHAPE_SPHERE 1 /* of diameter size[0], centred */
@@ -20,8 +21,6 @@
 
 #define CAMERA_VIEW 0  /* pinhole, from camera_azimuth and camera_elevation */
 #define CAMERA_FRONT 1 /* parallel rays, straight at the face: -z, with +y up */
-
-#define RENDER_MOST_CHANNELS 32
 
 typedef struct render_job {
   const sozai_textures_1 *textures;

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "growth.h"
+#include "ceilings.h"
 
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-#define FIELD_MOST 65536 /* bytes: what a text parameter holds */
 
 const sozai_geometry_1 *growth_table(const sozai_entry_v1 *entry, failure *why) {
   const sozai_geometry_1 *table = entry->get_factory(SOZAI_GEOMETRY_1);
@@ -16,7 +15,7 @@ const sozai_geometry_1 *growth_table(const sozai_entry_v1 *entry, failure *why) 
 
 bool growth_failed(const sozai_geometry_1 *table, int32_t code, failure *why) {
   bool mend = code == SOZAI_ERROR_UNKNOWN || code == SOZAI_ERROR_KIND ||
-              code == SOZAI_ERROR_RANGE || code == SOZAI_ERROR_FILE;
+              code == SOZAI_ERROR_RANGE || code == SOZAI_ERROR_FILE || code == SOZAI_ERROR_LIMIT;
   return fail(why, mend ? EXIT_BAD_INPUT : EXIT_FAILURE, "%s", table->last_error());
 }
 
@@ -68,7 +67,8 @@ bool growth_read_text(const char *path, char **out, failure *why) {
   bool ok = text || fail(why, EXIT_FAILURE, "out of memory");
   if (ok && failed) ok = fail(why, EXIT_BAD_INPUT, "cannot read '%s': not a file of text", path);
   if (ok && n > FIELD_MOST)
-    ok = fail(why, EXIT_BAD_INPUT, "'%s' is longer than %d bytes", path, FIELD_MOST);
+    ok = fail(why, EXIT_BAD_INPUT, "'%s' is longer than %d B, the ceiling field_bytes", path,
+              FIELD_MOST);
   if (ok && memchr(text, 0, n))
     ok = fail(why, EXIT_BAD_INPUT, "'%s' holds a zero byte: not a file of text", path);
   if (!ok) {

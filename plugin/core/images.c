@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "colour.h"
+#include "limits.h"
 #include "services.h"
 #include "status.h"
 
@@ -30,6 +31,15 @@ static int32_t find_service(image_set *set, const sozai_host *host, const char *
   return SOZAI_OK;
 }
 
+/* A file's size is known once it is open. */
+static int32_t check_pixels(const image_set *set, uint32_t i, const sozai_host *host,
+                            const char *id) {
+  uint32_t width = 0, height = 0;
+  int32_t r = set->service->resolution(set->service->self, set->list[i], &width, &height);
+  if (r) return fail(r, "%s: the image service does not say how large the picture is", id);
+  return limit_check(host, LIMIT_IMAGE_PIXELS, (uint64_t)width * height, id);
+}
+
 static int32_t open_one(image_set *set, uint32_t i, const sozai_host *host,
                         const sozai_parameter *p, const sozai_buffer *b) {
   int32_t r = find_service(set, host, p->id);
@@ -49,7 +59,7 @@ static int32_t open_one(image_set *set, uint32_t i, const sozai_host *host,
   }
   char message[512] = "";
   r = set->service->open(set->service->self, &q, &set->list[i], message, sizeof message);
-  if (r == SOZAI_OK) return r;
+  if (r == SOZAI_OK) return check_pixels(set, i, host, p->id);
   set->list[i] = NULL;
   return fail(r, "%s: %s", p->id, message[0] ? message : "the image service refused the picture");
 }
@@ -71,6 +81,8 @@ int32_t images_open(image_set *set, const sozai_host *host, const sozai_texture_
   if (r) images_close(set, host);
   return r;
 }
+
+uint64_t images_bytes(const image_set *set) { return set->count * sizeof *set->list; }
 
 void images_close(image_set *set, const sozai_host *host) {
   for (uint32_t i = 0; i < set->count; i++) {

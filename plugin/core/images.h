@@ -19,5 +19,7 @@ typedef struct {
 int32_t images_open(image_set *set, const sozai_host *host, const sozai_texture_info *info,
                     const settings *s);
 void images_close(image_set *set, const sozai_host *host);
+/* Of the host's memory; pictures are the service's. */
+uint64_t images_bytes(const image_set *set);
 
 #endif

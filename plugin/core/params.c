@@ -4,10 +4,11 @@
 #include <string.h>
 
 #include "image_text.h"
+#include "limits.h"
+#include "meter.h"
 #include "status.h"
 
-#define TEXT_MAX 65536u
-#define BUFFER_MAX (1ull << 31) /* bytes in a buffer's array */
+#define BUFFER_MAX (1ull << 31) /* no ceiling is above it: bytes in a buffer's array */
 
 static const char *kind_name(uint32_t kind) {
   static const char *const names[] = {"text to be read", "a float",  "an int",   "a bool",
@@ -150,23 +151,21 @@ static int32_t check_choice(const sozai_parameter *p, const char *text, double *
   return fail(SOZAI_ERROR_RANGE, "%s: \"%.80s\" is none of: %s", p->id, text, list);
 }
 
-static int32_t check_count(const sozai_parameter *p, const char *what, uint64_t n, uint64_t each,
-                           const void *data) {
-  if (n > BUFFER_MAX / each) {
-    return fail(SOZAI_ERROR_RANGE, "%s: a buffer of %llu %s is larger than %llu", p->id,
-                (unsigned long long)n, what, (unsigned long long)(BUFFER_MAX / each));
+static int32_t check_count(const sozai_host *host, const sozai_parameter *p, const char *what,
+                           uint64_t n, const void *data) {
+  uint64_t most = limit_of(host, LIMIT_BUFFER_BYTES);
+  if (n > most / 4) {
+    return fail(SOZAI_ERROR_LIMIT,
+                "%s: a buffer of %llu %s of 4 B each is above the ceiling buffer_bytes, %llu",
+                p->id, (unsigned long long)n, what, (unsigned long long)most);
   }
   if (n && !data) return fail(SOZAI_ERROR_ARGUMENT, "%s: the buffer's %s are NULL", p->id, what);
   return SOZAI_OK;
 }
 
-static int32_t check_text(const sozai_parameter *p, const char *text) {
+static int32_t check_text(const sozai_host *host, const sozai_parameter *p, const char *text) {
   if (!text) return fail(SOZAI_ERROR_ARGUMENT, "%s: its text is NULL", p->id);
-  if (strlen(text) > TEXT_MAX) {
-    return fail(SOZAI_ERROR_RANGE, "%s: text of %zu bytes is longer than %u", p->id, strlen(text),
-                TEXT_MAX);
-  }
-  return SOZAI_OK;
+  return limit_check(host, LIMIT_TEXT_BYTES, strlen(text), p->id);
 }
 
 /* A buffer of any size, its members past that size zero. */
@@ -199,7 +198,8 @@ static void buffer_counts(const sozai_buffer *b, uint64_t n[4]) {
   }
 }
 
-static int32_t check_buffer(const sozai_parameter *p, const sozai_buffer *given) {
+static int32_t check_buffer(const sozai_host *host, const sozai_parameter *p,
+                            const sozai_buffer *given) {
   if (!given) return SOZAI_OK; /* none */
   if (given->size < 8) return fail(SOZAI_ERROR_ARGUMENT, "%s: the buffer's size is not set", p->id);
   sozai_buffer b = whole_buffer(given);
@@ -212,18 +212,23 @@ static int32_t check_buffer(const sozai_parameter *p, const sozai_buffer *given)
   }
   for (int i = 0; i < 3; i++) {
     if (b.dims[i] > (1u << 30)) {
-      return fail(SOZAI_ERROR_RANGE, "%s: a buffer of dimension %llu is larger than %u", p->id,
-                  (unsigned long long)b.dims[i], 1u << 30);
+      return fail(SOZAI_ERROR_LIMIT,
+                  "%s: a buffer of dimension %llu is above the ceiling buffer_bytes, %llu", p->id,
+                  (unsigned long long)b.dims[i],
+                  (unsigned long long)limit_of(host, LIMIT_BUFFER_BYTES));
     }
   }
   uint64_t n[4];
   buffer_counts(&b, n);
-  int32_t r = check_count(p, "numbers", n[0], 4, b.data);
-  if (!r) r = check_count(p, "points", n[1], 4, b.points);
-  if (!r) r = check_count(p, "normals", n[2], 4, b.normals);
-  if (!r) r = check_count(p, "indices", n[3], 4, b.indices);
-  if (!r && b.colour_space) r = check_text(p, b.colour_space);
-  if (!r && b.path) r = check_text(p, b.path);
+  int32_t r = check_count(host, p, "numbers", n[0], b.data);
+  if (!r) r = check_count(host, p, "points", n[1], b.points);
+  if (!r) r = check_count(host, p, "normals", n[2], b.normals);
+  if (!r) r = check_count(host, p, "indices", n[3], b.indices);
+  if (!r && b.kind == SOZAI_BUFFER_IMAGE) {
+    r = limit_check(host, LIMIT_IMAGE_PIXELS, b.dims[0] * b.dims[1], p->id);
+  }
+  if (!r && b.colour_space) r = check_text(host, p, b.colour_space);
+  if (!r && b.path) r = check_text(host, p, b.path);
   for (uint64_t i = 0; !r && i < n[3]; i++) {
     if (b.indices[i] >= b.dims[0]) {
       return fail(SOZAI_ERROR_RANGE, "%s: index %u is not below the %llu points", p->id,
@@ -234,11 +239,12 @@ static int32_t check_buffer(const sozai_parameter *p, const sozai_buffer *given)
 }
 
 /* A picture: by a buffer, by a path, or by text. */
-static int32_t read_image(const sozai_parameter *p, const sozai_value *v, draft *d) {
+static int32_t read_image(const sozai_host *host, const sozai_parameter *p, const sozai_value *v,
+                          draft *d) {
   int32_t r = SOZAI_OK;
   memset(&d->image, 0, sizeof d->image);
   if (v->kind == SOZAI_KIND_IMAGE && v->buffer) {
-    r = check_buffer(p, v->buffer);
+    r = check_buffer(host, p, v->buffer);
     if (r) return r;
     sozai_buffer b = whole_buffer(v->buffer);
     d->image = image_name_from_buffer(&b);
@@ -254,7 +260,7 @@ static int32_t read_image(const sozai_parameter *p, const sozai_value *v, draft 
       }
     }
   } else if (v->kind == SOZAI_KIND_IMAGE || v->kind == SOZAI_KIND_STRING) {
-    r = check_text(p, v->text);
+    r = check_text(host, p, v->text);
     if (!r && v->kind == SOZAI_KIND_IMAGE) d->image = image_name_from_path(v->text);
     if (!r && v->kind == SOZAI_KIND_STRING) r = image_name_from_text(p, v->text, &d->image);
   } else {
@@ -265,12 +271,13 @@ static int32_t read_image(const sozai_parameter *p, const sozai_value *v, draft 
 }
 
 /* One value into one setting. */
-static int32_t read_value(const sozai_parameter *p, const sozai_value *given, draft *d) {
+static int32_t read_value(const sozai_host *host, const sozai_parameter *p,
+                          const sozai_value *given, draft *d) {
   setting *s = &d->s;
   sozai_value v = *given;
-  if (p->kind == SOZAI_KIND_IMAGE) return read_image(p, given, d);
+  if (p->kind == SOZAI_KIND_IMAGE) return read_image(host, p, given, d);
   if (v.kind == SOZAI_KIND_STRING) {
-    int32_t r = check_text(p, v.text);
+    int32_t r = check_text(host, p, v.text);
     if (!r) r = read_text(p, given->text, &v);
     if (r) return r;
   }
@@ -290,12 +297,12 @@ static int32_t read_value(const sozai_parameter *p, const sozai_value *given, dr
     for (int c = 0; c < 3 && !r; c++) r = check_range(p, v.number[c]);
     memcpy(s->number, v.number, sizeof s->number);
     if (p->kind == SOZAI_KIND_COLOUR) s->text = v.text && v.text[0] ? v.text : p->default_text;
-    if (!r && s->text) r = check_text(p, s->text);
+    if (!r && s->text) r = check_text(host, p, s->text);
   } else if (p->kind == SOZAI_KIND_BUFFER) {
-    r = check_buffer(p, v.buffer);
+    r = check_buffer(host, p, v.buffer);
     s->buffer = v.buffer;
   } else {
-    r = check_text(p, v.text);
+    r = check_text(host, p, v.text);
     if (!r && p->kind == SOZAI_KIND_CHOICE) {
       r = check_choice(p, v.text, &s->number[0]);
       if (!r) s->text = p->choices[(uint32_t)s->number[0]];
@@ -321,15 +328,15 @@ static void set_default(const sozai_parameter *p, draft *d) {
   }
 }
 
-static int32_t read_values(draft *list, const sozai_texture_info *info, const sozai_value *values,
-                           uint32_t count) {
+static int32_t read_values(const sozai_host *host, draft *list, const sozai_texture_info *info,
+                           const sozai_value *values, uint32_t count) {
   for (uint32_t i = 0; i < count; i++) {
     if (!values[i].id) return fail(SOZAI_ERROR_ARGUMENT, "value %u has no parameter's id", i);
     int k = find_parameter(info, values[i].id);
     if (k < 0) {
       return fail(SOZAI_ERROR_UNKNOWN, "%s has no parameter \"%.80s\"", info->id, values[i].id);
     }
-    int32_t r = read_value(info->parameters[k], &values[i], &list[k]);
+    int32_t r = read_value(host, info->parameters[k], &values[i], &list[k]);
     if (r) return r;
   }
   return SOZAI_OK;
@@ -339,28 +346,30 @@ static int32_t read_values(draft *list, const sozai_texture_info *info, const so
 
 static size_t round_up(size_t n) { return (n + 15) & ~(size_t)15; }
 
+/* Of a buffer's arrays alone. */
+static size_t array_bytes(const sozai_buffer *given) {
+  if (!given) return 0;
+  sozai_buffer b = whole_buffer(given);
+  uint64_t c[4];
+  size_t n = 0;
+  buffer_counts(&b, c);
+  for (int i = 0; i < 4; i++) n += round_up((size_t)c[i] * 4);
+  return n;
+}
+
 static size_t copied_bytes(const draft *d) {
   const setting *s = &d->s;
   size_t n = 0;
   if (s->text) n += round_up(strlen(s->text) + 1);
   if (s->buffer) {
     sozai_buffer b = whole_buffer(s->buffer);
-    uint64_t c[4];
-    buffer_counts(&b, c);
     n += round_up(sizeof(sozai_buffer));
-    for (int i = 0; i < 4; i++) n += round_up((size_t)c[i] * 4);
     if (b.colour_space) n += round_up(strlen(b.colour_space) + 1);
   }
   if (image_name_given(&d->image)) {
     n += round_up(sizeof(sozai_buffer));
     if (d->image.path.at) n += round_up(d->image.path.length + 1);
     if (d->image.space.at) n += round_up(d->image.space.length + 1);
-    if (d->image.data) {
-      uint64_t c[4];
-      sozai_buffer b = whole_buffer(d->image.data);
-      buffer_counts(&b, c);
-      n += round_up((size_t)c[0] * 4);
-    }
   }
   return n;
 }
@@ -373,7 +382,13 @@ static void *copy_into(char **at, const void *from, size_t bytes) {
   return to;
 }
 
-static void copy_owned(setting *s, char **at) {
+/* lend: in a rehearsal arrays stay the host's. */
+static const void *copy_array(char **at, const void *from, uint64_t count, int lend) {
+  if (!count) return NULL;
+  return lend ? from : copy_into(at, from, (size_t)count * 4);
+}
+
+static void copy_owned(setting *s, char **at, int lend) {
   if (s->text) s->text = copy_into(at, s->text, strlen(s->text) + 1);
   if (s->buffer) {
     sozai_buffer b = whole_buffer(s->buffer);
@@ -381,10 +396,10 @@ static void copy_owned(setting *s, char **at) {
     sozai_buffer *own = copy_into(at, &b, sizeof b);
     uint64_t c[4];
     buffer_counts(&b, c);
-    own->data = copy_into(at, c[0] ? b.data : NULL, (size_t)c[0] * 4);
-    own->points = copy_into(at, c[1] ? b.points : NULL, (size_t)c[1] * 4);
-    own->normals = copy_into(at, c[2] ? b.normals : NULL, (size_t)c[2] * 4);
-    own->indices = copy_into(at, c[3] ? b.indices : NULL, (size_t)c[3] * 4);
+    own->data = copy_array(at, b.data, c[0], lend);
+    own->points = copy_array(at, b.points, c[1], lend);
+    own->normals = copy_array(at, b.normals, c[2], lend);
+    own->indices = copy_array(at, b.indices, c[3], lend);
     own->path = NULL; /* a buffer is memory; a file is an IMAGE */
     if (b.colour_space) {
       own->colour_space = copy_into(at, b.colour_space, strlen(b.colour_space) + 1);
@@ -403,7 +418,7 @@ static const char *copy_piece(char **at, piece p) {
 }
 
 /* A picture's name as a buffer of our own; the text of the setting is its path. */
-static void copy_image(setting *s, const image_name *n, char **at) {
+static void copy_image(setting *s, const image_name *n, char **at, int lend) {
   sozai_buffer b;
   memset(&b, 0, sizeof b);
   if (n->data) b = whole_buffer(n->data);
@@ -417,7 +432,7 @@ static void copy_image(setting *s, const image_name *n, char **at) {
   if (n->data) {
     uint64_t c[4];
     buffer_counts(&b, c);
-    own->data = copy_into(at, b.data, (size_t)c[0] * 4);
+    own->data = copy_array(at, b.data, c[0], lend);
   }
   s->buffer = own;
   s->text = own->path;
@@ -425,8 +440,8 @@ static void copy_image(setting *s, const image_name *n, char **at) {
 
 /* ---- settings --------------------------------------------------------- */
 
-static int32_t read_all(draft *list, const sozai_texture_info *info, const char *preset,
-                        const sozai_value *values, uint32_t value_count) {
+static int32_t read_all(const sozai_host *host, draft *list, const sozai_texture_info *info,
+                        const char *preset, const sozai_value *values, uint32_t value_count) {
   for (uint32_t i = 0; i < info->parameter_count; i++) set_default(info->parameters[i], &list[i]);
   if (preset) {
     uint32_t k = 0;
@@ -434,32 +449,40 @@ static int32_t read_all(draft *list, const sozai_texture_info *info, const char 
     if (k == info->preset_count) {
       return fail(SOZAI_ERROR_UNKNOWN, "%s has no preset \"%.80s\"", info->id, preset);
     }
-    int32_t r = read_values(list, info, info->presets[k]->values, info->presets[k]->value_count);
+    int32_t r =
+        read_values(host, list, info, info->presets[k]->values, info->presets[k]->value_count);
     if (r) return r;
   }
-  return read_values(list, info, values, value_count);
+  return read_values(host, list, info, values, value_count);
 }
 
 int32_t settings_make(settings *out, const sozai_host *host, const sozai_texture_info *info,
                       const char *preset, const sozai_value *values, uint32_t value_count) {
   memset(out, 0, sizeof *out);
   if (value_count && !values) return fail(SOZAI_ERROR_ARGUMENT, "values is NULL");
+  int32_t r = limit_check(host, LIMIT_VALUES, value_count, "values");
+  if (r) return r;
   uint32_t n = info->parameter_count;
   size_t scratch_bytes = n * sizeof(draft), list_bytes = n * sizeof(setting);
   draft *scratch = host_alloc(host, scratch_bytes, 64);
   if (!scratch) return SOZAI_ERROR_MEMORY;
-  int32_t r = read_all(scratch, info, preset, values, value_count);
+  r = read_all(host, scratch, info, preset, values, value_count);
   if (r == SOZAI_OK) {
-    size_t bytes = round_up(list_bytes);
-    for (uint32_t i = 0; i < n; i++) bytes += copied_bytes(&scratch[i]);
-    setting *list = host_alloc(host, bytes, 64);
+    int lend = host_rehearses(host);
+    size_t bytes = round_up(list_bytes), arrays = 0;
+    for (uint32_t i = 0; i < n; i++) {
+      bytes += copied_bytes(&scratch[i]);
+      arrays += array_bytes(scratch[i].s.buffer) + array_bytes(scratch[i].image.data);
+    }
+    if (!lend) bytes += arrays;
+    setting *list = lend && host_claim(host, arrays) ? NULL : host_alloc(host, bytes, 64);
     if (list) {
       char *at = (char *)list + round_up(list_bytes);
       for (uint32_t i = 0; i < n; i++) {
         list[i] = scratch[i].s;
-        copy_owned(&list[i], &at);
+        copy_owned(&list[i], &at, lend);
         if (image_name_given(&scratch[i].image)) {
-          copy_image(&list[i], &scratch[i].image, &at);
+          copy_image(&list[i], &scratch[i].image, &at, lend);
         } else if (info->parameters[i]->kind == SOZAI_KIND_IMAGE) {
           list[i].text = "";
         }

@@ -6,6 +6,7 @@
  */
 #include <string.h>
 
+#include "../core/meter.h"
 #include "../core/scalar.h"
 #include "../core/status.h"
 #include "crew.h"
@@ -290,6 +291,13 @@ static int32_t run_rounds(round_work *w, const sozai_host *host) {
 int32_t fiber_keep_apart(fiber *f, const sozai_host *host) {
   size_t bytes = ((size_t)f->strands * f->vertices * 3 + 1) * sizeof(float);
   double thickest = 0, longest = 0;
+  if (host_rehearses(host)) {
+    uint64_t all =
+        segments_bytes(f) + bytes + (f->strands + 1ull) * (sizeof(uint32_t) + sizeof(float));
+    int32_t r = host_claim(host, all);
+    host_unclaim(host, all);
+    return r;
+  }
   for (uint32_t i = 0; i < f->strands; i++) {
     double l = strand_length(&f->plan.shape, i) / (f->vertices - 1);
     if (l > longest) longest = l;

@@ -5,6 +5,9 @@
 
 #include "../core/scalar.h"
 #include "../core/status.h"
+#include "../generator.h"
+
+#define REPORT_EACH 16384u /* strands */
 
 static const char *const part_ids[2] = {"fiber", "fiber_2"};
 
@@ -69,13 +72,15 @@ static uint32_t put_parts(const fiber *f, sozai_part *parts, const uint64_t coun
 }
 
 int32_t fiber_curves(const fiber *f, const sozai_host *host, uint32_t level, curves_block **out) {
+  int32_t r = host_progress(host, 0.0, "making curves");
+  if (r) return r;
   selection s = select_strands(f, level);
   uint64_t curves = s.counts[0] + s.counts[1], at = 0;
   curves_block *c = curves_block_make(host, curves, curves * s.sieve.points);
   if (!c) return SOZAI_ERROR_MEMORY;
-  for (int k = 0; k < 2; k++) {
+  for (int k = 0; !r && k < 2; k++) {
     if (!s.counts[k]) continue;
-    for (uint32_t i = 0; i < f->strands; i += s.sieve.strands_every) {
+    for (uint32_t i = 0; !r && i < f->strands; i += s.sieve.strands_every) {
       if (part_of(f, i) != k) continue;
       c->ids[at] = i;
       c->first[at] = at * s.sieve.points;
@@ -84,7 +89,14 @@ int32_t fiber_curves(const fiber *f, const sozai_host *host, uint32_t level, cur
         c->radii[to] = put_point(f, i, vertex_of(f, &s.sieve, v), c->points + 3 * to);
       }
       at++;
+      if (at % REPORT_EACH == 0)
+        r = host_progress(host, (double)at / (double)curves, "making curves");
     }
+  }
+  if (!r) r = host_progress(host, 1.0, "making curves");
+  if (r) {
+    host_free(host, c, c->bytes, 64);
+    return r;
   }
   c->first[curves] = curves * s.sieve.points;
   c->out.part_count = put_parts(f, c->parts, s.counts, 0);
@@ -173,6 +185,8 @@ static void put_tube(tube *t, const fiber *f, const sieve *s, uint32_t strand) {
 }
 
 int32_t fiber_mesh(const fiber *f, const sozai_host *host, uint32_t level, mesh_block **out) {
+  int32_t r = host_progress(host, 0.0, "making the mesh");
+  if (r) return r;
   selection s = select_strands(f, level);
   tube t = {.sides = level < 2 ? 6 : 3};
   for (uint32_t k = 0; k < t.sides; k++) {
@@ -183,10 +197,20 @@ int32_t fiber_mesh(const fiber *f, const sozai_host *host, uint32_t level, mesh_
   t.m = mesh_block_make(host, strands * s.sieve.points * t.sides, strands * each);
   if (!t.m)
     return strands * s.sieve.points * t.sides >> 32 ? SOZAI_ERROR_UNSUPPORTED : SOZAI_ERROR_MEMORY;
-  for (int k = 0; k < 2; k++) {
+  uint64_t done = 0;
+  for (int k = 0; !r && k < 2; k++) {
     if (!s.counts[k]) continue;
-    for (uint32_t i = 0; i < f->strands; i += s.sieve.strands_every)
-      if (part_of(f, i) == k) put_tube(&t, f, &s.sieve, i);
+    for (uint32_t i = 0; !r && i < f->strands; i += s.sieve.strands_every) {
+      if (part_of(f, i) != k) continue;
+      put_tube(&t, f, &s.sieve, i);
+      if (++done % REPORT_EACH == 0)
+        r = host_progress(host, (double)done / (double)strands, "making the mesh");
+    }
+  }
+  if (!r) r = host_progress(host, 1.0, "making the mesh");
+  if (r) {
+    host_free(host, t.m, t.m->bytes, 64);
+    return r;
   }
   uint64_t counts[2] = {s.counts[0] * each, s.counts[1] * each};
   t.m->out.part_count = put_parts(f, t.m->parts, counts, SOZAI_PART_CLOSED);

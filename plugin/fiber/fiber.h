@@ -71,8 +71,8 @@ typedef struct fiber {
 } fiber;
 
 void plan_fiber(fiber_plan *p, const settings *s);
-/* How many strands; RANGE. */
-int32_t plan_count(fiber *f);
+/* How many strands; RANGE, LIMIT. */
+int32_t plan_count(fiber *f, const sozai_host *host);
 double fiber_strand_volume(const fiber_plan *p, double length, double radius);
 /* Radius at a place along the strand, 0 to 1, over its middle's. */
 double fiber_profile(const fiber_plan *p, double t);

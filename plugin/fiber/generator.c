@@ -57,7 +57,7 @@ static int32_t grow(void *state, const sozai_host *host, const settings *s) {
   int32_t r = host_progress(host, 0.0, "reading the hull");
   if (!r) r = read_hull(f, host, s);
   if (!r && f->plan.mode != MODE_LITERAL) r = grid_make(&f->grid, host, &f->hull, f->plan.cells);
-  if (!r) r = plan_count(f);
+  if (!r) r = plan_count(f, host);
   if (!r) r = fiber_place(f, host);
   if (!r && f->plan.contact != CONTACT_OFF) r = fiber_keep_apart(f, host);
   if (!r) r = fiber_report(f, host);
@@ -83,9 +83,12 @@ static const float *table(const void *state, uint32_t index, uint64_t *rows) {
 
 static uint64_t bytes(const void *state) {
   const fiber *f = state;
+  /* arrays that may be empty have an element more */
   uint64_t n = hull_bytes(&f->hull) + grid_bytes(&f->grid) +
-               (uint64_t)f->strands * (12ull * f->vertices + 4 + sizeof *f->results);
-  for (int i = 0; i < FIBER_TABLES; i++) n += f->tables[i].room * sizeof(float);
+               (f->grid.bricks ? sizeof(float) + 2 * sizeof(uint32_t) : 0) +
+               (uint64_t)f->strands * 12ull * f->vertices + sizeof(float) +
+               (f->strands + 1ull) * (sizeof(float) + sizeof *f->results);
+  for (int i = 0; i < FIBER_TABLES; i++) n += (f->tables[i].room + 1) * sizeof(float);
   return n;
 }
 

@@ -6,12 +6,12 @@
 
 #include <string.h>
 
+#include "../core/limits.h"
 #include "../core/scalar.h"
 #include "../core/status.h"
 
 #define FARTHEST 1e6 /* mm: as of textures */
 #define SMALLEST 1e-3
-#define DENSE_MOST 16777216u
 
 typedef struct {
   const sozai_buffer *mesh;
@@ -231,17 +231,14 @@ static int32_t from_lattices(hull *h, const sozai_host *host, const source *s, d
   }
   if (!(h->area > 0))
     return fail(SOZAI_ERROR_RANGE, "hull: none of its %u triangles has any area", h->given);
-  if (total > DENSE_MOST) {
-    return fail(SOZAI_ERROR_RANGE,
-                "spacing: %.6g mm asks for %llu vertices on the hull: at most %u; a wider one",
-                spacing, (unsigned long long)total, DENSE_MOST);
-  }
+  int32_t r = limit_check(host, LIMIT_HULL_VERTICES, total, "spacing, as vertices on the hull");
+  if (r) return r;
   h->rule = HULL_VERTICES;
   h->items = (uint32_t)total;
   size_t bytes = (size_t)total * 6 * sizeof(float);
   dense d = {.list = host_alloc(host, bytes, 64)};
   float *normals = point_normals(host, s, h->given);
-  int32_t r = d.list && normals ? SOZAI_OK : SOZAI_ERROR_MEMORY;
+  r = d.list && normals ? SOZAI_OK : SOZAI_ERROR_MEMORY;
   for (uint32_t t = 0; !r && t < h->given; t++) put_lattice(&d, s, normals, t, spacing);
   if (!r) r = hull_tree(h, host, dense_of, &d);
   host_free(host, normals, 3 * (size_t)s->mesh->dims[0] * sizeof(float), 64);
@@ -255,7 +252,8 @@ int32_t hull_from_mesh(hull *h, const sozai_host *host, const sozai_buffer *mesh
                 "hull: a mesh of %llu points and %llu triangles encloses nothing",
                 mesh ? (unsigned long long)mesh->dims[0] : 0ull,
                 mesh ? (unsigned long long)mesh->dims[1] : 0ull);
-  int32_t r = check_points("hull", mesh);
+  int32_t r = limit_check(host, LIMIT_HULL_TRIANGLES, mesh->dims[1], "hull");
+  if (!r) r = check_points("hull", mesh);
   if (!r) r = box_of(h, "hull", mesh, 3 * mesh->dims[1], mesh->indices);
   if (r) return r;
   source s = {mesh, h->centre, NULL};
@@ -283,7 +281,8 @@ int32_t hull_from_points(hull *h, const sozai_host *host, const sozai_buffer *po
   if (!points->dims[0]) return fail(SOZAI_ERROR_RANGE, "hull_points: it has no points");
   if (!points->normals)
     return fail(SOZAI_ERROR_RANGE, "hull_points: its normals are missing: they tell the inside");
-  int32_t r = check_points("hull_points", points);
+  int32_t r = limit_check(host, LIMIT_HULL_TRIANGLES, points->dims[0], "hull_points");
+  if (!r) r = check_points("hull_points", points);
   if (!r) r = box_of(h, "hull_points", points, points->dims[0], NULL);
   if (r) return r;
   cloud c = {points, h->centre};

@@ -5,6 +5,7 @@
  */
 #include <string.h>
 
+#include "../core/meter.h"
 #include "../core/status.h"
 #include "crew.h"
 #include "fit.h"
@@ -95,13 +96,19 @@ int32_t fiber_place(fiber *f, const sozai_host *host) {
     return fail(SOZAI_ERROR_RANGE,
                 "hull: its %u triangles enclose nothing that %u cells along its longest side show",
                 f->hull.given, f->plan.cells);
+  uint64_t strands = f->strands + 1ull;
+  uint64_t bytes = ((uint64_t)f->strands * f->vertices * 3 + 1) * sizeof(float) +
+                   strands * (sizeof(float) + sizeof *f->results);
+  if (host_rehearses(host)) return host_claim(host, bytes);
+  int32_t r = host_has_room(host, bytes);
+  if (r) return r;
   f->points = host_alloc(host, ((size_t)f->strands * f->vertices * 3 + 1) * sizeof(float), 64);
   f->radii = host_alloc(host, (f->strands + 1ull) * sizeof(float), 64);
   f->results = host_alloc(host, (f->strands + 1ull) * sizeof *f->results, 64);
   if (!f->points || !f->radii || !f->results) return SOZAI_ERROR_MEMORY;
   uint32_t jobs = (f->strands + STRANDS_JOB - 1) / STRANDS_JOB;
   double end = f->plan.contact == CONTACT_OFF ? 1.0 : 0.6;
-  int32_t r = crew_run(host, jobs, place_job, f, (crew_progress){"fitting strands", 0.2, end});
+  r = crew_run(host, jobs, place_job, f, (crew_progress){"fitting strands", 0.2, end});
   for (uint32_t i = 0; !r && i < f->strands; i++) {
     if (f->results[i].end != END_NOWHERE) continue;
     r = fail(

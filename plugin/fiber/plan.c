@@ -2,13 +2,13 @@
  *
  * From settings to what is to be done.
  */
+#include "../core/limits.h"
 #include "../core/status.h"
 #include "fiber.h"
 #include "parameters.h"
 
 #define PI 3.14159265358979323846
 #define TIP 0.25 /* of the length, over which an end tapers */
-#define POINTS_MOST 2147483648.0
 
 static void take_colour(float to[3], const setting *s) {
   for (int c = 0; c < 3; c++) to[c] = (float)s->number[c];
@@ -63,7 +63,7 @@ double fiber_strand_volume(const fiber_plan *p, double length, double radius) {
   return PI * radius * radius * length * sum;
 }
 
-int32_t plan_count(fiber *f) {
+int32_t plan_count(fiber *f, const sozai_host *host) {
   const fiber_plan *p = &f->plan;
   double n = p->count;
   if (!p->count) {
@@ -76,11 +76,12 @@ int32_t plan_count(fiber *f) {
     n = p->packing * f->grid.volume / one;
     n = n < 1 ? 1 : n + 0.5;
   }
-  if (n * p->shape.vertices > POINTS_MOST)
-    return fail(SOZAI_ERROR_RANGE,
-                "count: %.0f strands of %u vertices are more than %.0f points can hold", n,
-                p->shape.vertices, POINTS_MOST);
-  f->strands = (uint32_t)n;
+  const char *from = p->count ? "count" : "packing, as strands";
+  uint64_t strands = n < 1e18 ? (uint64_t)n : (uint64_t)1e18;
+  int32_t r = limit_check(host, LIMIT_STRANDS, strands, from);
+  if (!r) r = limit_check(host, LIMIT_STRAND_POINTS, strands * p->shape.vertices, from);
+  if (r) return r;
+  f->strands = (uint32_t)strands;
   f->vertices = p->shape.vertices;
   return SOZAI_OK;
 }

@@ -2,6 +2,7 @@
  *
  * The tables that an aggregate answers with.
  */
+#include "../core/meter.h"
 #include "../core/status.h"
 #include "fiber.h"
 #include "parameters.h"
@@ -65,7 +66,9 @@ const sozai_table_info *const fiber_table_infos[FIBER_TABLES] = {
 
 static int32_t make_table(fiber *f, const sozai_host *host, int which, uint64_t rows) {
   fiber_table *t = &f->tables[which];
-  t->room = rows * fiber_table_infos[which]->column_count;
+  uint64_t room = rows * fiber_table_infos[which]->column_count;
+  if (host_rehearses(host)) return host_claim(host, (room + 1) * sizeof(float));
+  t->room = room;
   t->rows = rows;
   t->data = host_alloc(host, (size_t)(t->room + 1) * sizeof(float), 64);
   return t->data ? SOZAI_OK : SOZAI_ERROR_MEMORY;
@@ -149,7 +152,7 @@ static void put_statistics(const fiber *f, float *to, uint64_t bytes) {
 int32_t fiber_report(fiber *f, const sozai_host *host) {
   int32_t r = make_table(f, host, TABLE_STATISTICS, 1);
   if (!r) r = make_table(f, host, TABLE_STRANDS, f->strands);
-  if (r) return r;
+  if (r || host_rehearses(host)) return r;
   uint64_t bytes = hull_bytes(&f->hull) + grid_bytes(&f->grid) +
                    (uint64_t)f->strands * (f->vertices * 12ull + sizeof *f->results + 4);
   put_strands(f, f->tables[TABLE_STRANDS].data);

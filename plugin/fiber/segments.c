@@ -5,12 +5,22 @@
 
 #include "../core/status.h"
 
+static uint32_t buckets_for(uint64_t count) {
+  uint32_t n = 1024;
+  while (n < count && n < 1u << 30) n *= 2;
+  return n;
+}
+
+uint64_t segments_bytes(const fiber *f) {
+  uint64_t count = (uint64_t)f->strands * (f->vertices - 1);
+  return (buckets_for(count) + 2ull) * sizeof(uint32_t) + (count + 1) * sizeof(segment_entry);
+}
+
 int32_t segments_make(segments *s, const sozai_host *host, const fiber *f, double reach) {
   memset(s, 0, sizeof *s);
   s->count = (uint64_t)f->strands * (f->vertices - 1);
   s->gap = (float)reach;
-  s->buckets = 1024;
-  while (s->buckets < s->count && s->buckets < 1u << 30) s->buckets *= 2;
+  s->buckets = buckets_for(s->count);
   s->first = host_alloc(host, (s->buckets + 2ull) * sizeof *s->first, 64);
   s->list = host_alloc(host, (size_t)(s->count + 1) * sizeof *s->list, 64);
   return s->first && s->list ? SOZAI_OK : SOZAI_ERROR_MEMORY;

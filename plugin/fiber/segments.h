@@ -23,6 +23,8 @@ typedef struct segments {
 
 /* Room for all of a fibre's; RANGE beyond 2^32. */
 int32_t segments_make(segments *s, const sozai_host *host, const fiber *f, double reach);
+/* Bytes of segments_make. */
+uint64_t segments_bytes(const fiber *f);
 void segments_free(segments *s, const sozai_host *host);
 /* Sorts them by where they are now. */
 void segments_sort(segments *s, const fiber *f);

@@ -8,6 +8,7 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "../core/meter.h"
 #include "../core/status.h"
 #include "field.h"
 #include "life.h"
@@ -121,6 +122,25 @@ static void *widen(void *array, const sozai_host *host, uint64_t used, uint64_t 
   return wider;
 }
 
+/* The same, claimed. */
+static int32_t claim_wider(const void *array, const sozai_host *host, uint64_t used, uint64_t room,
+                           uint64_t more, size_t each) {
+  if (!more && array) return SOZAI_OK;
+  int32_t r = host_claim(host, (used + more + 1) * each);
+  host_unclaim(host, room * each);
+  return r;
+}
+
+static int32_t claim_all(const tree *t, const sozai_host *host, const shoot_room *more) {
+  int32_t r = claim_wider(t->branches, host, t->branch_count, t->branch_room, more->branches,
+                          sizeof *t->branches);
+  if (!r) {
+    r = claim_wider(t->nodes, host, t->node_count, t->node_room, more->nodes, sizeof *t->nodes);
+  }
+  if (!r) r = claim_wider(t->organs, host, 0, t->organ_room, more->organs, sizeof *t->organs);
+  return r;
+}
+
 static int32_t widen_all(tree *t, const sozai_host *host, const shoot_room *more) {
   void *wider = widen(t->branches, host, t->branch_count, &t->branch_room, more->branches,
                       sizeof *t->branches);
@@ -139,14 +159,17 @@ static int32_t widen_all(tree *t, const sozai_host *host, const shoot_room *more
 static int32_t make_room(shoot_crew *w) {
   tree *t = w->tree;
   shoot_room more = total_of(w);
-  if (t->branch_count + more.branches > 0xfffffff0ull || more.organs > 0xfffffff0ull) {
-    return fail(SOZAI_ERROR_RANGE,
-                "the tree has %llu shoots and %llu leaves: more than can be held; "
-                "fewer orders or wider spacings",
-                (unsigned long long)more.branches, (unsigned long long)more.organs);
+  int32_t r = limit_check(w->host, LIMIT_SHOOTS, t->branch_count + more.branches,
+                          "orders, and the spacings of shoots");
+  if (!r) r = limit_check(w->host, LIMIT_LEAVES, more.organs, "foliage, and the leaves' spacing");
+  if (!r) {
+    r = host_has_room(w->host, more.branches * sizeof *t->branches + more.nodes * sizeof *t->nodes +
+                                   more.organs * sizeof *t->organs);
   }
-  int32_t r = widen_all(t, w->host, &more);
-  if (r) return r;
+  if (!r) {
+    r = host_rehearses(w->host) ? claim_all(t, w->host, &more) : widen_all(t, w->host, &more);
+  }
+  if (r || host_rehearses(w->host)) return r;
   shoot_room at = {t->branch_count, t->node_count, 0};
   for (uint32_t i = 0; i < w->jobs; i++) {
     shoot_room own = w->rooms[i];
@@ -170,7 +193,7 @@ static int32_t grow_shoots(tree *t, const sozai_host *host) {
   if (!w.rooms) return SOZAI_ERROR_MEMORY;
   int32_t r = count_shoots(&w);
   if (!r) r = make_room(&w);
-  if (!r) r = run_crew(&w, 1, 0.2, 1.0);
+  if (!r && !host_rehearses(host)) r = run_crew(&w, 1, 0.2, 1.0);
   t->sprigs = w.sprigs;
   host_free(host, w.rooms, bytes, 64);
   return r;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "report.h"
 
+#include "../core/meter.h"
 #include "../core/scalar.h"
 #include "../core/status.h"
 #include "angle.h"
@@ -9,7 +10,9 @@
 #define RING_HEIGHTS 33
 
 static int32_t room_for(tree_rows *rows, const sozai_host *host, int table, uint64_t most) {
-  rows->room = most * tree_table_columns(table) + 1;
+  uint64_t room = most * tree_table_columns(table) + 1;
+  if (host_rehearses(host)) return host_claim(host, room * sizeof *rows->data);
+  rows->room = room;
   rows->data = host_alloc(host, (size_t)rows->room * sizeof *rows->data, 64);
   return rows->data ? SOZAI_OK : SOZAI_ERROR_MEMORY;
 }
@@ -278,6 +281,11 @@ int32_t report_make(tree *t, const sozai_host *host, const tree_bud *buds, uint3
   int32_t r = make_rooms(t, host, buds, count, field);
   if (r) return r;
   size_t bytes = (t->stems + 1u) * sizeof(fit_branch);
+  if (host_rehearses(host)) {
+    r = host_claim(host, bytes);
+    host_unclaim(host, bytes);
+    return r;
+  }
   fit_branch *list = host_alloc(host, bytes, 64);
   if (!list) return SOZAI_ERROR_MEMORY;
   uint32_t there = first_order(t, list);

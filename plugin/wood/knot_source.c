@@ -3,14 +3,15 @@
 
 #include <string.h>
 
+#include "../core/limits.h"
+#include "../core/meter.h"
 #include "../core/services.h"
 #include "../core/status.h"
 #include "../tree/generator.h"
 #include "../tree/tables.h"
 #include "parameters.h"
 
-#define KNOTS_MOST 65536u
-#define ROWS_MOST 16777216ull
+#define ROWS_MOST 16777216ull /* the table_rows ceiling at its highest */
 
 /* One column of one row of a host's table, and what it may be. */
 typedef struct {
@@ -18,13 +19,15 @@ typedef struct {
   double least, most;
 } column_range;
 
-static int32_t check_table(const char *id, const sozai_buffer *b, uint64_t columns, uint64_t most,
-                           const sozai_table_info *names, const column_range *ranges, int count,
-                           knot_rows *out) {
-  if (b->dims[0] == 0 || b->dims[0] > most || b->dims[1] != columns) {
+static int32_t check_table(const char *id, const sozai_host *host, const sozai_buffer *b,
+                           uint64_t columns, limit most, const sozai_table_info *names,
+                           const column_range *ranges, int count, knot_rows *out) {
+  int32_t r = limit_check(host, most, b->dims[0], id);
+  if (r) return r;
+  if (b->dims[0] == 0 || b->dims[1] != columns) {
     return fail(SOZAI_ERROR_RANGE, "%s: a table of %llu x %llu; 1 to %llu rows of %llu columns", id,
                 (unsigned long long)b->dims[0], (unsigned long long)b->dims[1],
-                (unsigned long long)most, (unsigned long long)columns);
+                (unsigned long long)limit_of(host, most), (unsigned long long)columns);
   }
   for (uint64_t i = 0; i < b->dims[0]; i++) {
     for (int c = 0; c < count; c++) {
@@ -40,18 +43,18 @@ static int32_t check_table(const char *id, const sozai_buffer *b, uint64_t colum
   return SOZAI_OK;
 }
 
-static int32_t check_knots(knot_source *k, const sozai_buffer *b) {
+static int32_t check_knots(knot_source *k, const sozai_host *host, const sozai_buffer *b) {
   static const column_range ranges[] = {
       {KNOT_BIRTH, 0, 10000},    {KNOT_DEATH, -1, 10000},       {KNOT_SHED, -1, 10000},
       {KNOT_AZIMUTH, -100, 100}, {KNOT_INCLINATION, -1.3, 1.3}, {KNOT_HEIGHT, -2e5, 2e5},
       {KNOT_RADIUS, 0, 1000},    {KNOT_FIRST, 0, ROWS_MOST},    {KNOT_COUNT, 0, 10000}};
-  return check_table("knots", b, KNOT_COLUMNS, KNOTS_MOST, tree_table_infos[TABLE_KNOTS], ranges,
+  return check_table("knots", host, b, KNOT_COLUMNS, LIMIT_KNOTS, tree_table_infos[TABLE_KNOTS], ranges,
                      sizeof ranges / sizeof *ranges, &k->knots);
 }
 
-static int32_t check_radii(knot_source *k, const sozai_buffer *b) {
+static int32_t check_radii(knot_source *k, const sozai_host *host, const sozai_buffer *b) {
   static const column_range ranges[] = {{RADIUS_YEAR, 0, 10000}, {RADIUS_RADIUS, 0, 1000}};
-  int32_t r = check_table("knot_radii", b, RADIUS_COLUMNS, ROWS_MOST,
+  int32_t r = check_table("knot_radii", host, b, RADIUS_COLUMNS, LIMIT_TABLE_ROWS,
                           tree_table_infos[TABLE_KNOT_RADII], ranges, 2, &k->radii);
   for (uint64_t i = 0; !r && i < k->knots.count; i++) {
     const float *row = k->knots.rows + i * KNOT_COLUMNS;
@@ -65,10 +68,10 @@ static int32_t check_radii(knot_source *k, const sozai_buffer *b) {
 }
 
 /* The same heights in every year, both rising. */
-static int32_t check_rings(knot_source *k, const sozai_buffer *b) {
+static int32_t check_rings(knot_source *k, const sozai_host *host, const sozai_buffer *b) {
   static const column_range ranges[] = {
       {RING_YEAR, 0, 10000}, {RING_HEIGHT, -2e5, 2e5}, {RING_RADIUS, 0, 20000}};
-  int32_t r = check_table("stem_rings", b, RING_COLUMNS, ROWS_MOST, tree_table_infos[TABLE_RINGS],
+  int32_t r = check_table("stem_rings", host, b, RING_COLUMNS, LIMIT_TABLE_ROWS, tree_table_infos[TABLE_RINGS],
                           ranges, 3, &k->rings);
   if (r) return r;
   const float *rows = k->rings.rows;
@@ -93,12 +96,12 @@ static int32_t check_rings(knot_source *k, const sozai_buffer *b) {
   return SOZAI_OK;
 }
 
-static int32_t take_tables(knot_source *k, const settings *s) {
+static int32_t take_tables(knot_source *k, const sozai_host *host, const settings *s) {
   const sozai_buffer *knots = s->list[P_KNOTS].buffer, *radii = s->list[P_KNOT_RADII].buffer;
   const sozai_buffer *rings = s->list[P_STEM_RINGS].buffer;
-  int32_t r = check_knots(k, knots);
-  if (!r && radii) r = check_radii(k, radii);
-  if (!r && rings) r = check_rings(k, rings);
+  int32_t r = check_knots(k, host, knots);
+  if (!r && radii) r = check_radii(k, host, radii);
+  if (!r && rings) r = check_rings(k, host, rings);
   return r;
 }
 
@@ -180,7 +183,10 @@ static int32_t grow_tree(knot_source *k, const sozai_host *host, const settings 
   if (r) return r;
   k->tree = host_alloc(host, tree_generator.state_bytes, 64);
   if (!k->tree) return SOZAI_ERROR_MEMORY;
+  /* knots come of its tables: a rehearsal too wants them */
+  int rehearsing = host_rehearse(host, 0);
   r = tree_generator.grow(k->tree, host, &k->given);
+  host_rehearse(host, rehearsing);
   if (r) return r;
   k->age = number_at(s, P_TREE_AGE);
   k->knots.rows = tree_generator.table(k->tree, TABLE_KNOTS, &k->knots.count);
@@ -223,7 +229,7 @@ int32_t knot_source_open(knot_source *k, const sozai_host *host, const settings 
                     "tree: \"%.80s\" and the table knots are both given; one of "
                     "them",
                     s->list[P_TREE].text)
-             : take_tables(k, s);
+             : take_tables(k, host, s);
   } else if (s->list[P_KNOT_RADII].buffer || s->list[P_STEM_RINGS].buffer) {
     r = fail(SOZAI_ERROR_RANGE, "%s: given without the table knots",
              s->list[P_KNOT_RADII].buffer ? "knot_radii" : "stem_rings");

@@ -6,6 +6,7 @@
 
 #include "../core/hash1.h"
 #include "../core/scalar.h"
+#include "../core/meter.h"
 #include "../core/status.h"
 #include "build.h"
 #include "parameters.h"
@@ -299,11 +300,15 @@ static size_t cell_count(const wood_knots *all) {
 }
 
 /* One block of memory: the head, the list, the cells, what is in them. */
+static size_t block_bytes(const wood_knots *plan, size_t entries) {
+  return sizeof *plan + plan->count * sizeof(wood_knot) +
+         (cell_count(plan) + 1 + entries + 1) * sizeof(int32_t) + far_count(plan) * sizeof(float);
+}
+
 static wood_knots *gather_block(const wood_knots *plan, const sozai_host *host,
                                 const wood_knot *list, size_t entries) {
   size_t list_bytes = plan->count * sizeof *list, cells = cell_count(plan) + 1;
-  size_t bytes = sizeof *plan + list_bytes + (cells + entries + 1) * sizeof(int32_t) +
-                 far_count(plan) * sizeof(float);
+  size_t bytes = block_bytes(plan, entries);
   wood_knots *all = host_alloc(host, bytes, 64);
   if (!all) return NULL;
   *all = *plan;
@@ -331,6 +336,11 @@ static int32_t fill_grid(wood_knots **out, const wood_knots *plan, const sozai_h
   put_all(&g, 0);
   size_t entries = 0;
   for (size_t i = 0; i < cells; i++) entries += (size_t)g.fill[i];
+  if (host_rehearses(host)) {
+    int32_t r = host_claim(host, block_bytes(plan, entries));
+    host_free(host, work, bytes, 64);
+    return r;
+  }
   all = gather_block(plan, host, list, entries);
   if (all) {
     int32_t at = 0;

@@ -214,7 +214,7 @@ AT(sozai_geometry_1, info_of, 88);
 AT(sozai_geometry_1, bytes, 96);
 AT(sozai_geometry_1, last_error, 104);
 
-SIZE(sozai_host, 80);
+SIZE(sozai_host, 96);
 AT(sozai_host, size, 0);
 AT(sozai_host, reserved, 4);
 AT(sozai_host, user, 8);
@@ -226,6 +226,40 @@ AT(sozai_host, progress, 48);
 AT(sozai_host, get_service, 56);
 AT(sozai_host, colour_config, 64);
 AT(sozai_host, image_memory, 72);
+AT(sozai_host, limits, 80);
+AT(sozai_host, limit_count, 88);
+AT(sozai_host, reserved_2, 92);
+
+SIZE(sozai_limit_info, 48);
+AT(sozai_limit_info, size, 0);
+AT(sozai_limit_info, reserved, 4);
+AT(sozai_limit_info, id, 8);
+AT(sozai_limit_info, unit, 16);
+AT(sozai_limit_info, doc, 24);
+AT(sozai_limit_info, value, 32);
+AT(sozai_limit_info, most, 40);
+
+SIZE(sozai_limit, 16);
+AT(sozai_limit, id, 0);
+AT(sozai_limit, value, 8);
+
+SIZE(sozai_limits_1, 24);
+AT(sozai_limits_1, count, 0);
+AT(sozai_limits_1, info, 8);
+AT(sozai_limits_1, find, 16);
+
+SIZE(sozai_memory, 24);
+AT(sozai_memory, size, 0);
+AT(sozai_memory, reserved, 4);
+AT(sozai_memory, held, 8);
+AT(sozai_memory, peak, 16);
+
+SIZE(sozai_memory_1, 40);
+AT(sozai_memory_1, texture, 0);
+AT(sozai_memory_1, geometry, 8);
+AT(sozai_memory_1, mesh, 16);
+AT(sozai_memory_1, curves, 24);
+AT(sozai_memory_1, last_error, 32);
 
 SIZE(sozai_colour_1, 56);
 AT(sozai_colour_1, size, 0);

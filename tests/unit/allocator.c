@@ -16,7 +16,7 @@ typedef struct {
 static void *take(void *user, size_t size, size_t align) {
   allocator *a = user;
   a->calls++;
-  if (a->calls == a->fail_at) return NULL;
+  if (a->calls == a->fail_at || (a->fail_on && a->calls >= a->fail_on)) return NULL;
   char *whole = malloc(sizeof(head) + align + size + GUARD);
   if (!whole) return NULL;
   char *at = whole + sizeof(head);

@@ -11,6 +11,7 @@
 typedef struct {
   uint32_t calls;   /* of alloc so far */
   uint32_t fail_at; /* the call that gives NULL, counted from 1; 0: none */
+  uint32_t fail_on; /* that call, and every one after it; 0: none */
   uint32_t live;    /* blocks not yet given back */
   uint32_t wrong;   /* blocks given back with another size or alignment, or twice */
   uint64_t bytes;   /* in the live blocks */

@@ -182,10 +182,10 @@ static void absurd_dimensions(void **unused) {
   for (size_t i = 0; i < sizeof dims / sizeof *dims; i++) {
     sozai_buffer b = table();
     memcpy(b.dims, dims[i], sizeof b.dims);
-    refused("table", b, SOZAI_ERROR_RANGE, "larger than");
+    refused("table", b, SOZAI_ERROR_LIMIT, "above the ceiling");
     b = mesh();
     memcpy(b.dims, dims[i], sizeof b.dims);
-    refused("mesh", b, SOZAI_ERROR_RANGE, "larger than");
+    refused("mesh", b, SOZAI_ERROR_LIMIT, "above the ceiling");
   }
   static const uint64_t images[][3] = {{1u << 20, 1u << 20, 1u << 24},
                                        {1u << 30, 1u << 30, 16},
@@ -195,7 +195,7 @@ static void absurd_dimensions(void **unused) {
   for (size_t i = 0; i < sizeof images / sizeof *images; i++) {
     sozai_buffer b = image();
     memcpy(b.dims, images[i], sizeof b.dims);
-    refused("image", b, SOZAI_ERROR_RANGE, "large");
+    refused("image", b, SOZAI_ERROR_LIMIT, "above the ceiling");
   }
 }
 

@@ -227,8 +227,8 @@ static void long_text(void **unused) {
   assert_non_null(s);
   memset(s, 'x', (1u << 20) - 1);
   s[(1u << 20) - 1] = 0;
-  refused(text("name", s), SOZAI_ERROR_RANGE, "name|1048575|65536");
-  refused((sozai_value){.id = "tint", .kind = SOZAI_KIND_COLOUR, .text = s}, SOZAI_ERROR_RANGE,
+  refused(text("name", s), SOZAI_ERROR_LIMIT, "name|1048575|text_bytes, 65536");
+  refused((sozai_value){.id = "tint", .kind = SOZAI_KIND_COLOUR, .text = s}, SOZAI_ERROR_LIMIT,
           "tint|1048575");
   s[65536] = 0;
   refused(text("width", s), SOZAI_ERROR_KIND, "width|xxxx");
