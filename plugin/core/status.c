@@ -54,7 +54,7 @@ int read_number(const char *text, const char *end, double *out) {
 sozai_host host_copy(const sozai_host *host) {
   sozai_host h;
   memset(&h, 0, sizeof h);
-  if (host) memcpy(&h, host, host->size < sizeof h ? host->size : sizeof h);
+  if (host) memcpy(&h, host, whole_members(host->size, sizeof h));
   return h;
 }
 

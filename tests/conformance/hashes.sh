@@ -5,7 +5,7 @@
 # check: PLUGIN answers with the bits recorded in HASHES, on every instruction set that the
 # machine has. EVERY: one in so many lines only. RUNNER: what runs programs of another processor.
 # write: renew HASHES and say what changed; refused where a look changed and its texture's
-# `revision` did not grow, or a lower one is found. docs/conformance.md says when.
+# `revision` did not grow, or a lower one is found. docs/guide.md says when.
 set -euo pipefail
 readonly action=$1 hashes=$2 worker=$3 plugin=$4
 shift 4

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Every fuzz target with the sources that it puts to the test, for whoever defines
-# sozai_fuzz_target(name [LIBS library...] [INCLUDES folder...] SOURCES source...):
-# this folder's CMakeLists.txt, and alone/ for a clang beside another compiler.
-# Sources are compiled anew into each, under the sanitizers.
+# sozai_fuzz_target(name [LIBS library...] [INCLUDES folder...] SOURCES source...)
+# and sozai_fuzz_options(target): this folder's CMakeLists.txt, and alone/ for a
+# clang beside another compiler. Sources are compiled anew, under the sanitizers.
 set(h ${SOZAI_SOURCE}/hosts)
 set(p ${SOZAI_SOURCE}/plugin)
 
@@ -37,15 +37,24 @@ sozai_fuzz_target(params INCLUDES ${p} ${SOZAI_SOURCE}/tests/unit
   SOURCES params.c values.c ${settings} ${SOZAI_SOURCE}/tests/unit/every_kind.c)
 sozai_fuzz_target(scan INCLUDES ${p} SOURCES scan.c ${p}/wood/scan.c ${p}/core/scalar.c)
 
+# What takes long to compile stays out of the short test.
+if(SOZAI_FUZZ_PARSERS)
+  return()
+endif()
+
 # generators, all of them: geometry.c has a list
 file(GLOB grown CONFIGURE_DEPENDS ${p}/tree/*.c ${p}/tree/species/*.c ${p}/fiber/*.c
   ${p}/fiber/materials/*.c)
-list(APPEND grown ${p}/geometry.c ${p}/core/scalar.c ${settings})
+add_library(fuzz-grown STATIC grown.c values.c ${settings} ${grown} ${p}/geometry.c
+  ${p}/core/scalar.c)
+target_include_directories(fuzz-grown PUBLIC ${p})
+target_link_libraries(fuzz-grown PUBLIC sozai::api)
+sozai_fuzz_options(fuzz-grown)
 foreach(name field hull grow)
-  sozai_fuzz_target(${name} INCLUDES ${p} SOURCES ${name}.c values.c grown.c ${grown})
+  sozai_fuzz_target(${name} LIBS fuzz-grown SOURCES ${name}.c)
 endforeach()
 file(GLOB wood CONFIGURE_DEPENDS ${p}/wood/*.c ${p}/wood/species/*.c ${p}/wood/surface/*.c
   ${p}/layout/*.c)
 list(REMOVE_ITEM wood ${p}/wood/kernel.c ${p}/wood/material.c)
-sozai_fuzz_target(knots INCLUDES ${p} SOURCES knots.c values.c ${wood} ${grown}
+sozai_fuzz_target(knots LIBS fuzz-grown SOURCES knots.c ${wood}
   ${p}/core/colour.c ${p}/core/images.c ${p}/core/services.c)
