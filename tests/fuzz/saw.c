@@ -14,7 +14,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   static const double most[] = {1000, 100, 10, 300, 360};
   for (int i = 0; i < 5; i++) *numbers[i] = take_number(&b, 0, most[i]);
   /* hundreds of boards take their time to be fitted into a log */
-  if (job.plan == SAW_RIFT && job.thickness < 6) job.thickness += 6;
+  if (job.plan == SAW_RIFT && job.thickness < job.radius / 40) job.thickness = job.radius / 30;
   failure why = {0, ""};
   if (!saw_plan_make(&p, &job, &why)) {
     CHECK(*why.text && !strchr(why.text, '\n'));
