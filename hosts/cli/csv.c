@@ -10,9 +10,13 @@
 #define BLOCK_BYTES ((size_t)8 << 20)
 
 bool csv_open(csv_lines *lines, FILE *file, const char *name, uint32_t most, failure *why) {
-  *lines = (csv_lines){.file = file, .name = name, .room = most, .first_line = 1};
+  *lines =
+      (csv_lines){.file = file, .name = name, .size = 2 * CHUNK, .room = most, .first_line = 1};
+  lines->text = malloc(lines->size);
   lines->starts = malloc(most * sizeof *lines->starts);
-  return lines->starts ? true : fail(why, EXIT_FAILURE, "out of memory");
+  if (lines->text && lines->starts) return true;
+  csv_close(lines);
+  return fail(why, EXIT_FAILURE, "out of memory");
 }
 
 void csv_close(csv_lines *lines) {

@@ -53,9 +53,9 @@ static void append(mesh *m, const struct aiMesh *part, float scale) {
   for (uint32_t i = 0; i < part->mNumVertices; i++) {
     float *p = m->points + 3 * (size_t)(base + i);
     float *n = m->normals + 3 * (size_t)(base + i);
-    p[0] = scale * finite_or_zero(part->mVertices[i].x);
-    p[1] = scale * finite_or_zero(part->mVertices[i].y);
-    p[2] = scale * finite_or_zero(part->mVertices[i].z);
+    p[0] = finite_or_zero(scale * part->mVertices[i].x);
+    p[1] = finite_or_zero(scale * part->mVertices[i].y);
+    p[2] = finite_or_zero(scale * part->mVertices[i].z);
     if (!part->mNormals) continue; /* stays 0: the face's own is used */
     n[0] = finite_or_zero(part->mNormals[i].x);
     n[1] = finite_or_zero(part->mNormals[i].y);

@@ -94,7 +94,10 @@ bool saw_plan_make(saw_plan *p, const saw_job *job, failure *why) {
       !in_range("kerf", job->kerf, 0, 100, why) ||
       (job->width != 0 && !in_range("width", job->width, 5, 1e6, why)))
     return false;
-  if (!isfinite(job->azimuth)) return fail(why, EXIT_BAD_INPUT, "--azimuth: not a finite number");
+  /* of more turns too few digits are left for the boards' own directions */
+  if (!(fabs(job->azimuth) <= 36000))
+    return fail(why, EXIT_BAD_INPUT, "--azimuth: %.9g degrees is outside -36000 to 36000",
+                job->azimuth);
   if (!plans[job->plan](p, job, why)) return false;
   if (p->count == 0)
     return fail(why, EXIT_BAD_INPUT,

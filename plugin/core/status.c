@@ -32,6 +32,9 @@ int32_t fail(int32_t code, const char *format, ...) {
   va_start(list, format);
   print_in_c(message, sizeof message, format, list);
   va_end(list);
+  /* One line for a terminal, whatever the text of the host's that it quotes. */
+  for (char *c = message; *c; c++)
+    if ((unsigned char)*c < ' ' || *c == 0x7f) *c = ' ';
   return code;
 }
 
@@ -51,7 +54,7 @@ int read_number(const char *text, const char *end, double *out) {
 sozai_host host_copy(const sozai_host *host) {
   sozai_host h;
   memset(&h, 0, sizeof h);
-  if (host) memcpy(&h, host, host->size < sizeof h ? host->size : sizeof h);
+  if (host) memcpy(&h, host, whole_members(host->size, sizeof h));
   return h;
 }
 

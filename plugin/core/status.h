@@ -15,6 +15,12 @@ const char *fail_message(void);
 /* A double from text as in the C locale; the whole of [text, end) or 0. */
 int read_number(const char *text, const char *end, double *out);
 
+/* Bytes to copy of a struct that the host says is `size` long and this plugin knows `known` bytes
+ * of: a member that would be cut in two, half a pointer, is left out. */
+static inline size_t whole_members(uint32_t size, size_t known) {
+  return (size < known ? size : known) & ~(size_t)7;
+}
+
 /* The host's members, zero where its struct is older. */
 sozai_host host_copy(const sozai_host *host);
 /* Zeroed memory, from the host or libc; NULL with the message set. */

@@ -132,7 +132,7 @@ int scan_wood(scan *s) {
 /* Mean over 5 x 5 cells, in place, by rows and then by columns. */
 static void blur_line(float *x, int n, int stride) {
   float a[5];
-  for (int k = 0; k < 5; k++) a[k] = x[(long)most(k - 2, 0) * stride];
+  for (int k = 0; k < 3; k++) a[k] = x[0];
   for (int k = 0; k < 2; k++) a[3 + k] = x[(long)least(1 + k, n - 1) * stride];
   for (int i = 0; i < n; i++) {
     float mean = (a[0] + a[1] + a[2] + a[3] + a[4]) * 0.2f;

@@ -11,12 +11,12 @@
 
 typedef struct {
   int nx, nz;
-  const float *rgb; /* nx * nz of r g b, scene-linear */
+  const float *rgb; /* nx * nz of r g b, scene-linear, 0 to 1 */
   uint8_t *wood;    /* nx * nz: 1 inside the wood; filled by scan_wood */
   /* room to work in */
-  float *grey;    /* nx * nz */
+  float *grey;    /* nx * nz + 2 (nx + nz): a grid of one line counts its frame twice */
   float *tensor;  /* 3 * nx * nz */
-  int32_t *stack; /* nx * nz */
+  int32_t *stack; /* as grey */
   float *votes;   /* scan_votes(nx, nz) */
 } scan;
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # other.sh SOURCE PLUGIN BUILD TEST COMPILER [CMake option...] [-- RUNNER...]:
 # build the plugin once more with COMPILER, and ask TEST whether it answers with
-# the same bits as PLUGIN, the one built here. RUNNER: what runs programs of another
+# the same bits as PLUGIN, the one built here, and with those recorded. RUNNER: what runs programs of another
 # processor. Exits 77 without the compiler or the runner.
 #
 # Built here and not with everything else: only this test wants it, and a
@@ -40,6 +40,14 @@ mkdir -p "$build"
   grep -E -m 20 'error|Error|not found' "$build/log.txt" || tail -n 20 "$build/log.txt"
   exit 1
 }
+# The recorded hashes too: all of them, or under emulation one in twelve.
+hashes=("$source/tests/conformance/hashes.sh" check "$source/tests/conformance/hashes.txt"
+  "$build/hash-worker" "$build/sozai.so")
+if ((${#runner[@]})); then
+  "${hashes[@]}" 12 "${runner[@]}"
+else
+  "${hashes[@]}"
+fi
 if ((${#runner[@]})); then
   exec "$test" --against "$build/sozai.so" --worker "$build/identity-worker" --runner "${runner[@]}"
 fi

@@ -172,6 +172,7 @@ static int32_t set_numbers(sozai_texture *t, int i, const double *number) {
 }
 
 static int32_t set_value(sozai_texture *t, const sozai_value *v) {
+  if (!v->id) return FAIL(SOZAI_ERROR_ARGUMENT, "a value has no parameter's id");
   int i = find_parameter(v->id);
   if (i < 0) return FAIL(SOZAI_ERROR_UNKNOWN, "wood has no parameter '%s'", v->id);
   bool is_text = v->kind == SOZAI_KIND_STRING;
