@@ -13,6 +13,7 @@
 #define OPTION_COUNT 3  /* uint32_t, within low and high */
 #define OPTION_PAIRS 4  /* option_texts: given any number of times */
 #define OPTION_SIZE 5   /* uint32_t[2]: WxH, each within low and high */
+#define OPTION_MAYBE 6  /* const char *: what follows an '=', or "" without one */
 
 typedef struct option {
   const char *name;     /* without its dashes */
