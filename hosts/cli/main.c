@@ -26,6 +26,7 @@ static const command commands[] = {
     {"grow", "a tree, or fibre in a hull, as a mesh, curves, tables or a picture", run_grow},
     {"match", "a material's palette from a photograph", run_match},
     {"saw", "a log of a grown tree into boards, and a picture of its cuts", run_saw},
+    {"validate", "a plugin's file, judged by the contract of sozai.h", run_validate},
 };
 #define COMMAND_COUNT (sizeof commands / sizeof commands[0])
 

@@ -465,7 +465,7 @@ static void tables(subject *s) {
       for (uint32_t c = 0; q->columns && c < q->column_count; c++) {
         text_of("column", q->columns[c].id ? q->columns[c].id : "?", "id", q->columns[c].id, false);
         text_of("column", q->columns[c].id, "unit", q->columns[c].unit, true);
-        text_of("column", q->columns[c].id, "doc", q->columns[c].doc, false);
+        text_of("column", q->columns[c].id, "doc", q->columns[c].doc, true);
         for (uint32_t d = 0; d < c; d++)
           EXPECT(strcmp(q->columns[c].id, q->columns[d].id) != 0,
                  "%s: table %s has two columns %s", g->id, q->id, q->columns[c].id);
@@ -492,4 +492,4 @@ CHECKS(describe, //
        {"describe.presets", "describe.strings", "presets give known parameters values of their kind and range", presets},
        {"describe.channels", "describe.strings", "channels have 1 to 3 components, suffixes and known inputs", channels},
        {"describe.components", "describe.strings", "channels cover the components without overlap or gap", components},
-       {"describe.tables", "describe.strings", "tables and columns of generators have ids and docs", tables});
+       {"describe.tables", "describe.strings", "tables of generators have ids and docs, their columns ids", tables});

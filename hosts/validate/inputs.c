@@ -239,12 +239,14 @@ WAYS(footprint_huge, footprints_most, footprints_huge, "with a footprint of 1e4,
 static void lengths_of(subject *s, const sozai_texture_info *info, const char *preset,
                        sozai_texture *t) {
   static const float scales[] = {0x1p3f, 0x1p-3f, 0x1p20f, 0x1p-20f, 0x1p60f, 0x1p-60f, 0x1p100f};
+  static float kept[BATCH_INPUTS][POINTS];
   batch *b = batch_new(s, info, preset, POINTS);
   float *was = b && batch_run(s, t, b, "of length near 1") ? batch_answers(b) : NULL;
+  for (uint32_t c = 0; was && c < BATCH_INPUTS; c++) memcpy(kept[c], b->in[c], sizeof kept[c]);
   for (uint32_t k = 0; was && k < COUNT_OF(scales) && !enough(); k++) {
     for (uint32_t c = 3; c < 15; c++)
       for (uint32_t i = 0; (c < 9 || c >= 12) && i < POINTS; i++)
-        b->in[c][i] *= k ? scales[k] / scales[k - 1] : scales[k];
+        b->in[c][i] = kept[c][i] * scales[k];
     batch_mark(b);
     if (!batch_run(s, t, b, "vectors of another length")) break;
     for (uint32_t c = 0; c < info->component_count; c++) {

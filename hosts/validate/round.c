@@ -88,10 +88,11 @@ void every_call(subject *s, bool grow, watcher *watch) {
     } else if (grow) {
       grown g;
       if (grow_plain(s, k->generator, NULL, &g) == SOZAI_OK) {
+        const sozai_detail coarse = {.size = sizeof coarse, .level = 3};
         const sozai_mesh *mesh = NULL;
         const sozai_curves *curves = NULL;
         watch("grow");
-        s->geometry->mesh(g.geometry, NULL, &mesh);
+        s->geometry->mesh(g.geometry, &coarse, &mesh);
         watch("mesh");
         s->geometry->curves(g.geometry, NULL, &curves);
         watch("curves");

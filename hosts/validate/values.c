@@ -171,6 +171,21 @@ static void many(subject *s) {
   free(values);
 }
 
+static bool in_word(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+/* Whether the error speaks of another parameter too: values that do not go together. */
+static bool names_another(const kind *k, const sozai_parameter *p, const char *text) {
+  for (uint32_t i = 0; i < k->parameter_count; i++) {
+    const char *id = k->parameters[i]->id;
+    size_t n = strlen(id);
+    for (const char *at = text; k->parameters[i] != p && (at = strstr(at, id)); at += n)
+      if ((at == text || !in_word(at[-1])) && !in_word(at[n])) return true;
+  }
+  return false;
+}
+
 /* The ends of the hard range belong to it: "values outside are refused". Other errors than
  * of the value itself are the plugin's to give: of memory, or of what does not go together. */
 static void bounds_one(subject *s, const kind *k, const sozai_parameter *p, const sozai_value *good) {
@@ -181,7 +196,9 @@ static void bounds_one(subject *s, const kind *k, const sozai_parameter *p, cons
     for (uint32_t c = 0; c < kind_numbers(p->kind); c++) v.number[c] = ends[e];
     made m;
     int32_t r = make(s, k, NULL, NULL, &v, 1, &m);
-    EXPECT(r != SOZAI_ERROR_RANGE && r != SOZAI_ERROR_KIND, "%s: %s at %s gave %s: %s", k->id,
+    bool own = (r == SOZAI_ERROR_RANGE || r == SOZAI_ERROR_KIND) &&
+               !names_another(k, p, last_error(s));
+    EXPECT(!own, "%s: %s at %s gave %s: %s", k->id,
            p->id, value_shown(&v), result_name(r), last_error(s));
     if (r == SOZAI_OK) unmake(s, &m);
   }
