@@ -293,8 +293,8 @@ typedef struct sozai_textures_1 {
   /* The instruction set its evaluate runs on: "avx512", "avx2", "sse2",
    * "neon" or "scalar". [thread-safe] */
   const char *(*instruction_set)(const sozai_texture *texture);
-  /* Why the last call on this thread failed: names the parameter, the value
-   * and the range. "" before any failure; valid until the thread's next
+  /* Why the last call on this thread failed, in one line: names the parameter,
+   * the value and the range. "" before any failure; valid until the thread's next
    * failing call. [thread-safe] */
   const char *(*last_error)(void);
 } sozai_textures_1;

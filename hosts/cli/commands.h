@@ -16,5 +16,6 @@ int run_gallery(int argc, char **argv);
 int run_grow(int argc, char **argv);
 int run_match(int argc, char **argv);
 int run_saw(int argc, char **argv);
+int run_validate(int argc, char **argv);
 
 #endif

@@ -27,6 +27,7 @@ static const command commands[] = {
     {"limits", "the ceilings on what comes from outside", run_limits},
     {"match", "a material's palette from a photograph", run_match},
     {"saw", "a log of a grown tree into boards, and a picture of its cuts", run_saw},
+    {"validate", "a plugin's file, judged by the contract of sozai.h", run_validate},
 };
 #define COMMAND_COUNT (sizeof commands / sizeof commands[0])
 

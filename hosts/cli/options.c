@@ -15,7 +15,8 @@ static void print_help(const command_line *line) {
     char left[64];
     char letter[8] = "    ";
     if (o->letter) snprintf(letter, sizeof letter, "-%c, ", o->letter);
-    snprintf(left, sizeof left, "%s--%s%s%s", letter, o->name, o->argument ? " " : "",
+    bool apart = o->argument && o->kind != OPTION_MAYBE;
+    snprintf(left, sizeof left, "%s--%s%s%s", letter, o->name, apart ? " " : "",
              o->argument ? o->argument : "");
     printf("  %-28s %s\n", left, o->help);
   }
@@ -48,6 +49,7 @@ static bool read_size(const option *o, const char *text, uint32_t *out, failure 
 static bool store(const option *o, const char *text, failure *why) {
   switch (o->kind) {
   case OPTION_TEXT:
+  case OPTION_MAYBE:
     *(const char **)o->target = text;
     return true;
   case OPTION_COUNT:
@@ -106,6 +108,7 @@ static bool take_option(const command_line *line, int argc, char **argv, int *at
     *(bool *)o->target = true;
     return true;
   }
+  if (!value && o->kind == OPTION_MAYBE) value = "";
   if (!value) {
     if (*at + 1 >= argc)
       return fail(why, EXIT_BAD_INPUT, "--%s needs a value: %s", o->name, o->argument);

@@ -14,6 +14,7 @@
 #define OPTION_PAIRS 4  /* option_texts: given any number of times */
 #define OPTION_SIZE 5   /* uint32_t[2]: WxH, each within low and high */
 #define OPTION_LIMIT 6  /* "NAME=VALUE" for limits_set; no target */
+#define OPTION_MAYBE 7  /* const char *: what follows an '=', or "" without one */
 
 typedef struct option {
   const char *name;     /* without its dashes */

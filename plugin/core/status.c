@@ -27,10 +27,35 @@ static void print_in_c(char *out, size_t size, const char *format, va_list list)
   if (before) uselocale(before);
 }
 
+/* Bytes of the UTF-8 character at s, 0 when it is none or cut off. */
+static size_t character(const unsigned char *s) {
+  if (s[0] < 0x80) return 1;
+  size_t n = s[0] >= 0xf0 ? 4 : s[0] >= 0xe0 ? 3 : 2;
+  if (s[0] < 0xc2 || s[0] > 0xf4) return 0;
+  for (size_t i = 1; i < n; i++)
+    if ((s[i] & 0xc0) != 0x80) return 0;
+  if ((s[0] == 0xe0 && s[1] < 0xa0) || (s[0] == 0xed && s[1] > 0x9f)) return 0;
+  if ((s[0] == 0xf0 && s[1] < 0x90) || (s[0] == 0xf4 && s[1] > 0x8f)) return 0;
+  return n;
+}
+
+/* A message repeats what the host handed in, which may hold line ends, a
+ * terminal's controls, or a character that "%.80s" cut in two. One line of
+ * UTF-8 comes out. */
+static void make_line(char *text) {
+  for (unsigned char *s = (unsigned char *)text; *s;) {
+    size_t n = character(s);
+    if (n == 0) *s = '?';
+    if (*s < 0x20 || *s == 0x7f) *s = ' ';
+    s += n ? n : 1;
+  }
+}
+
 int32_t fail(int32_t code, const char *format, ...) {
   va_list list;
   va_start(list, format);
   print_in_c(message, sizeof message, format, list);
+  make_line(message);
   va_end(list);
   /* One line for a terminal, whatever the text of the host's that it quotes. */
   for (char *c = message; *c; c++)
@@ -88,6 +113,7 @@ void host_log(const sozai_host *host, int32_t severity, const char *format, ...)
   va_list list;
   va_start(list, format);
   print_in_c(text, sizeof text, format, list);
+  make_line(text);
   va_end(list);
   host->log(host->user, severity, text);
 }

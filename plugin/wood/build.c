@@ -344,7 +344,7 @@ static int32_t build_figure(wood_constants *w, const settings *s) {
   double crowd = 32.0 / (diameter * diameter);
   if (density > crowd * 1.0000001) {
     return fail(SOZAI_ERROR_RANGE,
-                "eye_density: %.9g/cm2 leaves no room for eyes of %.9g mm; 0 to %.9g", density,
+                "eye_density: %.9g/cm2 leaves no room for eyes of eye_diameter = %.9g mm; 0 to %.9g", density,
                 diameter, crowd);
   }
   double depth = number_at(s, P_EYE_DEPTH),

@@ -8,7 +8,7 @@ works --version
 check "--version says the ABI" grep -q 'ABI 1\.' "$scratch/out"
 works --help
 check "--help lists render" grep -q '^  render ' "$scratch/out"
-for name in list describe eval render bake colour figures gallery match grow saw; do
+for name in list describe eval render bake colour figures gallery match grow saw validate; do
   works "$name" --help
   check "$name --help begins with its usage" grep -q "^usage: sozai $name" "$scratch/out"
   check "$name --help lists itself" grep -q -- '--help' "$scratch/out"
