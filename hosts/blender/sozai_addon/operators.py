@@ -4,6 +4,7 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, IntProperty, StringProperty
 
 from . import bake, panel, parameters, program, state, update
+from .grown import operators as grown_operators, panel as grown_panel
 
 
 class Job:
@@ -43,6 +44,33 @@ class SOZAI_OT_update(Job, bpy.types.Operator):
         return update.update(material, context.scene)
 
 
+def make_material(obj, kind, preset, mode, scene, values=None, name=""):
+    """A new material in the object's active slot, or a Problem and nothing. values: parameters
+    by id, over the preset's."""
+    described = state.described.get(kind)
+    if described is None:
+        raise program.Problem("no material '%s'; there is %s" % (kind, ", ".join(state.described)))
+    if preset and preset not in [p["id"] for p in described["presets"]]:
+        raise program.Problem("%s has no preset '%s'" % (kind, preset))
+    material = bpy.data.materials.new(name or preset or kind)
+    before = obj.active_material
+    obj.active_material = material
+    try:
+        material.sozai.kind, material.sozai.mode = kind, mode
+        group = state.of(material)[1]
+        if preset:
+            group.preset = preset
+        if kind == "wood":  # boards, not logs
+            group.p_cut = "flat"
+        for key, value in (values or {}).items():
+            setattr(group, "p_" + key, value)
+        return update.update(material, scene)
+    except (program.Problem, OSError, TypeError) as problem:
+        obj.active_material = before
+        bpy.data.materials.remove(material)
+        raise program.Problem(str(problem)) from problem
+
+
 class SOZAI_OT_new(Job, bpy.types.Operator):
     """A new material of sozai's on the active object, in its active slot"""
 
@@ -62,30 +90,7 @@ class SOZAI_OT_new(Job, bpy.types.Operator):
         return context.object
 
     def work(self, obj, context):
-        described = state.described.get(self.kind)
-        if described is None:
-            raise program.Problem("no material '%s'; there is %s"
-                                  % (self.kind, ", ".join(state.described)))
-        entry = next((p for p in described["presets"] if p["id"] == self.preset), None)
-        if self.preset and entry is None:
-            raise program.Problem("%s has no preset '%s'" % (self.kind, self.preset))
-        material = bpy.data.materials.new(self.preset or self.kind)
-        before = obj.active_material
-        obj.active_material = material
-        try:
-            material.sozai.kind = self.kind
-            material.sozai.mode = self.mode
-            if self.kind == "wood":  # boards, not logs
-                material.sozai_wood.p_cut = "flat"
-            if entry:
-                state.of(material)[1].preset = self.preset
-                if self.kind == "wood":
-                    material.sozai_wood.p_cut = "flat"
-            return update.update(material, context.scene)
-        except (program.Problem, OSError, TypeError) as problem:
-            obj.active_material = before
-            bpy.data.materials.remove(material)
-            raise program.Problem(str(problem)) from problem
+        return make_material(obj, self.kind, self.preset, self.mode, context.scene)
 
 
 class SOZAI_OT_preset(Job, bpy.types.Operator):
@@ -162,13 +167,16 @@ class SOZAI_OT_connect(bpy.types.Operator):
     def execute(self, _context):
         try:
             panel.unregister()
+            grown_panel.unregister()
             _items.clear()
+            grown_operators.forget_items()
             state.connect()
         except program.Problem as problem:
             self.report({"ERROR"}, str(problem))
             return {"CANCELLED"}
         finally:
             panel.register()
+            grown_panel.register()
         if state.trouble:
             self.report({"WARNING"}, state.trouble)
         return {"FINISHED"}

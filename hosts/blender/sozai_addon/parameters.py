@@ -46,6 +46,8 @@ def definition(parameter, changed):
                                soft_min=clamp(soft_low), soft_max=clamp(soft_high), **common)
         common |= {"min": low, "max": high, "soft_min": soft_low, "soft_max": soft_high,
                    "precision": 3, "step": max(1, int(100 * (soft_high - soft_low) / 100))}
+        if kind == "float3" and "colour" in parameter["id"] and (low, high) == (0, 1):
+            return FloatVectorProperty(size=3, subtype="COLOR_GAMMA", default=default, **common)
         if kind == "float3":
             return FloatVectorProperty(size=3, default=default, **common)
         return FloatProperty(default=default, **common)
@@ -71,14 +73,15 @@ def preset_definition(described, changed):
                         description="A species, or a stone; sets every parameter")
 
 
-def group_class(described, preset_changed, changed):
-    """A PropertyGroup with `preset` and a property to each parameter."""
+def group_class(described, preset_changed, changed, name="", without=()):
+    """A PropertyGroup with `preset` and a property to each parameter. name: of the class;
+    without: parameters that are set elsewhere."""
     annotations = {"preset": preset_definition(described, preset_changed)}
     for parameter in described["parameters"]:
         made = definition(parameter, changed)
-        if made is not None:
+        if made is not None and parameter["id"] not in without:
             annotations[attribute(parameter)] = made
-    return type("SOZAI_PG_" + described["id"], (bpy.types.PropertyGroup,),
+    return type("SOZAI_PG_" + (name or described["id"]), (bpy.types.PropertyGroup,),
                 {"__annotations__": annotations,
                  "__doc__": "Parameters of sozai's " + described["label"]})
 
@@ -104,7 +107,8 @@ def load_preset(described, group):
         name = attribute(parameter)
         value = values[parameter["id"]]
         if name in group.__annotations__ and value is not None:
-            setattr(group, name, value)
+            # whole numbers may be written as 1e+06
+            setattr(group, name, int(value) if parameter["kind"] == "int" else value)
         elif name in group.__annotations__:
             group.property_unset(name)
 
@@ -158,9 +162,9 @@ def read(parameter, text):
     if kind == "int":
         high = min(high, MOST_INT)
     if len(values) != wanted or not all(math.isfinite(v) and low <= v <= high for v in values):
-        raise program.Problem("%s: '%s' is not %s from %g to %g %s" % (
+        raise program.Problem(("%s: '%s' is not %s from %g to %g %s" % (
             name, text, "a whole number" if kind == "int" else
-            "a number" if wanted == 1 else "three numbers", low, high, parameter["unit"]))
+            "a number" if wanted == 1 else "three numbers", low, high, parameter["unit"])).strip())
     return values if wanted == 3 else values[0]
 
 

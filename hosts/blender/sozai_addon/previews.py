@@ -18,7 +18,13 @@ def folder():
 
 
 def command(kind, preset, path):
-    """A board, or a slab, from close by."""
+    """A board, or a slab, from close by; a ball of strands; a tree of middling age."""
+    if kind.startswith("grown "):
+        kind = kind.split()[1]
+        what = ["--species", preset, "--age", "15", "--level", "2"] if kind == "tree" else \
+            ["--hull", "ball", "--material", preset]
+        return [state.program_path, "grow", kind, *what, "-o", path, "--res",
+                "%dx%d" % (SIDE, SIDE), "--spp", "16", "--threads", "1"]
     return [state.program_path, "render", kind, "--preset", preset, "-o", path, "--shape", "board",
             "--size", "120x120x20", "--res", "%dx%d" % (SIDE, SIDE), "--spp", "16", "--threads",
             "1", *(["--cut", "flat"] if kind == "wood" else [])]
@@ -28,7 +34,7 @@ def icon(kind, preset):
     """The picture's number for Blender's layouts; 0: none yet."""
     if preset == parameters.NONE or _icons is None:
         return 0
-    name = "%s-%s" % (kind, preset)
+    name = "%s-%s" % (kind.replace(" ", "_"), preset)
     if name in _icons:
         return _icons[name].icon_id
     path = os.path.join(folder(), name + ".png")

@@ -51,14 +51,26 @@ def run(program, *arguments, stdin=None):
     return done.stdout
 
 
-def materials(program):
-    """What `sozai describe --json` says of each material, by id, in its own order."""
-    ids = [line.split()[0] for line in run(program, "list").splitlines()
-           if line and not line[0].isspace()]
+def describe(program, name, *options):
     try:
-        return {name: json.loads(run(program, "describe", name, "--json")) for name in ids}
+        return json.loads(run(program, "describe", name, *options, "--json"))
     except ValueError as error:
         raise Problem("sozai: '%s describe' wrote no JSON: %s" % (program, error)) from error
+
+
+def describe_all(program):
+    """What `sozai describe --json` says of each material, and of each thing that `sozai grow`
+    makes: both by id, in its own order."""
+    ids = [line.split()[0] for line in run(program, "list").splitlines()
+           if line and not line[0].isspace()]
+    materials, grown = {}, {}
+    for name in dict.fromkeys(ids):
+        described = describe(program, name)
+        if described["channels"]:  # what is grown has none
+            materials[name] = described
+        if not described["channels"] or ids.count(name) > 1:
+            grown[name] = describe(program, name, "--grown")
+    return materials, grown
 
 
 def evaluate(program, recipe, channels, point=(0, 0, 0), normal=(0, 0, 1), footprint=1000):

@@ -4,9 +4,11 @@ properties that are made of them."""
 import bpy
 
 from . import parameters, program, settings
+from .grown import settings as grown_settings
 
 program_path = ""
 described = {}  # by material id
+grown = {}  # by the id of what `sozai grow` makes
 trouble = ""  # why there is no program, or no reader
 _classes = []
 _pending = set()  # names of materials to be updated
@@ -24,15 +26,15 @@ def preferences():
 
 def connect():
     """Find the program, and make properties of what it describes. Problem when it cannot."""
-    global program_path, described, trouble
+    global program_path, described, grown, trouble
     disconnect()
     chosen = preferences()
     try:
         program_path = program.find(chosen.program if chosen else "")
-        described = program.materials(program_path)
+        described, grown = program.describe_all(program_path)
         trouble = ""
     except program.Problem as problem:
-        program_path, described, trouble = "", {}, str(problem)
+        program_path, described, grown, trouble = "", {}, {}, str(problem)
         raise
     for kind, material in described.items():
         cls = parameters.group_class(material, _preset_chosen, _changed)
@@ -43,6 +45,7 @@ def connect():
     bpy.utils.register_class(cls)
     _classes.append((None, cls))
     bpy.types.Material.sozai = parameters.pointer(cls)
+    grown_settings.register(grown)
     try:
         offer_reader()
     except program.Problem as problem:
@@ -50,6 +53,7 @@ def connect():
 
 
 def disconnect():
+    grown_settings.unregister()
     while _classes:
         kind, cls = _classes.pop()
         delattr(bpy.types.Material, attribute(kind) if kind else "sozai")
