@@ -26,19 +26,13 @@ commands() { # each line: ending|words
 png|render wood --res 16x16 --spp 1
 exr|render stone --res 16x16 --spp 1
 exr|bake wood --size 40x20 --res 80x40
-png|bake wood --size 40x20 --res 80x40
 csv|eval wood --input in/points.csv
 obj|grow tree -p age=4
 gltf|grow tree -p age=4
-usda|grow tree -p age=4
 csv|grow tree -p age=4 --table branches
 png|grow tree -p age=2 --res 16x16 --spp 1
 usda|grow fiber --hull ball -p count=40
 hair|grow fiber --hull ball -p count=40
-obj|grow fiber --hull ball -p count=40
-pbrt|grow fiber --hull ball -p count=40
-gltf|grow fiber --hull ball -p count=40
-csv|grow fiber --hull ball -p count=40 --table strands
 sozai|match in/photo.png
 LIST
 }
