@@ -36,12 +36,22 @@ public:
   const int number;
 };
 
+// As hosts/oiio knows its own.
+bool is_sozai(const std::string &path) {
+  static const std::string ending = ".sozai";
+  return path.find(ending + "?") != std::string::npos ||
+         (path.size() >= ending.size() &&
+          path.compare(path.size() - ending.size(), ending.size(), ending) == 0);
+}
+
 // Opens it. OpenImageIO says little, opens whatever has a name, and waits for a pipe.
 int must_be_a_file(const std::string &path) {
   const auto refuse = [&](const char *why) {
     throw Failure(SOZAI_ERROR_FILE, "picture " + path + ": " + why);
   };
   struct stat status;
+  // Opening it would make a texture while one is being made, of itself perhaps.
+  if (is_sozai(path)) refuse("a .sozai file, which is no picture for another");
   if (stat(path.c_str(), &status) != 0) refuse(std::strerror(errno));
   if (S_ISDIR(status.st_mode)) refuse(std::strerror(EISDIR));
   if (!S_ISREG(status.st_mode)) refuse("not a file of pixels");

@@ -36,6 +36,7 @@ typedef struct job {
   uint32_t outputs[EVAL_MOST_OUTPUTS]; /* component of the texture's, in the order printed */
   uint32_t output_count;
   csv_lines lines;
+  const char *to_name;
   float *arena; /* for each slice: COLUMNS + output_count arrays of SLICE */
   slice slices[MOST_SLICES];
 } job;
@@ -187,7 +188,7 @@ static bool write_rows(job *j, uint32_t threads, FILE *to, failure *why) {
         return false;
       }
       if (fwrite(s->text, 1, s->used, to) != s->used)
-        return fail(why, EXIT_FAILURE, "cannot write the output: %s", strerror(errno));
+        return fail(why, EXIT_FAILURE, "cannot write %s: %s", j->to_name, strerror(errno));
     }
     if (cancel_requested()) return fail(why, EXIT_FAILURE, "cancelled");
     if (j->lines.count == 0) return true;
@@ -204,7 +205,7 @@ static bool evaluate_stream(job *j, const char *channels, uint32_t threads, FILE
     ok = write_rows(j, threads, to, why);
   }
   if (ok && fflush(to) != 0)
-    ok = fail(why, EXIT_FAILURE, "cannot write the output: %s", strerror(errno));
+    ok = fail(why, EXIT_FAILURE, "cannot write %s: %s", j->to_name, strerror(errno));
   for (uint32_t i = 0; i < MOST_SLICES; i++) free(j->slices[i].text);
   free(j->arena);
   csv_close(&j->lines);
@@ -218,6 +219,7 @@ static bool evaluate_files(job *j, const char *channels, uint32_t threads, const
   if (!from) return fail(why, EXIT_BAD_INPUT, "cannot read %s: %s", input, strerror(errno));
   const char *name = from == stdin ? "standard input" : input;
   bool ok;
+  j->to_name = strcmp(output, "-") == 0 ? "standard output" : output;
   if (strcmp(output, "-") == 0)
     ok = evaluate_stream(j, channels, threads, from, name, stdout, why);
   else {

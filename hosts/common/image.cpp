@@ -5,7 +5,9 @@
 
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <cerrno>
 
 #include <cstdio>
 #include <cstdlib>
@@ -41,17 +43,17 @@ void describe(OIIO::ImageSpec &spec, const image_colour &colour) {
   if (colour.srgb) spec.attribute("oiio:ColorSpace", "sRGB");
 }
 
-// OpenImageIO's PNG writer does not say when the disk is full, so: a PNG's last
-// chunk is there, or there is no telling, as the path is a device or a pipe.
-bool ends(const char *path) {
-  static const unsigned char end[] = {'I', 'E', 'N', 'D', 0xae, 0x42, 0x60, 0x82};
-  struct stat status;
-  if (stat(path, &status) != 0 || !S_ISREG(status.st_mode)) return true;
-  std::unique_ptr<FILE, int (*)(FILE *)> file(std::fopen(path, "rbe"), std::fclose);
-  unsigned char last[sizeof end];
-  return file && std::fseek(file.get(), -long(sizeof last), SEEK_END) == 0 &&
-         std::fread(last, 1, sizeof last, file.get()) == sizeof last &&
-         std::memcmp(last, end, sizeof end) == 0;
+// Encoded in memory, then written here: OpenImageIO's writers of PNG and of EXR
+// do not say when the disk is full.
+bool put(const char *path, const std::vector<unsigned char> &bytes, failure *why) {
+  std::unique_ptr<FILE, int (*)(FILE *)> file(std::fopen(path, "wbe"), std::fclose);
+  bool ok = file && std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
+  int error = errno;
+  if (file && std::fclose(file.release()) != 0) {
+    if (ok) error = errno;
+    ok = false;
+  }
+  return ok || fail(why, EXIT_FAILURE, "cannot write %s: %s", path, std::strerror(error));
 }
 
 bool write(const char *path, uint32_t width, uint32_t height, const image_channel *channels,
@@ -78,11 +80,13 @@ bool write(const char *path, uint32_t width, uint32_t height, const image_channe
     for (size_t i = 0; i < pixels; i++)
       interleaved[i * count + c] = channels[c].data[i * channels[c].stride];
 
+  std::vector<unsigned char> encoded;
+  OIIO::Filesystem::IOVecOutput memory(encoded);
+  const bool through = output->supports("ioproxy") && output->set_ioproxy(&memory);
   bool ok =
       output->open(path, spec) && output->write_image(OIIO::TypeDesc::FLOAT, interleaved.data());
   ok = output->close() && ok;
-  if (ok && std::strcmp(output->format_name(), "png") == 0 && !ends(path))
-    return fail(why, EXIT_FAILURE, "cannot write %s: it was cut short; the disk may be full", path);
+  if (ok && through) return put(path, encoded, why);
   return ok || fail(why, EXIT_FAILURE, "cannot write %s: %s", path, output->geterror().c_str());
 }
 

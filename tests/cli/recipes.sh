@@ -62,7 +62,7 @@ mistake ":|empty" </dev/null
 mistake ":1|mapping" <<<'- wood'
 mistake ":2" <<<$'material: wood\n\tparams: 3'
 mistake ":" < <(printf 'material: wood\npreset: \xff\xfe\n')
-mistake "|longer than" < <(
+mistake "|recipe_bytes, 1048576" < <(
   echo "material: wood"
   head -c 2000000 /dev/zero | tr '\0' '#'
 )

@@ -109,7 +109,7 @@ static void add_presets(void) {
   while (cases[n].name) n++;
   for (uint32_t i = 0; i < textures->count(); i++) {
     const sozai_texture_info *info = textures->info(i);
-    for (uint32_t k = 0; k < info->preset_count && n + 1 < COUNT(cases); k += 9)
+    for (uint32_t k = 0; k < info->preset_count && n + 1 < COUNT(cases); k += 11)
       cases[n++] = (made){info->presets[k]->id, info->id, NULL, info->presets[k]->id, NULL, 0};
   }
 }

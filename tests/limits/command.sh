@@ -34,9 +34,9 @@ works render wood -o a.png "${small[@]}" --limit texture_bytes=1M
 refuses 2 "geometry_bytes, 1024" grow tree -o a.obj -p age=3 --limit geometry_bytes=1K
 refuses 2 "mesh_bytes, 1024" grow tree -o a.obj -p age=3 --limit mesh_bytes=1K
 refuses 2 "strands, 9" grow fiber --hull ball -o a.usda -p count=10 --limit strands=9
-SOZAI_LIMITS=leaves=10 refuses 2 "leaves, 10" grow tree -o a.obj -p age=6 -p orders=2
-SOZAI_LIMITS=leaves=10 works grow tree -o a.obj -p age=6 -p orders=2 --limit leaves=1M
-printf '0,0,0\n' >points.csv
+SOZAI_LIMITS=leaves=10 refuses 2 "leaves, 10" grow tree -o a.obj --species cherry -p age=6 -p orders=3
+SOZAI_LIMITS=leaves=10 works grow tree -o a.obj --species cherry -p age=6 -p orders=3 --limit leaves=1M
+printf 'px,py,pz\n0,0,0\n' >points.csv
 refuses 2 "texture_bytes, 1" eval wood --limit texture_bytes=1 <points.csv
 refuses 2 "texture_bytes, 1" bake wood -o a.exr --size 10x10 --res 8x8 --limit texture_bytes=1
 
@@ -50,8 +50,8 @@ works render long.sozai -o a.png "${small[@]}"
 refuses 2 "long.sozai|recipe_bytes, 2048" render long.sozai -o a.png "${small[@]}" --limit recipe_bytes=2K
 printf 'include: long.sozai\n' >one.sozai
 printf 'include: one.sozai\n' >two.sozai
-refuses 2 "long.sozai|recipe_includes, 1" render two.sozai -o a.png "${small[@]}" --limit recipe_includes=1
-works render two.sozai -o a.png "${small[@]}" --limit recipe_includes=2
+refuses 2 "long.sozai|recipe_includes, 2" render two.sozai -o a.png "${small[@]}" --limit recipe_includes=2
+works render two.sozai -o a.png "${small[@]}" --limit recipe_includes=3
 refuses 2 "view_bytes, 1024" render wood -o a.png "${small[@]}" --limit view_bytes=1K
 works grow fiber --hull ball -o hull.gltf -p count=5
 printf 'v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n' >mesh.obj

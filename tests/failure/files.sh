@@ -1,0 +1,168 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Disks that are full, and files that are missing, unreadable, cut short, or no
+# files at all: one line that names it, an exit code, nothing half made.
+# shellcheck source=tests/cli/lib.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/../cli/lib.sh" "$@"
+cd "$scratch" || exit 1
+mkdir in made
+readonly tiny=(--res 16x16 --spp 1)
+
+# ---- what is read ----------------------------------------------------------------
+printf 'v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n' >in/mesh.obj
+printf 'material: wood\n' >in/plain.sozai
+{
+  echo px,py,pz
+  for ((i = 0; i < 400; i++)); do printf '%d,0,0\n' "$i"; done
+} >in/points.csv
+works render wood -o in/photo.png --res 96x96 --spp 1 --shape plane
+works grow tree -o in/tree.field -p age=4
+mkfifo in/pipe.png in/pipe.obj in/pipe.sozai
+mkdir in/folder.png in/folder.obj in/folder.sozai in/folder.field in/folder.csv
+
+# Every command that writes a file, cheaply: what it writes, then how.
+commands() { # each line: ending|words
+  cat <<'LIST'
+png|render wood --res 16x16 --spp 1
+exr|render stone --res 16x16 --spp 1
+exr|bake wood --size 40x20 --res 80x40
+csv|eval wood --input in/points.csv
+obj|grow tree -p age=4
+gltf|grow tree -p age=4
+csv|grow tree -p age=4 --table branches
+png|grow tree -p age=2 --res 16x16 --spp 1
+usda|grow fiber --hull ball -p count=40
+hair|grow fiber --hull ball -p count=40
+sozai|match in/photo.png
+LIST
+}
+
+# A failure of some command: its code, its one line, and nothing left in made.
+must_fail() { # what, file that the line names, [argument...]
+  local what=$1 name=$2
+  shift 2
+  run_command "$@"
+  check "$what: sozai $* fails; it exited with $code" test "$code" -ne 0 -a "$code" -lt 126
+  same "$what: lines of message of sozai $*: $err" 1 "$(grep -c '' "$scratch/err")"
+  check "$what: sozai $* names $name in: $err" grep -qF -- "$name" "$scratch/err"
+  same "$what: nothing is left by sozai $*" "" "$(find made -mindepth 1)"
+  rm -rf made
+  mkdir made
+}
+
+while IFS='|' read -r ending words; do
+  read -ra arguments <<<"$words"
+  # as it should be, first: or the rest would prove nothing
+  works "${arguments[@]}" -o "made/good.$ending"
+  check "sozai $words writes" test -s "made/good.$ending"
+  same "and nothing else" "made/good.$ending" "$(find made -mindepth 1)"
+  size=$(stat -c %s "made/good.$ending")
+  rm -rf made
+  mkdir made
+
+  # a device that is full
+  ln -sf /dev/full "in/full.$ending"
+  run_command "${arguments[@]}" -o "in/full.$ending"
+  check "full: sozai $words fails" test "$code" -ne 0 -a "$code" -lt 126
+  same "full: lines of message of sozai $words: $err" 1 "$(grep -c '' "$scratch/err")"
+  check "full: sozai $words names it in: $err" grep -qF "full.$ending" "$scratch/err"
+  check "full: the link stays" test -L "in/full.$ending"
+
+  # a disk that is full in the middle: a file may grow to so much and no more (the
+  # limit holds for the messages' file too, so they go through a pipe)
+  err=$( (
+    ulimit -f $((size / 2048))
+    "$sozai" "${arguments[@]}" -o "made/short.$ending" 2>&1 >/dev/null
+    echo "exit $?"
+  ) | cat)
+  code=${err##*exit }
+  err=${err%exit *}
+  check "half of $size B: sozai $words fails, and exited with $code: $err" \
+    test "$code" -ne 0 -a "$code" -lt 126
+  same "half: lines of message of sozai $words: $err" 1 "$(printf '%s' "$err" | grep -c '')"
+  check "half: sozai $words names it in: $err" grep -qF "short.$ending" <<<"$err"
+  # what a bake has finished is kept for --resume
+  same "half: nothing is left by sozai $words" "" \
+    "$(find made -mindepth 1 -not -path '*.bake*')"
+  rm -rf made
+  mkdir made
+done < <(commands)
+
+for words in "png|render wood --res 16x16 --spp 1" "exr|bake wood --size 40x20 --res 80x40" \
+  "csv|eval wood --input in/points.csv" "obj|grow tree -p age=4" \
+  "usda|grow fiber --hull ball -p count=40" "sozai|match in/photo.png"; do
+  ending=${words%%|*}
+  read -ra arguments <<<"${words#*|}"
+  must_fail "no folder" "none/a.$ending" "${arguments[@]}" -o "made/none/a.$ending"
+  must_fail "a file for a folder" "in/mesh.obj/a.$ending" "${arguments[@]}" -o "in/mesh.obj/a.$ending"
+  mkdir -p "in/taken.$ending"
+  must_fail "a folder for a file" "in/taken.$ending" "${arguments[@]}" -o "in/taken.$ending"
+done
+
+# ---- folders of files ------------------------------------------------------------------
+for words in "saw --species sugi --age 20 --log-length 300 --res 320x320" \
+  "figures stone-06"; do
+  read -ra arguments <<<"$words"
+  err=$( (
+    ulimit -f 1
+    "$sozai" "${arguments[@]}" -o made/set 2>&1 >/dev/null
+    echo "exit $?"
+  ) | cat)
+  code=${err##*exit }
+  check "full: sozai $words fails: $err" test "$code" -ne 0 -a "$code" -lt 126
+  same "full: no half file is left by sozai $words" "" \
+    "$(find made -type f \( -name '.*' -o -size 0 -o -size +2 \))"
+  rm -rf made
+  mkdir made
+  must_fail "a file for a folder" "in/mesh.obj" "${arguments[@]}" -o in/mesh.obj
+done
+
+# ---- what is read: missing, folders, pipes that nobody writes to, cut short ----------
+for from in in/none.sozai in/folder.sozai in/pipe.sozai; do
+  must_fail "recipe" "$from" render "$from" -o made/a.png "${tiny[@]}"
+  printf 'include: %s\n' "${from#in/}" >in/includes.sozai
+  must_fail "included" "includes.sozai:1" render in/includes.sozai -o made/a.png "${tiny[@]}"
+done
+must_fail "recipe" in/pipe.sozai bake in/pipe.sozai -o made/a.exr
+must_fail "recipe" in/pipe.sozai eval in/pipe.sozai --input in/points.csv -o made/a.csv
+# a picture that is the very file that asks for it
+printf 'material: wood\nparams: {section: loop.sozai}\n' >in/loop.sozai
+OIIO_LIBRARY_PATH=${SOZAI_PLUGIN%/*} must_fail "itself" loop.sozai \
+  render in/loop.sozai -o made/a.png "${tiny[@]}"
+works render wood -o made/a.png "${tiny[@]}" --shape in/mesh.obj
+rm -f made/a.png
+for from in in/none.obj in/folder.obj in/pipe.obj; do
+  must_fail "mesh" "$from" render wood -o made/a.png "${tiny[@]}" --shape "$from"
+  must_fail "hull" "$from" grow fiber --hull "$from" -o made/a.usda
+  printf 'material: wood\nsurface: {mesh: %s}\n' "${from#in/}" >in/meshed.sozai
+  must_fail "baked mesh" "$from" bake in/meshed.sozai -o made/a.exr --res 16x16
+done
+for from in in/none.png in/folder.png in/pipe.png; do
+  must_fail "photograph" "$from" match "$from" -o made/a.sozai
+  must_fail "picture" "$from" render wood -o made/a.png "${tiny[@]}" -p "section=$from"
+done
+for part in 1 500; do
+  head -c "$part" in/photo.png >in/cut.png
+  must_fail "photograph cut at $part" in/cut.png match in/cut.png -o made/a.sozai
+  must_fail "picture cut at $part" in/cut.png render wood -o made/a.png "${tiny[@]}" -p section=in/cut.png
+done
+for from in in/none.csv in/folder.csv; do
+  must_fail "points" "$from" eval wood --input "$from" -o made/a.csv
+done
+for from in in/none.field in/folder.field; do
+  must_fail "field" "$from" grow tree --field "$from" -o made/a.obj
+done
+head -c 30 in/tree.field >in/cut.field
+must_fail "field cut short" "field" grow tree --field in/cut.field -o made/a.obj
+
+# ---- what goes while it is wanted -------------------------------------------------------
+# a share of a bake, gone before they are put together
+readonly share=(bake wood --size 40x20 --res 256x128 -o made/shared.exr)
+works "${share[@]}" --shard 1/2
+find made -type f | head -n 1 | xargs -r rm -f
+run_command "${share[@]}" --merge
+check "a share that went: sozai bake --merge fails, and exited with $code" test "$code" -ne 0
+check "and no picture is there" not test -e made/shared.exr
+rm -rf made
+mkdir made
+finish
