@@ -42,8 +42,13 @@ static int32_t parallel(void *user, uint32_t count, void (*task)(void *, uint32_
   return 0;
 }
 
-static const sozai_host services = {
-    .size = sizeof services, .alloc = take, .free = give_back, .parallel = parallel};
+/* Behind what the header of the day has there is rubbish: whoever reads on is found out. */
+#define AFTER 64
+static struct {
+  sozai_host host;
+  unsigned char after[AFTER];
+} services = {
+    .host = {.size = sizeof(sozai_host), .alloc = take, .free = give_back, .parallel = parallel}};
 
 /* ---- what it is told ---------------------------------------------------------- */
 
@@ -109,7 +114,8 @@ static uint64_t evaluate(const sozai_texture *t, int with_host) {
 static void answer(const sozai_texture_info *info, const char *preset, const sozai_value *values,
                    uint32_t count, int with_host) {
   sozai_texture *t = NULL;
-  int32_t r = textures->create(with_host ? &services : NULL, info->id, preset, values, count, &t);
+  int32_t r =
+      textures->create(with_host ? &services.host : NULL, info->id, preset, values, count, &t);
   printf("  %s of %u values: %d", preset ? preset : "-", count, (int)r);
   if (r != SOZAI_OK) {
     printf(" %s\n", textures->last_error());
@@ -163,9 +169,15 @@ static void knots(const sozai_texture_info *info) {
     const float row[] = {1, 2, -1, -1, (float)i, 0.4f, 300.0f * (float)i, 8, 0, 0};
     memcpy(rows[i], row, sizeof row);
   }
-  sozai_buffer table = {
-      .size = sizeof table, .kind = SOZAI_BUFFER_TABLE, .dims = {3, 10}, .data = rows[0]};
-  sozai_value v = {.id = "knots", .kind = SOZAI_KIND_BUFFER, .buffer = &table};
+  struct {
+    sozai_buffer table;
+    unsigned char after[AFTER];
+  } given = {.table = {.size = sizeof(sozai_buffer),
+                       .kind = SOZAI_BUFFER_TABLE,
+                       .dims = {3, 10},
+                       .data = rows[0]}};
+  memset(given.after, 0xa5, AFTER);
+  sozai_value v = {.id = "knots", .kind = SOZAI_KIND_BUFFER, .buffer = &given.table};
   answer(info, NULL, &v, 1, 1);
   rows[1][0] = NAN;
   answer(info, NULL, &v, 1, 1);
@@ -189,6 +201,7 @@ int main(int argc, char **argv) {
   if (!entry || entry->abi_major != SOZAI_ABI_MAJOR || entry->init("/nonexistent/x.so")) return 1;
   fprintf(stderr, "%u.%u host %zu buffer %zu\n", SOZAI_ABI_MAJOR, SOZAI_ABI_MINOR,
           sizeof(sozai_host), sizeof(sozai_buffer));
+  memset(services.after, 0xa5, AFTER);
   textures = entry->get_factory(SOZAI_TEXTURES_1);
   if (!textures) return 1;
   printf("unknown: %d %d\n", !entry->get_factory("sozai.none/1"), !textures->find("none"));
