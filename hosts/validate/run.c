@@ -160,8 +160,7 @@ static bool ready(result *results, uint32_t count, result *r) {
   const result *need = find(results, count, r->check->needs);
   if (!need || need->outcome == OUTCOME_PASSED) return true;
   if (need->outcome == OUTCOME_NONE) return false;
-  if (need->outcome == OUTCOME_SKIPPED && !atomic_load(&need->verdict->warnings) &&
-      strncmp(need->verdict->skip, "needs ", 6) != 0)
+  if (need->outcome == OUTCOME_SKIPPED && strncmp(need->verdict->skip, "needs ", 6) != 0)
     return true;
   snprintf(r->verdict->skip, sizeof r->verdict->skip, "needs %s, which %s", need->check->name,
            need->outcome == OUTCOME_FAILED ? "failed" : "could not be asked");

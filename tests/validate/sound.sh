@@ -7,6 +7,9 @@ readonly program=$1 plugin=$2 scratch=$3 least=$4
 shift 4
 rm -rf "$scratch"
 mkdir -p "$scratch"
+# shellcheck source=tests/validate/locale.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/locale.sh"
+comma_locale "$scratch/locales" || echo "no locale with a decimal comma can be made here"
 "$program" "$plugin" --seed 1 --json="$scratch/report.json" --junit "$scratch/report.xml" "$@" \
   >"$scratch/out"
 code=$?

@@ -96,7 +96,9 @@ static void misbehave(void) {
   plain_label[0] = 'C';
 #endif
 #ifdef LEAKS
-  if (!malloc(1000)) return;
+  static void *volatile lost;
+  lost = malloc(1000);
+  if (!lost) return;
 #endif
 }
 
