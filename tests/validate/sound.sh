@@ -10,7 +10,8 @@ mkdir -p "$scratch"
 # shellcheck source=tests/validate/locale.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/locale.sh"
 comma_locale "$scratch/locales" || echo "no locale with a decimal comma can be made here"
-"$program" "$plugin" --seed 1 --json="$scratch/report.json" --junit "$scratch/report.xml" "$@" \
+# The limit is there for what never ends; a slow machine is no failure.
+"$program" "$plugin" --seed 1 --time-limit 3600 --json="$scratch/report.json" --junit "$scratch/report.xml" "$@" \
   >"$scratch/out"
 code=$?
 grep -v '^  passed' "$scratch/out" | grep .
