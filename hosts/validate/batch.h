@@ -61,8 +61,6 @@ const sozai_channel *channel_of(const sozai_texture_info *info, uint32_t c);
 const char *input_name(uint32_t bit);
 
 /* The inputs' bits and where they lie in batch.in. */
-extern const struct batch_input {
-  uint32_t bit, first, count;
-} batch_inputs[6];
+extern const struct batch_input { uint32_t bit, first, count; } batch_inputs[6];
 
 #endif

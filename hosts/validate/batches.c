@@ -12,10 +12,10 @@
 #include "control.h"
 #include "groups.h"
 
-#define EACH_TEXTURE(s, presets, test)                     \
-  do {                                                     \
-    if (!subject_start(s)) break;                          \
-    each_texture(s, presets, test);                        \
+#define EACH_TEXTURE(s, presets, test)                                                             \
+  do {                                                                                             \
+    if (!subject_start(s)) break;                                                                  \
+    each_texture(s, presets, test);                                                                \
   } while (0)
 
 #define MOST 4097u
@@ -183,7 +183,8 @@ static void none_of(subject *s, const sozai_texture_info *info, const char *pres
                     sozai_texture *t) {
   batch *b = batch_new(s, info, preset, 0);
   if (b && batch_run(s, t, b, "no points"))
-    for (uint32_t c = 0; c < info->component_count; c++) batch_untouched(b, c, 0, 0, "of no points");
+    for (uint32_t c = 0; c < info->component_count; c++)
+      batch_untouched(b, c, 0, 0, "of no points");
   if (b) {
     batch_from(b, 0, 50);
     b->abi.out_count = 0;
@@ -215,7 +216,8 @@ static void larger_of(subject *s, const sozai_texture_info *info, const char *pr
     batch_mark(b);
     doing("evaluate of %s, a larger struct", b->name);
     int32_t r = s->textures->evaluate(t, &grown.abi);
-    EXPECT(r == SOZAI_OK, "%s: a batch of size %u gave %s", b->name, grown.abi.size, result_name(r));
+    EXPECT(r == SOZAI_OK, "%s: a batch of size %u gave %s", b->name, grown.abi.size,
+           result_name(r));
     if (r == SOZAI_OK) batch_all_same(b, was, 0, 40, "and of a struct that has grown");
   }
   free(was);
@@ -351,8 +353,7 @@ static void instruction_sets(subject *s) { EACH_TEXTURE(s, 2, sets_of); }
 static void flushed_of(subject *s, const sozai_texture_info *info, const char *preset,
                        sozai_texture *t) {
   batch *b = batch_new(s, info, preset, 600);
-  for (uint32_t i = 0; b && i < 600; i += 7)
-    b->in[chance_below(s, BATCH_INPUTS)][i] = 1e-40f;
+  for (uint32_t i = 0; b && i < 600; i += 7) b->in[chance_below(s, BATCH_INPUTS)][i] = 1e-40f;
   float *was = b ? in_one(s, t, b, 600) : NULL;
   if (was) {
     batch_mark(b);
@@ -364,7 +365,9 @@ static void flushed_of(subject *s, const sozai_texture_info *info, const char *p
     for (size_t i = 0; i < (size_t)info->component_count; i++)
       for (uint32_t k = 0; k < 600; k++) {
         float *x = &was[batch_place((uint32_t)i, k)];
-        if (fabsf(*x) < 1.2e-38f) *x = b->memory[batch_place((uint32_t)i, k)] == 0 ? b->memory[batch_place((uint32_t)i, k)] : 0;
+        if (fabsf(*x) < 1.2e-38f)
+          *x = b->memory[batch_place((uint32_t)i, k)] == 0 ? b->memory[batch_place((uint32_t)i, k)]
+                                                           : 0;
       }
     batch_all_same(b, was, 0, 600, "and where denormals are flushed");
   }
@@ -417,17 +420,26 @@ static void stack_of(subject *s, const sozai_texture_info *info, const char *pre
 static void stack(subject *s) { EACH_TEXTURE(s, 2, stack_of); }
 
 CHECKS(batches, //
-       {"batches.sizes", "evaluate.answers", "batches of 1 to 4097 points give the same bits", sizes},
+       {"batches.sizes", "evaluate.answers", "batches of 1 to 4097 points give the same bits",
+        sizes},
        {"batches.order", "evaluate.answers", "so do points in another order", order},
        {"batches.places", "evaluate.answers", "a point has the same answer in every place", places},
        {"batches.repeats", "evaluate.answers", "a hundred times the same", repeats},
-       {"batches.alignment", "evaluate.answers", "arrays need the alignment of a float, no more", alignment},
-       {"batches.shared-inputs", "evaluate.answers", "one array may be given for several inputs", shared},
-       {"batches.none", "evaluate.answers", "no points, or no outputs: SOZAI_OK and nothing written", none},
+       {"batches.alignment", "evaluate.answers", "arrays need the alignment of a float, no more",
+        alignment},
+       {"batches.shared-inputs", "evaluate.answers", "one array may be given for several inputs",
+        shared},
+       {"batches.none", "evaluate.answers",
+        "no points, or no outputs: SOZAI_OK and nothing written", none},
        {"batches.larger-struct", "evaluate.answers", "a struct of a newer host is taken", larger},
-       {"batches.smaller-struct", "evaluate.answers", "members past the size given are taken as zero, size 0 refused", smaller},
-       {"batches.out-count", "evaluate.answers", "out may be shorter or longer than the components", out_count},
-       {"batches.null", "evaluate.answers", "a NULL for texture, batch or out is refused as ARGUMENT", null},
-       {"batches.instruction-sets", "evaluate.answers", "every instruction set gives the same bits", instruction_sets},
-       {"batches.flushed", "evaluate.answers", "where denormals are flushed only they differ, and are zero", flushed},
+       {"batches.smaller-struct", "evaluate.answers",
+        "members past the size given are taken as zero, size 0 refused", smaller},
+       {"batches.out-count", "evaluate.answers", "out may be shorter or longer than the components",
+        out_count},
+       {"batches.null", "evaluate.answers",
+        "a NULL for texture, batch or out is refused as ARGUMENT", null},
+       {"batches.instruction-sets", "evaluate.answers", "every instruction set gives the same bits",
+        instruction_sets},
+       {"batches.flushed", "evaluate.answers",
+        "where denormals are flushed only they differ, and are zero", flushed},
        {"batches.stack", "evaluate.answers", "a stack of 512 KiB is enough", stack});

@@ -44,8 +44,7 @@ void asked(void);
 
 /* Ask: the condition holds, or the check fails for that reason. Gives the
  * condition. */
-#define EXPECT(condition, ...) \
-  (asked(), (condition) ? true : (failed(__VA_ARGS__), false))
+#define EXPECT(condition, ...) (asked(), (condition) ? true : (failed(__VA_ARGS__), false))
 
 #define COUNT_OF(array) ((uint32_t)(sizeof(array) / sizeof *(array)))
 

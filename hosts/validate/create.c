@@ -115,7 +115,8 @@ static void rounds(subject *s, const char *what,
 
 static void create_once(subject *s, const kind *k, uint32_t round) {
   sozai_texture *t = NULL;
-  const char *preset = k->preset_count && round % 2 ? k->presets[round % k->preset_count]->id : NULL;
+  const char *preset =
+      k->preset_count && round % 2 ? k->presets[round % k->preset_count]->id : NULL;
   doing("create and destroy of %s", k->id);
   s->textures->create(NULL, k->id, round < 4 ? NULL : preset, NULL, 0, &t);
   s->textures->destroy(t);
@@ -131,7 +132,8 @@ static void refused_once(subject *s, const kind *k, uint32_t round) {
   s->textures->create(NULL, k->id, "validate: none", NULL, 0, &t);
   for (uint32_t p = 0; p < k->parameter_count && p < 8; p++) {
     uint32_t n = make_bad(k->parameters[(p + round) % k->parameter_count], wrong);
-    if (n) s->textures->create(NULL, k->id, NULL, &wrong[round % n].value, 1, &t);
+    const sozai_value *v = n ? &wrong[round % n].value : &lost;
+    if (v->text || v->kind == SOZAI_KIND_FLOAT) s->textures->create(NULL, k->id, NULL, v, 1, &t);
     s->textures->destroy(t);
     t = NULL;
   }
@@ -241,13 +243,19 @@ static void independent(subject *s) {
 }
 
 CHECKS(create, //
-       {"create.default", "describe.listed", "every texture can be made of its defaults", plain},
+       {"create.default", "describe.unique", "every texture can be made of its defaults", plain},
        {"create.destroy-null", "create.default", "destroy(NULL) is allowed", destroy_null},
-       {"create.refuses", "create.default", "what is missing or unknown is refused by its error, and *out set to NULL", refuses},
-       {"create.churn", "create.default", "textures made and destroyed leave no memory behind", churn},
+       {"create.refuses", "create.default",
+        "what is missing or unknown is refused by its error, and *out set to NULL", refuses},
+       {"create.churn", "create.default", "textures made and destroyed leave no memory behind",
+        churn},
        {"create.refused-churn", "create.default", "nor do refused ones", refused_churn},
        {"create.init-churn", "create.default", "nor does init with deinit", init_churn},
-       {"create.tells", "create.default", "info_of, bytes and instruction_set say what they should", tells},
-       {"create.bytes", "create.default", "bytes() is about what the host's allocator was asked for", bytes_held},
-       {"create.same", "evaluate.answers", "the same values make the same texture, to the bit", same},
-       {"create.independent", "evaluate.answers", "others beside a texture do not change it", independent});
+       {"create.tells", "create.default", "info_of, bytes and instruction_set say what they should",
+        tells},
+       {"create.bytes", "create.default",
+        "bytes() is about what the host's allocator was asked for", bytes_held},
+       {"create.same", "evaluate.answers", "the same values make the same texture, to the bit",
+        same},
+       {"create.independent", "evaluate.answers", "others beside a texture do not change it",
+        independent});

@@ -166,7 +166,8 @@ static void ids(subject *s) {
                "%s: %s has a choice '%s'", k->id, q->id, q->choices[c]);
     }
     for (uint32_t p = 0; p < k->preset_count; p++)
-      EXPECT(*k->presets[p]->id && one_line(k->presets[p]->id) && !strpbrk(k->presets[p]->id, " \t"),
+      EXPECT(*k->presets[p]->id && one_line(k->presets[p]->id) &&
+                 !strpbrk(k->presets[p]->id, " \t"),
              "%s: preset '%s' has blanks", k->id, k->presets[p]->id);
     for (uint32_t c = 0; k->texture && c < k->texture->channel_count; c++)
       EXPECT(id_valid(k->texture->channels[c]->id, ""), "%s: channel '%s' is not lower_case", k->id,
@@ -239,10 +240,10 @@ static void stable(subject *s) {
 
 /* ---- parameters ------------------------------------------------------------ */
 
-#define EACH_PARAMETER(s, k, q)                                      \
-  uint32_t kind_count_ = start_kinds(s);                             \
-  for (const kind *k = kinds; k < kinds + kind_count_; k++)          \
-    for (uint32_t at_ = 0; at_ < k->parameter_count; at_++)          \
+#define EACH_PARAMETER(s, k, q)                                                                    \
+  uint32_t kind_count_ = start_kinds(s);                                                           \
+  for (const kind *k = kinds; k < kinds + kind_count_; k++)                                        \
+    for (uint32_t at_ = 0; at_ < k->parameter_count; at_++)                                        \
       for (const sozai_parameter *q = k->parameters[at_]; q; q = NULL)
 
 static void parameter_kinds(subject *s) {
@@ -335,7 +336,8 @@ static void buffers(subject *s) {
     EXPECT(takes ? q->buffer_kind >= SOZAI_BUFFER_TABLE : q->buffer_kind == 0,
            "%s: %s is a %s of buffer_kind %u", k->id, q->id, kind_name(q->kind), q->buffer_kind);
     if (q->kind == SOZAI_KIND_IMAGE)
-      EXPECT(q->buffer_kind == SOZAI_BUFFER_IMAGE, "%s: %s takes no picture's buffer", k->id, q->id);
+      EXPECT(q->buffer_kind == SOZAI_BUFFER_IMAGE, "%s: %s takes no picture's buffer", k->id,
+             q->id);
   }
 }
 
@@ -440,7 +442,8 @@ static void components(subject *s) {
     for (uint32_t c = 0; c < t->component_count; c++) {
       uint32_t owners = 0;
       for (uint32_t h = 0; h < t->channel_count; h++)
-        owners += c >= t->channels[h]->first && c - t->channels[h]->first < t->channels[h]->components;
+        owners +=
+            c >= t->channels[h]->first && c - t->channels[h]->first < t->channels[h]->components;
       EXPECT(owners == 1, "%s: component %u belongs to %u channels", t->id, c, owners);
     }
     for (uint32_t h = 0; h < t->channel_count; h++)
@@ -467,8 +470,8 @@ static void tables(subject *s) {
         text_of("column", q->columns[c].id, "unit", q->columns[c].unit, true);
         text_of("column", q->columns[c].id, "doc", q->columns[c].doc, true);
         for (uint32_t d = 0; d < c; d++)
-          EXPECT(strcmp(q->columns[c].id, q->columns[d].id) != 0,
-                 "%s: table %s has two columns %s", g->id, q->id, q->columns[c].id);
+          EXPECT(strcmp(q->columns[c].id, q->columns[d].id) != 0, "%s: table %s has two columns %s",
+                 g->id, q->id, q->columns[c].id);
       }
       for (uint32_t u = 0; u < t; u++)
         EXPECT(strcmp(g->tables[u]->id, q->id) != 0, "%s: two tables are called %s", g->id, q->id);
@@ -477,19 +480,31 @@ static void tables(subject *s) {
 }
 
 CHECKS(describe, //
-       {"describe.listed", "init.tables", "there are as many kinds as count() says, and NULL past them", listed},
-       {"describe.found", "describe.listed", "find() gives a kind by its id, and nothing by another", found},
-       {"describe.strings", "describe.listed", "no text is NULL, none but units, groups, presets' docs empty, all UTF-8", strings},
+       {"describe.listed", "version.complete",
+        "there are as many kinds as count() says, and NULL past them", listed},
+       {"describe.found", "describe.listed",
+        "find() gives a kind by its id, and nothing by another", found},
+       {"describe.strings", "describe.listed",
+        "no text is NULL, none but units, groups, presets' docs empty, all UTF-8", strings},
        {"describe.unique", "describe.strings", "no id is given twice", unique},
-       {"describe.ids", "describe.strings", "ids are lower_case and fit for files and command lines", ids},
-       {"describe.stable", "describe.strings", "descriptions keep their address and content", stable},
-       {"describe.parameter-kinds", "describe.strings", "parameters are of known kinds", parameter_kinds},
+       {"describe.ids", "describe.strings",
+        "ids are lower_case and fit for files and command lines", ids},
+       {"describe.stable", "create.default", "descriptions keep their address and content", stable},
+       {"describe.parameter-kinds", "describe.strings", "parameters are of known kinds",
+        parameter_kinds},
        {"describe.ranges", "describe.strings", "ranges are ordered, sliders within them", ranges},
-       {"describe.defaults", "describe.strings", "defaults are within their ranges and of their kind", defaults},
-       {"describe.choices", "describe.strings", "choices have ids, phrases and a default among them", choices},
-       {"describe.buffers", "describe.strings", "buffer_kind is set where a buffer is taken, and only there", buffers},
+       {"describe.defaults", "describe.strings",
+        "defaults are within their ranges and of their kind", defaults},
+       {"describe.choices", "describe.strings",
+        "choices have ids, phrases and a default among them", choices},
+       {"describe.buffers", "describe.strings",
+        "buffer_kind is set where a buffer is taken, and only there", buffers},
        {"describe.groups", "describe.strings", "parameters of a group stand together", groups},
-       {"describe.presets", "describe.strings", "presets give known parameters values of their kind and range", presets},
-       {"describe.channels", "describe.strings", "channels have 1 to 3 components, suffixes and known inputs", channels},
-       {"describe.components", "describe.strings", "channels cover the components without overlap or gap", components},
-       {"describe.tables", "describe.strings", "tables of generators have ids and docs, their columns ids", tables});
+       {"describe.presets", "describe.strings",
+        "presets give known parameters values of their kind and range", presets},
+       {"describe.channels", "describe.strings",
+        "channels have 1 to 3 components, suffixes and known inputs", channels},
+       {"describe.components", "describe.strings",
+        "channels cover the components without overlap or gap", components},
+       {"describe.tables", "describe.strings",
+        "tables of generators have ids and docs, their columns ids", tables});

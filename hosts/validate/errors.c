@@ -120,7 +120,8 @@ static void hostile(subject *s) {
       "\x7f", "caf\xc3\xa9 \xe6\x9c\xa8\xe6\x9d\x90",
       /* 79 bytes and then a character of three: where is it cut? */
       "xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx"
-      "\xe6\x9c\xa8\xe6\x9c\xa8\xe6\x9c\xa8\xe6\x9c\xa8\xe6\x9c\xa8\xe6\x9c\xa8\xe6\x9c\xa8\xe6\x9c\xa8"};
+      "\xe6\x9c\xa8\xe6\x9c\xa8\xe6\x9c\xa8\xe6\x9c\xa8\xe6\x9c\xa8\xe6\x9c\xa8\xe6\x9c\xa8\xe6\x9c"
+      "\xa8"};
   uint32_t n = start_kinds(s);
   char *huge = malloc(100001);
   if (!huge) return failed("out of memory");
@@ -180,19 +181,18 @@ static void empty_before(subject *s) {
 typedef struct own {
   subject *s;
   uint32_t index, wrong;
+  pthread_barrier_t *step;
 } own;
 
+/* All fail, each in its own way, and only then does each look what it was told. */
 static void *fail_often(void *context) {
   own *o = context;
   static const char *const names_of[] = {"validate_a", "validate_b", "validate_c", "validate_d"};
-  const kind *k = &kinds[0];
-  const sozai_value v = {.id = names_of[o->index], .kind = SOZAI_KIND_FLOAT};
-  for (int i = 0; i < 3000; i++) {
-    sozai_texture *t = NULL;
-    sozai_geometry *g = NULL;
-    int32_t r = k->texture ? o->s->textures->create(NULL, k->id, NULL, &v, 1, &t)
-                           : o->s->geometry->grow(NULL, k->id, NULL, &v, 1, &g);
-    if (r == SOZAI_OK || !strstr(error_of(o->s, k), names_of[o->index])) o->wrong++;
+  for (int i = 0; i < 200; i++) {
+    make_one_fail(o->s, names_of[o->index]);
+    pthread_barrier_wait(o->step);
+    if (!strstr(error_of(o->s, &kinds[0]), names_of[o->index])) o->wrong++;
+    pthread_barrier_wait(o->step);
   }
   return NULL;
 }
@@ -202,15 +202,21 @@ static void by_thread(subject *s) {
   if (!start_kinds(s)) return;
   own owns[4];
   pthread_t threads[4];
+  pthread_barrier_t step;
+  pthread_barrier_init(&step, NULL, 4);
   doing("failing calls on 4 threads");
   for (uint32_t i = 0; i < 4; i++) {
-    owns[i] = (own){.s = s, .index = i};
-    if (pthread_create(&threads[i], NULL, fail_often, &owns[i]) != 0) return failed("no thread");
+    owns[i] = (own){.s = s, .index = i, .step = &step};
+    if (pthread_create(&threads[i], NULL, fail_often, &owns[i]) != 0) {
+      failed("no thread");
+      _Exit(1);
+    }
   }
   for (uint32_t i = 0; i < 4; i++) pthread_join(threads[i], NULL);
   for (uint32_t i = 0; i < 4; i++)
-    EXPECT(!owns[i].wrong, "last_error gave another thread's failure %u times of 3000",
+    EXPECT(!owns[i].wrong, "last_error gave another thread's failure %u times of 200",
            owns[i].wrong);
+  pthread_barrier_destroy(&step);
 }
 
 /* "valid until the thread's next failing call" */
@@ -238,10 +244,15 @@ static void kept(subject *s) {
 }
 
 CHECKS(errors, //
-       {"errors.range", "refuse.range", "an error of the range names parameter, value and range", names},
-       {"errors.unknown", "refuse.unknown", "an error of a name has it, and an error of a choice the choices", names_unknown},
-       {"errors.line", "describe.strings", "every refusal says why, in one line of UTF-8", one_line_each},
-       {"errors.hostile", "describe.strings", "so it does of texts with line ends, controls and percent signs", hostile},
-       {"errors.empty-before", "describe.strings", "last_error is empty before any failure of the thread", empty_before},
-       {"errors.thread", "describe.strings", "each thread has its own last_error", by_thread},
-       {"errors.kept", "describe.strings", "the text stays until the thread's next failure", kept});
+       {"errors.range", "refuse.range", "an error of the range names parameter, value and range",
+        names},
+       {"errors.unknown", "refuse.unknown",
+        "an error of a name has it, and an error of a choice the choices", names_unknown},
+       {"errors.line", "create.default", "every refusal says why, in one line of UTF-8",
+        one_line_each},
+       {"errors.hostile", "create.default",
+        "so it does of texts with line ends, controls and percent signs", hostile},
+       {"errors.empty-before", "create.default",
+        "last_error is empty before any failure of the thread", empty_before},
+       {"errors.thread", "create.default", "each thread has its own last_error", by_thread},
+       {"errors.kept", "create.default", "the text stays until the thread's next failure", kept});

@@ -15,9 +15,9 @@ static bool has_textures(subject *s) {
   return s->textures != NULL;
 }
 
-#define EACH_TEXTURE(s, presets, test) \
-  do {                                 \
-    if (has_textures(s)) each_texture(s, presets, test); \
+#define EACH_TEXTURE(s, presets, test)                                                             \
+  do {                                                                                             \
+    if (has_textures(s)) each_texture(s, presets, test);                                           \
   } while (0)
 
 /* "Answer a batch."; "Every written number is finite." */
@@ -35,8 +35,9 @@ static void presets(subject *s) { EACH_TEXTURE(s, 8, answer); }
 /* Outputs are `count` long: nothing before or after is written. */
 static void banded(subject *s, const sozai_texture_info *info, const char *preset,
                    sozai_texture *t) {
-  static const uint32_t counts[] = {1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 31, 32, 33, 63,
-                                    64, 65, 100, 127, 128, 129, 255, 256, 257, 1000, 1024, 4097};
+  static const uint32_t counts[] = {1,   2,   3,   4,   5,   7,   8,    9,    15,
+                                    16,  17,  31,  32,  33,  63,  64,   65,   100,
+                                    127, 128, 129, 255, 256, 257, 1000, 1024, 4097};
   batch *b = batch_new(s, info, preset, 1);
   for (uint32_t i = 0; b && i < COUNT_OF(counts) && !enough(); i++) {
     batch_from(b, 0, counts[i]);
@@ -115,8 +116,7 @@ static void walled(subject *s, const sozai_texture_info *info, const char *prese
   static uint8_t active[BATCH_MOST];
   batch *b = batch_new(s, info, preset, 1);
   memset(active, 1, sizeof active);
-  for (uint32_t i = 0; b && i < COUNT_OF(counts); i++)
-    walled_batch(s, t, b, counts[i], active);
+  for (uint32_t i = 0; b && i < COUNT_OF(counts); i++) walled_batch(s, t, b, counts[i], active);
   batch_free(b);
 }
 
@@ -186,7 +186,8 @@ static void check_lanes(subject *s, sozai_texture *t, batch *b, const float *all
     for (uint32_t c = 0; c < b->info->component_count && !enough(); c++) {
       batch_untouched(b, c, 0, count, "outside of the batch");
       for (uint32_t i = 0; i < count; i++) {
-        const char *what = active[i] ? "and with others inactive" : "before, written though inactive";
+        const char *what =
+            active[i] ? "and with others inactive" : "before, written though inactive";
         if (!batch_same(b, active[i] ? all : marked, c, i, 1, what)) break;
       }
     }
@@ -246,9 +247,11 @@ static void only_read(subject *s, const sozai_texture_info *info, const char *pr
     memcpy(out_before, b->out, outs);
     sozai_batch kept = b->abi;
     if (batch_run(s, t, b, "inputs kept")) {
-      EXPECT(memcmp(before, b->in[0], n * sizeof *before) == 0, "%s: an input was changed", b->name);
+      EXPECT(memcmp(before, b->in[0], n * sizeof *before) == 0, "%s: an input was changed",
+             b->name);
       EXPECT(memcmp(active, active_before, sizeof active) == 0, "%s: active was changed", b->name);
-      EXPECT(memcmp(out_before, b->out, outs) == 0, "%s: the pointers of out were changed", b->name);
+      EXPECT(memcmp(out_before, b->out, outs) == 0, "%s: the pointers of out were changed",
+             b->name);
       EXPECT(memcmp(&kept, &b->abi, sizeof kept) == 0, "%s: the batch was changed", b->name);
     }
   }
@@ -305,13 +308,18 @@ static void locks(subject *s) {
 }
 
 CHECKS(evaluate, //
-       {"evaluate.answers", "create.default", "evaluate writes every wanted number, all finite", answers},
+       {"evaluate.answers", "create.default", "evaluate writes every wanted number, all finite",
+        answers},
        {"evaluate.presets", "evaluate.answers", "so it does of presets", presets},
-       {"evaluate.guard-bands", "evaluate.answers", "nothing is written before or after an output", guard_bands},
-       {"evaluate.guard-pages", "evaluate.answers", "nothing is read or written past any array", guard_pages},
-       {"evaluate.alone", "evaluate.answers", "a channel alone has the bits that it has with all, and no other is written", alone},
+       {"evaluate.guard-bands", "evaluate.answers", "nothing is written before or after an output",
+        guard_bands},
+       {"evaluate.guard-pages", "evaluate.answers", "nothing is read or written past any array",
+        guard_pages},
+       {"evaluate.alone", "evaluate.answers",
+        "a channel alone has the bits that it has with all, and no other is written", alone},
        {"evaluate.components", "evaluate.answers", "so have components by chance", components},
-       {"evaluate.inactive", "evaluate.answers", "inactive points are left untouched, others answered as ever", inactive},
+       {"evaluate.inactive", "evaluate.answers",
+        "inactive points are left untouched, others answered as ever", inactive},
        {"evaluate.active-any", "evaluate.answers", "any number but 0 is active", active_any},
        {"evaluate.inputs-kept", "evaluate.answers", "no input is changed", inputs_kept},
        {"evaluate.allocates-nothing", "evaluate.answers", "evaluate allocates nothing", allocates},

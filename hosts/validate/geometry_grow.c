@@ -22,8 +22,8 @@ int32_t grow_plain(subject *s, const sozai_generator_info *info, const sozai_hos
   for (uint32_t p = 0; p < info->parameter_count && out->value_count < 4; p++)
     if (info->parameters[p]->kind == SOZAI_KIND_BUFFER &&
         info->parameters[p]->buffer_kind == SOZAI_BUFFER_MESH)
-      out->values[out->value_count++] = (sozai_value){
-          .id = info->parameters[p]->id, .kind = SOZAI_KIND_BUFFER, .buffer = &box};
+      out->values[out->value_count++] =
+          (sozai_value){.id = info->parameters[p]->id, .kind = SOZAI_KIND_BUFFER, .buffer = &box};
   if (!out->value_count) return r;
   doing("grow of %s, in a box", info->id);
   return s->geometry->grow(host, info->id, NULL, out->values, out->value_count, &out->geometry);

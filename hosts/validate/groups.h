@@ -5,8 +5,8 @@
 
 #include "check.h"
 
-#define CHECK_LIST(name)       \
-  extern const check name##_checks[]; \
+#define CHECK_LIST(name)                                                                           \
+  extern const check name##_checks[];                                                              \
   extern const uint32_t name##_check_count
 CHECK_LIST(symbols);
 CHECK_LIST(version);
@@ -26,8 +26,8 @@ CHECK_LIST(geometry);
 CHECK_LIST(wood);
 
 /* At the end of a group's file. */
-#define CHECKS(name, ...)                     \
-  const check name##_checks[] = {__VA_ARGS__}; \
+#define CHECKS(name, ...)                                                                          \
+  const check name##_checks[] = {__VA_ARGS__};                                                     \
   const uint32_t name##_check_count = COUNT_OF(name##_checks)
 
 #endif

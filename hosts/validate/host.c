@@ -47,7 +47,8 @@ static void services(subject *s) {
     for (uint32_t round = 0; round < 4; round++) {
       made m;
       recorder_init(&rec);
-      if (!made_with(s, &kinds[i], round ? some_preset(s, &kinds[i]) : NULL, &m, "with all services"))
+      if (!made_with(s, &kinds[i], round ? some_preset(s, &kinds[i]) : NULL, &m,
+                     "with all services"))
         continue;
       batch *b = batch_new(s, kinds[i].texture, NULL, 60);
       if (b) batch_run(s, m.texture, b, "of a host with all services");
@@ -88,10 +89,11 @@ static void without(subject *s) {
 
 /* "Members past the size given are taken as zero", and those of a newer host not looked at. */
 static void sizes(subject *s) {
-  static const uint32_t cuts[] = {offsetof(sozai_host, user),        offsetof(sozai_host, log),
-                                  offsetof(sozai_host, alloc),       offsetof(sozai_host, parallel),
-                                  offsetof(sozai_host, progress),    offsetof(sozai_host, get_service),
-                                  offsetof(sozai_host, colour_config), offsetof(sozai_host, image_memory)};
+  static const uint32_t cuts[] = {
+      offsetof(sozai_host, user),          offsetof(sozai_host, log),
+      offsetof(sozai_host, alloc),         offsetof(sozai_host, parallel),
+      offsetof(sozai_host, progress),      offsetof(sozai_host, get_service),
+      offsetof(sozai_host, colour_config), offsetof(sozai_host, image_memory)};
   uint32_t n = start_textures(s);
   for (uint32_t i = 0; i < n; i++) {
     made m;
@@ -315,7 +317,8 @@ static void colour_unknown(subject *s) {
   if (n && !has) skipped("no texture has a colour");
 }
 
-/* ---- pictures --------------------------------------------------------------------------------- */
+/* ---- pictures ---------------------------------------------------------------------------------
+ */
 
 static sozai_value picture(const sozai_parameter *p) {
   return (sozai_value){
@@ -364,7 +367,8 @@ static void picture_service(subject *s) {
     rec.colour = true;
     r = make(s, &kinds[i], &rec.abi, NULL, &v, 1, &m);
     if (r != SOZAI_OK) continue; /* it may want more than any picture */
-    EXPECT(atomic_load(&rec.image_opens), "%s: the host's image service was not asked", kinds[i].id);
+    EXPECT(atomic_load(&rec.image_opens), "%s: the host's image service was not asked",
+           kinds[i].id);
     batch *b = batch_new(s, kinds[i].texture, NULL, 200);
     if (b && batch_run(s, m.texture, b, "with a picture"))
       for (uint32_t c = 0; c < kinds[i].texture->component_count; c++)
@@ -377,17 +381,25 @@ static void picture_service(subject *s) {
   if (n && !has) skipped("no texture takes a picture");
 }
 
-CHECKS(host, //
-       {"host.services", "create.default", "services are handed their user, texts, fractions, sizes and alignments", services},
-       {"host.without", "evaluate.answers", "every service may be missing, with the same answers", without},
-       {"host.sizes", "create.default", "a host's struct may be smaller or larger", sizes},
-       {"host.allocator-fails", "create.default", "where any allocation fails create does, cleanly", allocator_fails},
-       {"host.parallel", "evaluate.answers", "whatever the order of tasks, or refused: the same bits", parallel},
-       {"host.cancelled", "create.default", "create stops where progress says so, cleanly", cancelled},
-       {"host.in-evaluate", "create.default", "evaluate and value call no service", in_evaluate},
-       {"host.colour", "create.default", "colours are converted by the host's service", colour},
-       {"host.colour-fails", "create.default", "where that fails, create gives COLOUR", colour_fails},
-       {"host.colour-odd", "create.default", "colours that are not finite do no harm", colour_odd},
-       {"host.colour-unknown", "create.default", "an unknown colour space gives COLOUR", colour_unknown},
-       {"host.picture-missing", "create.default", "a missing picture gives FILE or UNSUPPORTED", picture_missing},
-       {"host.pictures", "create.default", "pictures come from the host's service, opened and closed", picture_service});
+CHECKS(
+    host, //
+    {"host.services", "evaluate.answers",
+     "services are handed their user, texts, fractions, sizes and alignments", services},
+    {"host.without", "evaluate.answers", "every service may be missing, with the same answers",
+     without},
+    {"host.sizes", "create.default", "a host's struct may be smaller or larger", sizes},
+    {"host.allocator-fails", "create.default", "where any allocation fails create does, cleanly",
+     allocator_fails},
+    {"host.parallel", "evaluate.answers", "whatever the order of tasks, or refused: the same bits",
+     parallel},
+    {"host.cancelled", "create.default", "create stops where progress says so, cleanly", cancelled},
+    {"host.in-evaluate", "evaluate.answers", "evaluate and value call no service", in_evaluate},
+    {"host.colour", "evaluate.answers", "colours are converted by the host's service", colour},
+    {"host.colour-fails", "create.default", "where that fails, create gives COLOUR", colour_fails},
+    {"host.colour-odd", "evaluate.answers", "colours that are not finite do no harm", colour_odd},
+    {"host.colour-unknown", "create.default", "an unknown colour space gives COLOUR",
+     colour_unknown},
+    {"host.picture-missing", "create.default", "a missing picture gives FILE or UNSUPPORTED",
+     picture_missing},
+    {"host.pictures", "evaluate.answers",
+     "pictures come from the host's service, opened and closed", picture_service});

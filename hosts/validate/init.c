@@ -26,8 +26,7 @@ static void succeeds(subject *s) {
 static void tables(subject *s) {
   if (!subject_load(s) || !start_init(s, s->path)) return;
   subject_tables(s);
-  EXPECT(s->textures || s->geometry,
-         "it has neither " SOZAI_TEXTURES_1 " nor " SOZAI_GEOMETRY_1);
+  EXPECT(s->textures || s->geometry, "it has neither " SOZAI_TEXTURES_1 " nor " SOZAI_GEOMETRY_1);
 }
 
 /* ---- something to compare ------------------------------------------------ */
@@ -56,8 +55,8 @@ static void same_answers(subject *s, const sozai_texture_info *info, const float
                          const char *when) {
   float *after = answers(s, info);
   for (uint32_t c = 0; before && after && c < info->component_count; c++)
-    EXPECT(memcmp(&before[batch_place(c, 0)], &after[batch_place(c, 0)],
-                  POINTS * sizeof *after) == 0,
+    EXPECT(memcmp(&before[batch_place(c, 0)], &after[batch_place(c, 0)], POINTS * sizeof *after) ==
+               0,
            "%s: %s has other bits %s", info->id, component_name(info, c), when);
   free(after);
 }
@@ -103,8 +102,7 @@ static void after_deinit(subject *s) {
   /* "SOZAI_ERROR_STATE: called before init or after the last deinit". A table is only valid
    * until then, so ask where it is part of the library itself. */
   Dl_info where, own;
-  if (!kept || !dladdr(kept, &where) || !dladdr(s->entry, &own) ||
-      where.dli_fbase != own.dli_fbase)
+  if (!kept || !dladdr(kept, &where) || !dladdr(s->entry, &own) || where.dli_fbase != own.dli_fbase)
     return;
   sozai_texture *t = (sozai_texture *)(uintptr_t)1;
   doing("create after the last deinit");
@@ -195,7 +193,8 @@ static void forked(subject *s) {
   }
   int status = 0;
   EXPECT(pid > 0 && waitpid(pid, &status, 0) == pid, "fork did not work");
-  EXPECT(WIFEXITED(status) && WEXITSTATUS(status) == 0, "the forked process did not come to its end");
+  EXPECT(WIFEXITED(status) && WEXITSTATUS(status) == 0,
+         "the forked process did not come to its end");
   doing("after fork");
   same_answers(s, info, before, "after a fork");
   s->textures->destroy(t);
@@ -234,12 +233,16 @@ static void by_threads(subject *s) {
 CHECKS(init, //
        {"init.succeeds", "version.functions", "init of its own path gives SOZAI_OK", succeeds},
        {"init.tables", "init.succeeds", "it has textures or geometry", tables},
-       {"init.null-path", "init.tables", "init(NULL) works too", null_path},
+       {"init.null-path", "evaluate.answers", "init(NULL) works too", null_path},
        {"init.before", "version.functions", "there is no table before init", before_init},
-       {"init.after", "init.tables", "nor after the last deinit; a kept create() gives SOZAI_ERROR_STATE", after_deinit},
-       {"init.nested", "create.default", "init is counted: the last deinit ends it, and none before", nested},
-       {"init.unbalanced", "init.tables", "one deinit too many does nothing (beyond the header)", unbalanced},
-       {"init.again", "evaluate.answers", "init after the last deinit gives the same answers", again},
+       {"init.after", "init.tables",
+        "nor after the last deinit; a kept create() gives SOZAI_ERROR_STATE", after_deinit},
+       {"init.nested", "evaluate.answers",
+        "init is counted: the last deinit ends it, and none before", nested},
+       {"init.unbalanced", "init.tables", "one deinit too many does nothing (beyond the header)",
+        unbalanced},
+       {"init.again", "evaluate.answers", "init after the last deinit gives the same answers",
+        again},
        {"init.reload", "evaluate.answers", "so does dlopen after dlclose", reload},
        {"init.fork", "evaluate.answers", "a forked process goes on with what it has", forked},
        {"init.threads", "init.tables", "init and deinit hold from 8 threads at once", by_threads});

@@ -11,10 +11,10 @@
 #define ALL 0x3fu
 #define POINTS 120u
 
-#define EACH_TEXTURE(s, presets, test)                     \
-  do {                                                     \
-    if (!subject_start(s)) break;                          \
-    each_texture(s, presets, test);                        \
+#define EACH_TEXTURE(s, presets, test)                                                             \
+  do {                                                                                             \
+    if (!subject_start(s)) break;                                                                  \
+    each_texture(s, presets, test);                                                                \
   } while (0)
 
 /* ---- needs and uses ---------------------------------------------------------------- */
@@ -154,12 +154,12 @@ static void equal_ways(subject *s, const sozai_texture_info *info, const char *p
   batch_free(b);
 }
 
-#define WAYS(name, one, other, what)                                                         \
-  static void name##_of(subject *s, const sozai_texture_info *info, const char *preset,     \
-                        sozai_texture *t) {                                                 \
-    equal_ways(s, info, preset, t, one, other, what);                                        \
-  }                                                                                          \
-  static void name(subject *s) { EACH_TEXTURE(s, 2, name##_of); }                            \
+#define WAYS(name, one, other, what)                                                               \
+  static void name##_of(subject *s, const sozai_texture_info *info, const char *preset,            \
+                        sozai_texture *t) {                                                        \
+    equal_ways(s, info, preset, t, one, other, what);                                              \
+  }                                                                                                \
+  static void name(subject *s) { EACH_TEXTURE(s, 2, name##_of); }                                  \
   _Static_assert(sizeof(what) > 1, "says what")
 
 /* "NaN is read as 0, and beyond +-1e6 (a kilometre) as the nearest of the two" */
@@ -256,8 +256,10 @@ static void lengths_of(subject *s, const sozai_texture_info *info, const char *p
         far += !(fabsf(x - y) <= 1e-2f * fabsf(x) + 1e-3f);
       }
       /* A texel's edge may fall to the other side by rounding: some points, not many. */
-      EXPECT(far <= POINTS / 20, "%s: %s of %u points in %u is another where vectors are %g times "
-             "as long", b->name, component_name(info, c), far, POINTS, (double)scales[k]);
+      EXPECT(far <= POINTS / 20,
+             "%s: %s of %u points in %u is another where vectors are %g times "
+             "as long",
+             b->name, component_name(info, c), far, POINTS, (double)scales[k]);
     }
   }
   free(was);
@@ -269,10 +271,10 @@ static void lengths(subject *s) { EACH_TEXTURE(s, 1, lengths_of); }
 /* ---- hostile numbers --------------------------------------------------------------------- */
 
 static float hostile_number(subject *s) {
-  static const float numbers[] = {NAN,      -NAN,     INFINITY, -INFINITY, FLT_MAX,   -FLT_MAX,
-                                  FLT_MIN,  -FLT_MIN, 1e-45f,   -1e-45f,   0.0f,      -0.0f,
-                                  1e30f,    -1e30f,   1e6f,     -1e6f,     999999.9f, 1e-20f,
-                                  16777216, 1e10f,    2147483648.0f, -2147483648.0f, 1.0f, 0.5f};
+  static const float numbers[] = {
+      NAN,       -NAN,    INFINITY, -INFINITY, FLT_MAX,       -FLT_MAX,       FLT_MIN, -FLT_MIN,
+      1e-45f,    -1e-45f, 0.0f,     -0.0f,     1e30f,         -1e30f,         1e6f,    -1e6f,
+      999999.9f, 1e-20f,  16777216, 1e10f,     2147483648.0f, -2147483648.0f, 1.0f,    0.5f};
   return numbers[chance_below(s, COUNT_OF(numbers))];
 }
 
@@ -317,11 +319,16 @@ static void hostile_beside(subject *s, const sozai_texture_info *info, const cha
 static void lanes(subject *s) { EACH_TEXTURE(s, 3, hostile_beside); }
 
 CHECKS(inputs, //
-       {"inputs.needed", "evaluate.answers", "a channel without an input that it needs is refused, nothing written", needs},
-       {"inputs.parts", "evaluate.answers", "an input with one of three arrays missing is missing", parts},
-       {"inputs.used", "evaluate.answers", "what a channel only uses may be missing, and what others need", uses_absent},
-       {"inputs.undeclared", "evaluate.answers", "an input that a channel does not name does not change it", undeclared},
-       {"inputs.point", "evaluate.answers", "points: NaN is 0, beyond a kilometre a kilometre", point_read},
+       {"inputs.needed", "evaluate.answers",
+        "a channel without an input that it needs is refused, nothing written", needs},
+       {"inputs.parts", "evaluate.answers", "an input with one of three arrays missing is missing",
+        parts},
+       {"inputs.used", "evaluate.answers",
+        "what a channel only uses may be missing, and what others need", uses_absent},
+       {"inputs.undeclared", "evaluate.answers",
+        "an input that a channel does not name does not change it", undeclared},
+       {"inputs.point", "evaluate.answers", "points: NaN is 0, beyond a kilometre a kilometre",
+        point_read},
        {"inputs.normal", "evaluate.answers", "normals: zero or not finite is +z", normal_read},
        {"inputs.light", "evaluate.answers", "lights: zero or not finite is +z", light_read},
        {"inputs.light-colour", "evaluate.answers", "light_colour: not finite is 0", colour_read},
@@ -329,7 +336,9 @@ CHECKS(inputs, //
        {"inputs.view", "evaluate.answers", "views: zero or not finite is the normal", view_read},
        {"inputs.footprint", "evaluate.answers", "footprints: negative or NaN is 0", footprint_read},
        {"inputs.footprint-absent", "evaluate.answers", "footprints: NULL is 0", footprint_absent},
-       {"inputs.footprint-huge", "evaluate.answers", "footprints: above 1e4 is 1e4", footprint_huge},
+       {"inputs.footprint-huge", "evaluate.answers", "footprints: above 1e4 is 1e4",
+        footprint_huge},
        {"inputs.lengths", "evaluate.answers", "vectors may be of any length", lengths},
-       {"inputs.hostile", "evaluate.answers", "NaN, infinity, denormal and huge numbers give finite ones", hostile},
+       {"inputs.hostile", "evaluate.answers",
+        "NaN, infinity, denormal and huge numbers give finite ones", hostile},
        {"inputs.lanes", "evaluate.answers", "and do nothing to the points beside them", lanes});

@@ -47,8 +47,8 @@ static int parse(int argc, char **argv, settings *s, failure *why) {
        64},
       {"time-limit", 0, OPTION_NUMBER, &s->time_limit, "SECONDS", "of a check; default 60", 0.01,
        86400},
-      {"json", 0, OPTION_MAYBE, &s->json, "[=FILE]", "a report as JSON, in place of text or to a file", 0,
-       0},
+      {"json", 0, OPTION_MAYBE, &s->json, "[=FILE]",
+       "a report as JSON, in place of text or to a file", 0, 0},
       {"junit", 0, OPTION_TEXT, &s->junit, "FILE", "a report as JUnit's XML", 0, 0},
   };
   static const char *const names[] = {"plugin"};
@@ -87,24 +87,30 @@ static bool readable(const char *path, failure *why) {
   return true;
 }
 
-static bool write_file(const char *path, const report_head *head, const result *results,
-                       uint32_t count,
-                       void (*write)(FILE *, const report_head *, const result *, uint32_t),
-                       failure *why) {
-  output_file o;
-  if (!output_begin(&o, path, why)) return false;
-  FILE *to = fopen(o.writing, "w");
-  if (!to) {
-    output_discard(&o);
-    return fail(why, EXIT_BAD_INPUT, "cannot write '%s'", path);
-  }
-  write(to, head, results, count);
-  bool bad = ferror(to) != 0;
-  if (fclose(to) != 0 || bad) {
-    output_discard(&o);
-    return fail(why, EXIT_FAILURE, "cannot write '%s'", path);
-  }
-  return output_commit(&o, why);
+/* A report's file, begun before the run: that it cannot be written is said at once. */
+typedef struct report_file {
+  output_file file;
+  bool begun;
+  void (*write)(FILE *, const report_head *, const result *, uint32_t);
+} report_file;
+
+static bool report_begin(report_file *f, const char *path, failure *why) {
+  if (!path || !*path) return true;
+  f->begun = output_begin(&f->file, path, why);
+  return f->begun;
+}
+
+static bool report_end(report_file *f, const report_head *head, const result *results,
+                       uint32_t count, failure *why) {
+  if (!f->begun) return true;
+  FILE *to = fopen(f->file.writing, "w");
+  if (to) f->write(to, head, results, count);
+  bool bad = !to || ferror(to) != 0;
+  if (to && fclose(to) != 0) bad = true;
+  if (!bad) return output_commit(&f->file, why);
+  fail(why, EXIT_FAILURE, "cannot write '%s'", f->file.path);
+  output_discard(&f->file);
+  return false;
 }
 
 typedef struct shown {
@@ -127,6 +133,7 @@ static double seconds_now(void) {
 }
 
 static bool judge(const settings *s, result *results, uint32_t count, bool *passed, failure *why) {
+  report_file json = {.write = report_json}, junit = {.write = report_junit};
   char *path = realpath(s->path, NULL);
   if (!path) return fail(why, EXIT_BAD_INPUT, "cannot read '%s'", s->path);
   const run_options options = {.path = path,
@@ -139,24 +146,31 @@ static bool judge(const settings *s, result *results, uint32_t count, bool *pass
       .path = s->path, .seed = s->seed, .strict = s->strict, .thorough = s->thorough};
   bool text = !s->json || *s->json;
   shown to_text = {.head = &head};
-  if (text) text_head(stdout, &head, count);
-  double begun = seconds_now();
-  bool ran = run_checks(&options, results, count, text ? show : show_nothing, &to_text);
-  head.seconds = seconds_now() - begun;
+  bool good = report_begin(&json, s->json, why) && report_begin(&junit, s->junit, why);
+  if (good) {
+    if (text) text_head(stdout, &head, count);
+    double begun = seconds_now();
+    good = run_checks(&options, results, count, text ? show : show_nothing, &to_text);
+    head.seconds = seconds_now() - begun;
+    if (!good) fail(why, EXIT_FAILURE, "stopped");
+  }
   free(path);
-  if (!ran) return fail(why, EXIT_FAILURE, "stopped");
-  totals t = totals_of(results, count, s->strict);
-  if (text)
-    text_end(stdout, &t);
-  else
-    report_json(stdout, &head, results, count);
-  if (fflush(stdout) != 0 || ferror(stdout))
-    return fail(why, EXIT_FAILURE, "cannot write standard output");
-  if (text && s->json && !write_file(s->json, &head, results, count, report_json, why))
-    return false;
-  if (s->junit && !write_file(s->junit, &head, results, count, report_junit, why)) return false;
-  *passed = t.failed == 0;
-  return true;
+  if (good) {
+    totals t = totals_of(results, count, s->strict);
+    *passed = t.failed == 0;
+    if (text)
+      text_end(stdout, &t);
+    else
+      report_json(stdout, &head, results, count);
+    good = fflush(stdout) == 0 && !ferror(stdout);
+    if (!good) fail(why, EXIT_FAILURE, "cannot write standard output");
+  }
+  if (good)
+    return report_end(&json, &head, results, count, why) &&
+           report_end(&junit, &head, results, count, why);
+  output_discard(&json.file);
+  output_discard(&junit.file);
+  return false;
 }
 
 int main(int argc, char **argv) {

@@ -38,7 +38,8 @@ static void numbers(list *l) {
   int32_t range = SOZAI_ERROR_RANGE;
   if (kind_has_range(p->kind)) {
     if (isfinite(p->hard_min) && p->hard_min > -1e300) {
-      double under = p->kind == SOZAI_KIND_INT ? p->hard_min - 1 : nextafter(p->hard_min, -INFINITY);
+      double under =
+          p->kind == SOZAI_KIND_INT ? p->hard_min - 1 : nextafter(p->hard_min, -INFINITY);
       if (under < p->hard_min) add_number(l, "just below the range", range, under);
       add_number(l, "far below the range", range, -1e300);
       add_number(l, "-infinity", range, -INFINITY);
@@ -78,14 +79,15 @@ static void texts(list *l) {
   const uint32_t k = l->p->kind;
   const int32_t kind = SOZAI_ERROR_KIND;
   if (k == SOZAI_KIND_FLOAT || k == SOZAI_KIND_INT) {
-    static const char *const no_number[] = {"",     " ",    "x",   "1x",   "1 2", "1;",
-                                            "1.5.", "--1",  "1e",  "true", "#",   "1 1"};
+    static const char *const no_number[] = {"",     " ",   "x",  "1x",   "1 2", "1;",
+                                            "1.5.", "--1", "1e", "true", "#",   "1 1"};
     for (uint32_t i = 0; i < COUNT_OF(no_number); i++) add_text(l, "no number", kind, no_number[i]);
     add_text(l, "the text nan", 0, "nan");
     if (isfinite(l->p->hard_max)) add_text(l, "the text inf", 0, "inf");
     if (l->p->hard_max < 1e300) add_text(l, "the text 1e300", SOZAI_ERROR_RANGE, "1e300");
   }
-  if (k == SOZAI_KIND_INT && l->p->hard_max > l->p->hard_min) add_text(l, "no whole number", 0, "0.5");
+  if (k == SOZAI_KIND_INT && l->p->hard_max > l->p->hard_min)
+    add_text(l, "no whole number", 0, "0.5");
   if (k == SOZAI_KIND_BOOL) {
     static const char *const no_bool[] = {"", "maybe", "2", "truefalse", "0.5"};
     for (uint32_t i = 0; i < COUNT_OF(no_bool); i++)
@@ -129,11 +131,11 @@ static void buffers(list *l) {
                              .data = points ? NULL : numbers,
                              .points = points ? numbers : NULL,
                              .indices = past};
-#define ADD_BUFFER(what, wanted, change)                                       \
-  do {                                                                         \
-    b[n] = good;                                                               \
-    change;                                                                    \
-    add(l, what, wanted, (sozai_value){.kind = l->p->kind, .buffer = &b[n++]}); \
+#define ADD_BUFFER(what, wanted, change)                                                           \
+  do {                                                                                             \
+    b[n] = good;                                                                                   \
+    change;                                                                                        \
+    add(l, what, wanted, (sozai_value){.kind = l->p->kind, .buffer = &b[n++]});                    \
   } while (0)
   ADD_BUFFER("a buffer of size 0", SOZAI_ERROR_ARGUMENT, b[n].size = 0);
   ADD_BUFFER("a buffer of the wrong kind", SOZAI_ERROR_KIND,

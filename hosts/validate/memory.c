@@ -8,6 +8,7 @@
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stddef.h>
+#include <string.h>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define WATCHED 0
@@ -26,8 +27,10 @@
 
 static _Thread_local uint64_t calls, locks;
 static atomic_int_fast64_t live;
+static atomic_bool scribbling;
 
 bool memory_watched(void) { return WATCHED; }
+void memory_scribble(void) { atomic_store(&scribbling, true); }
 uint64_t memory_calls(void) { return calls; }
 int64_t memory_live(void) { return (int64_t)atomic_load(&live); }
 uint64_t memory_locks(void) { return locks; }
@@ -47,14 +50,29 @@ static void *had(void *memory) {
   return memory;
 }
 
-static void gone(void *memory) {
-  if (memory) atomic_fetch_sub(&live, (int_fast64_t)malloc_usable_size(memory));
+static void *fresh(void *memory, size_t size) {
+  if (memory && size && atomic_load(&scribbling)) memset(memory, 0x5a, size);
+  return had(memory);
 }
 
-EXPORT void *malloc(size_t size) { return had(__libc_malloc(size)); }
+/* The compiler must not drop what is written to memory that is about to go. */
+static void gone(void *memory) {
+  if (!memory) return;
+  size_t size = malloc_usable_size(memory);
+  atomic_fetch_sub(&live, (int_fast64_t)size);
+  if (!atomic_load(&scribbling)) return;
+  memset(memory, 0xa5, size);
+  __asm__ volatile("" : : "r"(memory) : "memory");
+}
+
+EXPORT void *malloc(size_t size) { return fresh(__libc_malloc(size), size); }
 EXPORT void *calloc(size_t n, size_t size) { return had(__libc_calloc(n, size)); }
-EXPORT void *aligned_alloc(size_t align, size_t size) { return had(__libc_memalign(align, size)); }
-EXPORT void *memalign(size_t align, size_t size) { return had(__libc_memalign(align, size)); }
+EXPORT void *aligned_alloc(size_t align, size_t size) {
+  return fresh(__libc_memalign(align, size), size);
+}
+EXPORT void *memalign(size_t align, size_t size) {
+  return fresh(__libc_memalign(align, size), size);
+}
 
 EXPORT void *realloc(void *memory, size_t size) {
   size_t before = memory ? malloc_usable_size(memory) : 0;
@@ -64,7 +82,7 @@ EXPORT void *realloc(void *memory, size_t size) {
 }
 
 EXPORT int posix_memalign(void **out, size_t align, size_t size) {
-  *out = had(__libc_memalign(align, size));
+  *out = fresh(__libc_memalign(align, size), size);
   return *out ? 0 : ENOMEM;
 }
 
@@ -89,10 +107,10 @@ static int next_lock(_Atomic(lock_function *) *kept, const char *name, void *loc
   return f(lock);
 }
 
-#define LOCK(name, type)                               \
-  EXPORT int name(type *lock) {                        \
-    static _Atomic(lock_function *) kept;              \
-    return next_lock(&kept, #name, (void *)(uintptr_t)lock); \
+#define LOCK(name, type)                                                                           \
+  EXPORT int name(type *lock) {                                                                    \
+    static _Atomic(lock_function *) kept;                                                          \
+    return next_lock(&kept, #name, (void *)(uintptr_t)lock);                                       \
   }
 
 LOCK(pthread_mutex_lock, pthread_mutex_t)

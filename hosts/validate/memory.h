@@ -11,6 +11,9 @@
 bool memory_watched(void);
 /* Calls of malloc and its like by this thread so far. */
 uint64_t memory_calls(void);
+/* From now on fresh memory holds rubbish, and memory given back too: what is
+ * read in spite of that shows. */
+void memory_scribble(void);
 /* Bytes that the process has and has not given back. */
 int64_t memory_live(void);
 /* Calls of pthread_mutex_lock and its like by this thread so far. */

@@ -168,8 +168,8 @@ static int32_t image_resolution(void *self, const sozai_image *i, uint32_t *w, u
 }
 
 static int32_t image_sample(void *self, const sozai_image *i, uint32_t count, const float *s,
-                            const float *t, const float *dsdx, const float *dtdx,
-                            const float *dsdy, const float *dtdy, float *const *out) {
+                            const float *t, const float *dsdx, const float *dtdx, const float *dsdy,
+                            const float *dtdy, float *const *out) {
   recorder *r = of(self);
   (void)dsdx, (void)dtdx, (void)dsdy, (void)dtdy;
   atomic_fetch_add(&r->samples, 1);
@@ -234,8 +234,9 @@ void recorder_judge(const recorder *r, const char *name) {
 }
 
 void recorder_empty(const recorder *r, const char *name, const char *what) {
-  EXPECT(atomic_load(&r->bytes) == 0, "%s: %lld bytes of the host's allocator are not given back, %s",
-         name, (long long)atomic_load(&r->bytes), what);
+  EXPECT(atomic_load(&r->bytes) == 0,
+         "%s: %lld bytes of the host's allocator are not given back, %s", name,
+         (long long)atomic_load(&r->bytes), what);
   EXPECT(atomic_load(&r->image_opens) == atomic_load(&r->image_closes),
          "%s: %u pictures opened, %u closed, %s", name, (unsigned)atomic_load(&r->image_opens),
          (unsigned)atomic_load(&r->image_closes), what);

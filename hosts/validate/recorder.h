@@ -21,8 +21,8 @@ typedef struct recorder {
   uint64_t fail_at;   /* this allocation gives NULL, counted from 1; 0: none */
   uint64_t cancel_at; /* this call of progress cancels, counted from 1; 0: none */
   parallel_way parallel;
-  bool colour;        /* offer the colour service below */
-  bool images;        /* and that of pictures */
+  bool colour;           /* offer the colour service below */
+  bool images;           /* and that of pictures */
   int32_t colour_result; /* of to_working */
   float colour_scale;    /* by which to_working multiplies */
   int32_t image_result;  /* of open */

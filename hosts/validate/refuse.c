@@ -178,14 +178,18 @@ static void among_good(subject *s) {
 }
 
 CHECKS(refuse, //
-       {"refuse.unknown", "describe.strings", "an unknown parameter is refused as UNKNOWN", unknown},
-       {"refuse.kind", "describe.strings", "a value of another kind is refused as KIND", wrong_kind},
-       {"refuse.range", "describe.strings", "a value outside its range is refused as RANGE", range},
-       {"refuse.not-finite", "describe.strings", "NaN is refused, and infinity where the range ends", not_finite},
-       {"refuse.whole", "describe.strings", "0.5 is refused by an INT and a BOOL", whole},
-       {"refuse.choice", "describe.strings", "what is none of the choices is refused as RANGE", choice},
-       {"refuse.text", "describe.strings", "unreadable text is refused as KIND", unreadable},
-       {"refuse.null-text", "describe.strings", "a NULL for a text is refused", null_text},
-       {"refuse.huge-text", "describe.strings", "4 MiB of text do no harm", huge},
-       {"refuse.buffer", "describe.strings", "buffers that say more than they hold are refused", buffer},
-       {"refuse.among-good", "describe.strings", "one bad value among good ones is refused", among_good});
+       {"refuse.unknown", "create.default", "an unknown parameter is refused as UNKNOWN", unknown},
+       {"refuse.kind", "create.default", "a value of another kind is refused as KIND", wrong_kind},
+       {"refuse.range", "create.default", "a value outside its range is refused as RANGE", range},
+       {"refuse.not-finite", "create.default", "NaN is refused, and infinity where the range ends",
+        not_finite},
+       {"refuse.whole", "create.default", "0.5 is refused by an INT and a BOOL", whole},
+       {"refuse.choice", "create.default", "what is none of the choices is refused as RANGE",
+        choice},
+       {"refuse.text", "create.default", "unreadable text is refused as KIND", unreadable},
+       {"refuse.null-text", "create.default", "a NULL for a text is refused", null_text},
+       {"refuse.huge-text", "create.default", "4 MiB of text do no harm", huge},
+       {"refuse.buffer", "create.default", "buffers that say more than they hold are refused",
+        buffer},
+       {"refuse.among-good", "create.default", "one bad value among good ones is refused",
+        among_good});

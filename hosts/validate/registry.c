@@ -3,7 +3,8 @@
  * its name; a check is an entry at that file's end and a function above it. */
 #include "groups.h"
 
-#define GROUP(name, title) {#name, title, name##_checks, &name##_check_count}
+#define GROUP(name, title)                                                                         \
+  { #name, title, name##_checks, &name##_check_count }
 
 const check_group check_groups[] = {
     GROUP(symbols, "the file, before any of its code runs"),

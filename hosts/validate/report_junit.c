@@ -84,8 +84,8 @@ void report_junit(FILE *to, const report_head *head, const result *results, uint
   totals t = totals_of(results, count, head->strict);
   fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites", to);
   attribute(to, "name", head->path);
-  fprintf(to, " tests=\"%u\" failures=\"%u\" errors=\"0\" skipped=\"%u\" time=\"%.3f\">\n", t.checks,
-          t.failed, t.skipped, head->seconds);
+  fprintf(to, " tests=\"%u\" failures=\"%u\" errors=\"0\" skipped=\"%u\" time=\"%.3f\">\n",
+          t.checks, t.failed, t.skipped, head->seconds);
   for (uint32_t i = 0; i < count;) {
     uint32_t n = 1;
     while (i + n < count && results[i + n].group == results[i].group) n++;

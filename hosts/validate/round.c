@@ -27,8 +27,7 @@ static void texture_calls(subject *s, const kind *k, const char *preset, watcher
   s->textures->last_error();
   watch("last_error");
   sozai_value v;
-  for (uint32_t p = 0; p < k->parameter_count; p++)
-    s->textures->value(t, k->parameters[p]->id, &v);
+  for (uint32_t p = 0; p < k->parameter_count; p++) s->textures->value(t, k->parameters[p]->id, &v);
   watch("value");
   s->textures->value(t, "validate_none", &v);
   watch("value of an unknown parameter");
@@ -64,7 +63,10 @@ static void value_calls(subject *s, const kind *k, watcher *watch) {
     }
     uint32_t n = make_bad(k->parameters[p], wrong);
     for (uint32_t i = 0; i < n; i++)
-      if (make(s, k, NULL, NULL, &wrong[i].value, 1, &m) == SOZAI_OK) unmake(s, &m);
+      if (!wrong[i].value.text && wrong[i].value.kind == SOZAI_KIND_STRING)
+        continue; /* the business of refuse.null-text */
+      else if (make(s, k, NULL, NULL, &wrong[i].value, 1, &m) == SOZAI_OK)
+        unmake(s, &m);
     watch("refused values");
   }
 }

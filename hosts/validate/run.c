@@ -15,6 +15,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "memory.h"
 #include "subject.h"
 
 #define JOBS_MOST 64u
@@ -62,6 +63,7 @@ static void child(const run_options *options, const result *r, int output, const
   dup2(output, 1);
   dup2(output, 2);
   verdict_to(r->verdict);
+  memory_scribble();
   subject s = {.path = options->path,
                .texture = options->texture,
                .thorough = options->thorough,
@@ -158,8 +160,7 @@ static bool ready(result *results, uint32_t count, result *r) {
   const result *need = find(results, count, r->check->needs);
   if (!need || need->outcome == OUTCOME_PASSED) return true;
   if (need->outcome == OUTCOME_NONE) return false;
-  if (need->outcome == OUTCOME_SKIPPED && !atomic_load(&need->verdict->warnings) &&
-      strncmp(need->verdict->skip, "needs ", 6) != 0)
+  if (need->outcome == OUTCOME_SKIPPED && strncmp(need->verdict->skip, "needs ", 6) != 0)
     return true;
   snprintf(r->verdict->skip, sizeof r->verdict->skip, "needs %s, which %s", need->check->name,
            need->outcome == OUTCOME_FAILED ? "failed" : "could not be asked");
@@ -231,8 +232,8 @@ bool run_checks(const run_options *options, result *results, uint32_t count,
                 void (*done)(const result *r, void *user), void *user) {
   job jobs[JOBS_MOST] = {{0}};
   uint32_t job_count = options->jobs < JOBS_MOST ? options->jobs : JOBS_MOST;
-  verdict *shared = mmap(NULL, count * sizeof *shared, PROT_READ | PROT_WRITE,
-                         MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  verdict *shared =
+      mmap(NULL, count * sizeof *shared, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (shared == MAP_FAILED) return false;
   for (uint32_t i = 0; i < count; i++) results[i].verdict = &shared[i];
 

@@ -134,8 +134,8 @@ const char *result_name(int32_t result) {
 }
 
 const char *kind_name(uint32_t kind) {
-  static const char *const names[] = {"STRING", "FLOAT",  "INT",  "BOOL", "CHOICE", "FLOAT3",
-                                      "COLOUR", "TEXT",   "PATH", "BUFFER", "IMAGE"};
+  static const char *const names[] = {"STRING", "FLOAT", "INT",  "BOOL",   "CHOICE", "FLOAT3",
+                                      "COLOUR", "TEXT",  "PATH", "BUFFER", "IMAGE"};
   return kind < COUNT_OF(names) ? names[kind] : "unknown";
 }
 

@@ -107,8 +107,7 @@ static void rounded_of(subject *s, const sozai_texture_info *info, const char *p
     fesetround(FE_TONEAREST);
     EXPECT(r == SOZAI_OK, "%s: evaluate, rounding %s, gave %s", b->name, modes[i].name,
            result_name(r));
-    for (uint32_t c = 0; c < info->component_count; c++)
-      batch_written(b, c, 0, 300, modes[i].name);
+    for (uint32_t c = 0; c < info->component_count; c++) batch_written(b, c, 0, 300, modes[i].name);
   }
   batch_free(b);
 }
@@ -148,8 +147,8 @@ static void locale_kept(subject *s) {
 
 /* A locale that writes 1,5: one of this machine's, or $SOZAI_VALIDATE_LOCALE. */
 static bool comma_locale(void) {
-  static const char *const names[] = {"de_DE.UTF-8", "de_DE.utf8", "de_DE",       "fr_FR.UTF-8",
-                                      "fr_FR.utf8",  "fr_FR",      "nl_NL.UTF-8", "it_IT.UTF-8",
+  static const char *const names[] = {"de_DE.UTF-8", "de_DE.utf8",  "de_DE",       "fr_FR.UTF-8",
+                                      "fr_FR.utf8",  "fr_FR",       "nl_NL.UTF-8", "it_IT.UTF-8",
                                       "es_ES.UTF-8", "pl_PL.UTF-8", "de_AT.UTF-8", "ru_RU.UTF-8"};
   const char *own = getenv("SOZAI_VALIDATE_LOCALE");
   if (own && setlocale(LC_ALL, own) && strcmp(localeconv()->decimal_point, ",") == 0) return true;
@@ -162,7 +161,8 @@ static bool comma_locale(void) {
 /* "Text is read and written in the C locale." */
 static void comma(subject *s) {
   if (!comma_locale())
-    return skipped("this machine has no locale with a decimal comma (SOZAI_VALIDATE_LOCALE names one)");
+    return skipped(
+        "this machine has no locale with a decimal comma (SOZAI_VALIDATE_LOCALE names one)");
   if (!subject_start(s)) return;
   static kind kinds[KINDS_MOST];
   uint32_t n = subject_kinds(s, kinds);
@@ -174,8 +174,8 @@ static void comma(subject *s) {
       sozai_value v = {.id = q->id, .kind = SOZAI_KIND_STRING, .text = "1.5"}, is;
       made m;
       int32_t r = make(s, k, NULL, NULL, &v, 1, &m);
-      EXPECT(r != SOZAI_ERROR_KIND, "%s: %s as \"1.5\" gave %s in a locale of decimal commas", k->id,
-             q->id, result_name(r));
+      EXPECT(r != SOZAI_ERROR_KIND, "%s: %s as \"1.5\" gave %s in a locale of decimal commas",
+             k->id, q->id, result_name(r));
       if (r == SOZAI_OK) {
         made_value(s, &m, q->id, &is);
         EXPECT(is.number[0] == 1.5, "%s: %s as \"1.5\" is %.17g in a locale of decimal commas",
@@ -206,8 +206,10 @@ static void signals_same(const char *call) {
   for (int i = 1; i < 32; i++) {
     struct sigaction a;
     sigaction(i, NULL, &a);
-    if (a.sa_handler != handlers[i].sa_handler) failed("%s changed the handler of signal %d", call, i);
-    if (sigismember(&now, i) != sigismember(&mask, i)) failed("%s changed the mask of signal %d", call, i);
+    if (a.sa_handler != handlers[i].sa_handler)
+      failed("%s changed the handler of signal %d", call, i);
+    if (sigismember(&now, i) != sigismember(&mask, i))
+      failed("%s changed the mask of signal %d", call, i);
   }
 }
 
@@ -240,7 +242,8 @@ static void process_same(const char *call) {
              "%s changed the resource limit %u", call, i);
   }
   if (sched_getaffinity(0, sizeof set, &set) == 0)
-    EXPECT(CPU_EQUAL(&set, &processors), "%s changed the processors that the thread may run on", call);
+    EXPECT(CPU_EQUAL(&set, &processors), "%s changed the processors that the thread may run on",
+           call);
 }
 
 static void process(subject *s) {
@@ -329,17 +332,26 @@ static void children(subject *s) {
 }
 
 CHECKS(surroundings, //
-       {"surroundings.streams", "create.default", "nothing is written to standard output or error", streams},
-       {"surroundings.rounding", "create.default", "no call changes the rounding mode, whichever it is", rounding_kept},
-       {"surroundings.flushing", "create.default", "nor what becomes of denormals", flushing_kept},
-       {"surroundings.growing", "create.default", "nor does growing", growing_kept},
-       {"surroundings.rounded", "evaluate.answers", "answers are finite in every rounding mode", rounded},
-       {"surroundings.locale", "create.default", "no call changes the locale, the process's or the thread's", locale_kept},
-       {"surroundings.comma", "create.default", "text is read and written with a point where the locale has a comma", comma},
-       {"surroundings.signals", "create.default", "no call changes a signal's handler or mask", signals},
-       {"surroundings.process", "create.default", "nor the folder, umask, limits or processors", process},
-       {"surroundings.environment", "create.default", "nor the environment", environment},
-       {"surroundings.files", "create.default", "no file is left open", files},
-       {"surroundings.threads", "create.default", "no thread is left running", threads},
-       {"surroundings.evaluate", "evaluate.answers", "evaluate starts no thread and opens no file", idle},
-       {"surroundings.children", "create.default", "no process is left behind", children});
+       {"surroundings.streams", "evaluate.answers",
+        "nothing is written to standard output or error", streams},
+       {"surroundings.rounding", "evaluate.answers",
+        "no call changes the rounding mode, whichever it is", rounding_kept},
+       {"surroundings.flushing", "evaluate.answers", "nor what becomes of denormals",
+        flushing_kept},
+       {"surroundings.growing", "evaluate.answers", "nor does growing", growing_kept},
+       {"surroundings.rounded", "evaluate.answers", "answers are finite in every rounding mode",
+        rounded},
+       {"surroundings.locale", "evaluate.answers",
+        "no call changes the locale, the process's or the thread's", locale_kept},
+       {"surroundings.comma", "evaluate.answers",
+        "text is read and written with a point where the locale has a comma", comma},
+       {"surroundings.signals", "evaluate.answers", "no call changes a signal's handler or mask",
+        signals},
+       {"surroundings.process", "evaluate.answers", "nor the folder, umask, limits or processors",
+        process},
+       {"surroundings.environment", "evaluate.answers", "nor the environment", environment},
+       {"surroundings.files", "evaluate.answers", "no file is left open", files},
+       {"surroundings.threads", "evaluate.answers", "no thread is left running", threads},
+       {"surroundings.evaluate", "evaluate.answers", "evaluate starts no thread and opens no file",
+        idle},
+       {"surroundings.children", "evaluate.answers", "no process is left behind", children});

@@ -56,7 +56,7 @@ static void one(subject *s) {
 }
 
 static bool is_libc(const char *name) {
-  static const char *const begins[] = {"libc.so",  "libm.so",   "libdl.so",     "libpthread.so",
+  static const char *const begins[] = {"libc.so",  "libm.so",  "libdl.so",      "libpthread.so",
                                        "librt.so", "ld-linux", "linux-vdso.so", "libgcc_s.so"};
   static const char *const sanitizers[] = {"libasan.", "libubsan.", "libtsan.", "libclang_rt."};
   for (uint32_t i = 0; i < COUNT_OF(begins); i++)
@@ -80,11 +80,11 @@ static void needed(subject *s) {
  * this boundary": that it could call one is a warning, that it does a failure elsewhere. */
 static void calls(subject *s) {
   static const char *const ruled_out[] = {
-      "exit",     "_exit",    "_Exit",        "quick_exit", "abort",      "raise",
-      "kill",     "signal",   "sigaction",    "setlocale",  "fesetround", "fesetenv",
-      "feupdateenv", "feenableexcept", "printf", "vprintf", "__printf_chk", "__vprintf_chk",
-      "puts",     "putchar",  "perror",       "stdout",     "stderr",     "chdir",
-      "umask",    "setenv",   "putenv",       "system",     "fork",       "__assert_fail"};
+      "exit",        "_exit",          "_Exit",     "quick_exit", "abort",        "raise",
+      "kill",        "signal",         "sigaction", "setlocale",  "fesetround",   "fesetenv",
+      "feupdateenv", "feenableexcept", "printf",    "vprintf",    "__printf_chk", "__vprintf_chk",
+      "puts",        "putchar",        "perror",    "stdout",     "stderr",       "chdir",
+      "umask",       "setenv",         "putenv",    "system",     "fork",         "__assert_fail"};
   if (!read_file(s)) return;
   asked();
   for (uint32_t i = 0; i < file.needed_count; i++)
@@ -106,8 +106,12 @@ static void protection(subject *s) {
 
 CHECKS(symbols, //
        {"symbols.opens", NULL, "dlopen takes it", opens},
-       {"symbols.entry", "symbols.opens", "it exports sozai_entry, a datum of the size of sozai_entry_v1", entry},
+       {"symbols.entry", "symbols.opens",
+        "it exports sozai_entry, a datum of the size of sozai_entry_v1", entry},
        {"symbols.one", "symbols.opens", "it exports nothing else", one},
        {"symbols.needed", "symbols.opens", "it needs libc alone (else a warning)", needed},
-       {"symbols.calls", "symbols.opens", "it refers to nothing that would exit, print or change the host's state (else a warning)", calls},
-       {"symbols.protection", "symbols.opens", "no executable stack, no relocations in code", protection});
+       {"symbols.calls", "symbols.opens",
+        "it refers to nothing that would exit, print or change the host's state (else a warning)",
+        calls},
+       {"symbols.protection", "symbols.opens", "no executable stack, no relocations in code",
+        protection});

@@ -17,7 +17,7 @@ typedef struct share {
   const sozai_texture_info *info;
   const char *preset;
   sozai_texture *t;
-  batch *b;           /* with inputs shared and outputs of its own */
+  batch *b;            /* with inputs shared and outputs of its own */
   const float *wanted; /* what one thread alone gave */
   uint32_t index;
   atomic_uint *wrong;
@@ -27,7 +27,8 @@ typedef struct share {
 
 static bool bits_are(const batch *b, const float *wanted, uint32_t count) {
   for (uint32_t c = 0; c < b->info->component_count; c++)
-    if (memcmp(&b->memory[batch_place(c, 0)], &wanted[batch_place(c, 0)], count * sizeof(float)) != 0)
+    if (memcmp(&b->memory[batch_place(c, 0)], &wanted[batch_place(c, 0)], count * sizeof(float)) !=
+        0)
       return false;
   return true;
 }
@@ -87,12 +88,21 @@ static void run_threads(subject *s, const sozai_texture_info *info, const char *
     batch *own = batch_new(s, info, preset, POINTS);
     if (!own) return;
     memcpy(own->in[0], b->in[0], (size_t)BATCH_INPUTS * BATCH_MOST * sizeof(float));
-    shares[i] = (share){.s = s, .info = info, .preset = preset, .t = t, .b = own, .wanted = wanted,
-                        .index = i, .wrong = &wrong, .stop = &stop, .begin = &begin};
+    shares[i] = (share){.s = s,
+                        .info = info,
+                        .preset = preset,
+                        .t = t,
+                        .b = own,
+                        .wanted = wanted,
+                        .index = i,
+                        .wrong = &wrong,
+                        .stop = &stop,
+                        .begin = &begin};
   }
   doing("%s, %u threads, %s", b->name, THREADS, what);
   for (uint32_t i = 0; i < THREADS; i++)
-    if (pthread_create(&threads[i], NULL, i < makers ? make_often : evaluate_often, &shares[i]) != 0) {
+    if (pthread_create(&threads[i], NULL, i < makers ? make_often : evaluate_often, &shares[i]) !=
+        0) {
       failed("no thread");
       _Exit(1);
     }
@@ -199,7 +209,10 @@ static void describe(subject *s) {
 }
 
 CHECKS(threads, //
-       {"threads.evaluate", "evaluate.answers", "8 threads on one texture give the bits of one", evaluate},
+       {"threads.evaluate", "evaluate.answers", "8 threads on one texture give the bits of one",
+        evaluate},
        {"threads.create", "evaluate.answers", "so they do while others make and destroy", create},
-       {"threads.elsewhere", "evaluate.answers", "a texture outlives its thread, and is destroyed on another", elsewhere},
-       {"threads.describe", "describe.listed", "descriptions are the same from 8 threads at once", describe});
+       {"threads.elsewhere", "evaluate.answers",
+        "a texture outlives its thread, and is destroyed on another", elsewhere},
+       {"threads.describe", "describe.listed", "descriptions are the same from 8 threads at once",
+        describe});

@@ -24,8 +24,9 @@ static const sozai_entry_v1 *raw_entry(subject *s) {
 /* "Refuse it unless abi_major == SOZAI_ABI_MAJOR" */
 static void major(subject *s) {
   const sozai_entry_v1 *e = raw_entry(s);
-  if (e) EXPECT(e->abi_major == SOZAI_ABI_MAJOR, "abi_major is %u, not %u", e->abi_major,
-                SOZAI_ABI_MAJOR);
+  if (e)
+    EXPECT(e->abi_major == SOZAI_ABI_MAJOR, "abi_major is %u, not %u", e->abi_major,
+           SOZAI_ABI_MAJOR);
 }
 
 /* "a higher minor only adds ids and struct members": who claims no higher minor has no
@@ -90,8 +91,7 @@ static const void *found[COUNT_OF(known_ids)];
 
 static void *look_up(void *context) {
   const subject *s = context;
-  for (uint32_t i = 0; i < COUNT_OF(known_ids); i++)
-    found[i] = s->entry->get_factory(known_ids[i]);
+  for (uint32_t i = 0; i < COUNT_OF(known_ids); i++) found[i] = s->entry->get_factory(known_ids[i]);
   return NULL;
 }
 
@@ -144,10 +144,13 @@ static void constant(subject *s) {
 }
 
 CHECKS(version, //
-       {"version.major", "symbols.entry", "abi_major is this header's, readable without running code", major},
+       {"version.major", "symbols.entry",
+        "abi_major is this header's, readable without running code", major},
        {"version.functions", "version.major", "init, deinit and get_factory are there", functions},
        {"version.minor", "init.tables", "structs are as large as the version says", minor},
        {"version.unknown-ids", "init.tables", "an unknown table's id gives NULL", unknown_ids},
-       {"version.same-table", "init.tables", "the same id gives the same table, on every thread", same_table},
+       {"version.same-table", "init.tables", "the same id gives the same table, on every thread",
+        same_table},
        {"version.complete", "init.tables", "no function of a table is NULL", complete},
-       {"version.constant", "create.default", "tables do not change while textures come and go", constant});
+       {"version.constant", "create.default", "tables do not change while textures come and go",
+        constant});

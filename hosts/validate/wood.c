@@ -98,4 +98,5 @@ static void inverse(subject *s) {
 
 CHECKS(wood, //
        {"wood.arguments", "create.default", "NULL and what is not a wood are refused", arguments},
-       {"wood.inverse", "evaluate.answers", "ring_radius is the inverse of the channel time", inverse});
+       {"wood.inverse", "evaluate.answers", "ring_radius is the inverse of the channel time",
+        inverse});

@@ -10,12 +10,12 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(FUZZ_YAML REQUIRED IMPORTED_TARGET yaml-0.1)
 sozai_fuzz_target(recipe LIBS PkgConfig::FUZZ_YAML INCLUDES ${h}/common
   SOURCES recipe.c ${h}/common/recipe.c ${h}/common/recipe_file.c ${h}/common/recipe_image.c
-    ${h}/common/numbers.c ${h}/common/failure.c)
+    ${h}/common/ceilings.c ${h}/common/numbers.c ${h}/common/failure.c)
 sozai_fuzz_target(csv INCLUDES ${h}/cli ${h}/common
   SOURCES csv.c ${h}/cli/csv.c ${h}/cli/columns.c ${h}/common/failure.c)
 sozai_fuzz_target(options INCLUDES ${h}/cli ${h}/common ${h}/render ${h}/fiber
   SOURCES options.c ${h}/cli/options.c ${h}/cli/job_options.c ${h}/fiber/hulls.c
-    ${h}/common/numbers.c ${h}/common/failure.c)
+    ${h}/common/ceilings.c ${h}/common/numbers.c ${h}/common/failure.c)
 sozai_fuzz_target(pieces INCLUDES ${h}/bake ${h}/common
   SOURCES pieces.c ${h}/bake/pieces.c ${h}/bake/job_text.c ${h}/bake/checksum.c
     ${h}/common/failure.c)
@@ -23,16 +23,17 @@ sozai_fuzz_target(saw INCLUDES ${h}/saw ${h}/tree ${h}/common
   SOURCES saw.c ${h}/saw/plan.c ${h}/saw/live.c ${h}/saw/quarter.c ${h}/saw/rift.c
     ${h}/saw/rotary.c ${h}/common/failure.c)
 sozai_fuzz_target(ply INCLUDES ${h}/common
-  SOURCES ply.c ${h}/common/mesh_ply.c ${h}/common/failure.c)
+  SOURCES ply.c ${h}/common/mesh_ply.c ${h}/common/ceilings.c ${h}/common/failure.c)
 pkg_check_modules(FUZZ_ASSIMP REQUIRED IMPORTED_TARGET assimp)
 sozai_fuzz_target(mesh LIBS PkgConfig::FUZZ_ASSIMP INCLUDES ${h}/common
-  SOURCES mesh.c ${h}/common/mesh_ply.c ${h}/common/failure.c)
+  SOURCES mesh.c ${h}/common/mesh_ply.c ${h}/common/ceilings.c ${h}/common/failure.c)
 sozai_fuzz_target(alias INCLUDES ${SOZAI_SOURCE}/colour
   SOURCES alias.cpp ${SOZAI_SOURCE}/colour/aliases.cpp)
 sozai_fuzz_target(png INCLUDES ${SOZAI_SOURCE}/colour/images
   SOURCES png.cpp ${SOZAI_SOURCE}/colour/images/png.cpp)
 
-set(settings ${p}/core/params.c ${p}/core/image_text.c ${p}/core/status.c bounded.c)
+set(settings ${p}/core/params.c ${p}/core/image_text.c ${p}/core/status.c
+  ${p}/core/limits.c ${p}/core/meter.c bounded.c)
 sozai_fuzz_target(params INCLUDES ${p} ${SOZAI_SOURCE}/tests/unit
   SOURCES params.c values.c ${settings} ${SOZAI_SOURCE}/tests/unit/every_kind.c)
 sozai_fuzz_target(scan INCLUDES ${p} SOURCES scan.c ${p}/wood/scan.c ${p}/core/scalar.c)
@@ -45,7 +46,7 @@ endif()
 # generators, all of them: geometry.c has a list
 file(GLOB grown CONFIGURE_DEPENDS ${p}/tree/*.c ${p}/tree/species/*.c ${p}/fiber/*.c
   ${p}/fiber/materials/*.c)
-add_library(fuzz-grown STATIC grown.c values.c ${settings} ${grown} ${p}/geometry.c
+add_library(fuzz-grown STATIC grown.c values.c ${settings} ${grown} ${p}/geometry.c ${p}/memory.c
   ${p}/core/scalar.c)
 target_include_directories(fuzz-grown PUBLIC ${p})
 target_link_libraries(fuzz-grown PUBLIC sozai::api)

@@ -4,10 +4,10 @@
 
 #include "plugin.h"
 
-#define PARAMETER(of, name, in, ...)                                                         \
-  {                                                                                          \
-    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_##of, .id = name, .label = name,     \
-    .group = in, .unit = "", .doc = "A parameter.", __VA_ARGS__                              \
+#define PARAMETER(of, name, in, ...)                                                               \
+  {                                                                                                \
+    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_##of, .id = name, .label = name,           \
+    .group = in, .unit = "", .doc = "A parameter.", __VA_ARGS__                                    \
   }
 
 static const char *const patterns[] = {"checks", "stripes"};
@@ -19,9 +19,11 @@ static const char *const pattern_docs[] = {"squares", "bands"};
 #define SCALE_SOFT .soft_min = 1, .soft_max = 100
 #endif
 #ifdef DEFAULT_OUT_OF_RANGE
-#define SCALE_DEFAULT {2000}
+#define SCALE_DEFAULT                                                                              \
+  { 2000 }
 #else
-#define SCALE_DEFAULT {20}
+#define SCALE_DEFAULT                                                                              \
+  { 20 }
 #endif
 #ifdef DUPLICATE_ID
 #define LEVELS_ID "scale"
@@ -40,10 +42,12 @@ static const char *const pattern_docs[] = {"squares", "bands"};
 #endif
 #ifdef CHOICE_PAST
 #define PATTERN_COUNT 1
-#define PATTERN_DEFAULT {1}
+#define PATTERN_DEFAULT                                                                            \
+  { 1 }
 #else
 #define PATTERN_COUNT 2
-#define PATTERN_DEFAULT {0}
+#define PATTERN_DEFAULT                                                                            \
+  { 0 }
 #endif
 #ifdef NULL_TEXT
 #define NOTE_DOC NULL
@@ -93,7 +97,7 @@ static const sozai_preset presets[] = {
 static const sozai_preset *const preset_list[] = {&presets[0], &presets[1]};
 
 #define POINT SOZAI_INPUT_POINT
-#define CHANNEL(at, n, needs_, uses_, name, letters) \
+#define CHANNEL(at, n, needs_, uses_, name, letters)                                               \
   { sizeof(sozai_channel), at, n, needs_, uses_, 0, name, "", letters, "A channel." }
 #ifdef OVERLAPPING_CHANNELS
 #define FACE_FIRST C_HEIGHT
@@ -119,20 +123,15 @@ static const sozai_channel *const channel_list[] = {&channels[0], &channels[1], 
 #else
 #define INFO_SIZE sizeof(sozai_texture_info)
 #endif
-#define PLAIN                                                                        \
-  {                                                                                  \
-    INFO_SIZE, 1, "plain", "Plain", "Squares or bands.", parameter_list, preset_list, \
-        channel_list, P_COUNT, 2, 4, COMPONENTS                                      \
+char plain_label[] = "Plain";
+#define PLAIN                                                                                      \
+  {                                                                                                \
+    INFO_SIZE, 1, "plain", plain_label, "Squares or bands.", parameter_list, preset_list,          \
+        channel_list, P_COUNT, 2, 4, COMPONENTS                                                    \
   }
-static const sozai_texture_info plain[2] = {PLAIN, PLAIN};
+static const sozai_texture_info plain = PLAIN;
 
-const sozai_texture_info *plain_info(void) {
-#ifdef ADDRESS_CHANGES
-  static uint32_t asked;
-  return &plain[asked++ / 16 % 2];
-#endif
-  return &plain[0];
-}
+const sozai_texture_info *plain_info(void) { return &plain; }
 
 /* ---- the generator ------------------------------------------------------------------ */
 

@@ -44,21 +44,21 @@ int32_t settings_read(setting *out, const char *owner, const sozai_parameter *co
                       uint32_t parameter_count, const sozai_preset *const *presets,
                       uint32_t preset_count, const char *preset, const sozai_value *values,
                       uint32_t value_count);
-int32_t setting_value(const setting *s, const char *owner,
-                      const sozai_parameter *const *parameters, uint32_t count, const char *id,
-                      sozai_value *out);
+int32_t setting_value(const setting *s, const char *owner, const sozai_parameter *const *parameters,
+                      uint32_t count, const char *id, sozai_value *out);
 
 /* describe.c */
 enum { P_SCALE, P_LEVELS, P_SMOOTH, P_PATTERN, P_OFFSET, P_TINT, P_NOTE, P_WEIGHTS, P_COUNT };
 enum { G_LENGTH, G_SIDES, G_COUNT };
 enum { C_ALBEDO = 0, C_RADIANCE = 3, C_HEIGHT = 6, C_FACE = 7, COMPONENTS = 8 };
+extern char plain_label[];
 const sozai_texture_info *plain_info(void);
 const sozai_generator_info *rod_info(void);
 
 /* entry.c */
 bool ready(void);
 
-extern const sozai_textures_1 textures;  /* texture.c */
+extern const sozai_textures_1 textures;   /* texture.c */
 extern const sozai_geometry_1 generators; /* rod.c */
 
 #endif

@@ -155,7 +155,8 @@ static int32_t mesh(const sozai_geometry *g, const sozai_detail *detail, const s
   if (!m) return SOZAI_ERROR_MEMORY;
   m->host = g->host;
   fill_mesh(g, m, segments);
-  m->part = (sozai_part){.id = "bark", .count = m->out.triangle_count, .colour = {0.4f, 0.3f, 0.2f}};
+  m->part =
+      (sozai_part){.id = "bark", .count = m->out.triangle_count, .colour = {0.4f, 0.3f, 0.2f}};
 #ifdef PARTS_WITH_GAP
   m->part.count--;
 #endif
@@ -229,10 +230,8 @@ static int32_t table(const sozai_geometry *g, const char *id, sozai_table *out) 
 #ifndef ANY_TABLE
   if (strcmp(id, "rings") != 0) return say(SOZAI_ERROR_UNKNOWN, "no table \"%.60s\"", id);
 #endif
-  *out = (sozai_table){.size = sizeof *out,
-                       .info = rod_info()->tables[0],
-                       .data = g->rows,
-                       .rows = SEGMENTS + 1};
+  *out = (sozai_table){
+      .size = sizeof *out, .info = rod_info()->tables[0], .data = g->rows, .rows = SEGMENTS + 1};
   return SOZAI_OK;
 }
 
@@ -247,9 +246,11 @@ static int32_t value(const sozai_geometry *g, const char *id, sozai_value *out) 
   if (!g) return say(SOZAI_ERROR_ARGUMENT, "value: nothing grown");
   return setting_value(g->given, "rod", rod_info()->parameters, G_COUNT, id, out);
 }
-static const sozai_generator_info *info_of(const sozai_geometry *g) { return g ? rod_info() : NULL; }
+static const sozai_generator_info *info_of(const sozai_geometry *g) {
+  return g ? rod_info() : NULL;
+}
 static uint64_t bytes(const sozai_geometry *g) { return g ? sizeof *g : 0; }
 
-const sozai_geometry_1 generators = {count, info,         find,   grow,           release,
-                                     mesh,  release_mesh, curves, release_curves, table,
-                                     value, info_of,      bytes,  said};
+const sozai_geometry_1 generators = {count,        info,   find,           grow,  release, mesh,
+                                     release_mesh, curves, release_curves, table, value,   info_of,
+                                     bytes,        said};

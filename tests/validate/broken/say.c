@@ -37,6 +37,9 @@ int32_t say(int32_t code, const char *format, ...) {
   va_list list;
   va_start(list, format);
   locale_t before = c_locale ? uselocale(c_locale) : (locale_t)0;
+#ifdef COMMA_WRITTEN
+  if (before) uselocale(before);
+#endif
   vsnprintf(message, sizeof message, format, list);
   if (before) uselocale(before);
   va_end(list);
@@ -51,7 +54,11 @@ const char *said(void) { return message; }
 
 bool number_of(const char *text, const char **end, double *out) {
   char *stop;
+#ifdef COMMA_READ
+  *out = strtod(text, &stop);
+#else
   *out = strtod_l(text, &stop, c_locale);
+#endif
 #ifdef TEXT_AS_FLOAT
   *out = (float)*out;
 #endif

@@ -86,16 +86,19 @@ static void misbehave(void) {
   setenv("PLAIN", "made", 1);
 #endif
 #ifdef LEAVES_FILE
-  static int file;
-  file = open("/dev/null", O_RDONLY);
+  if (open("/dev/null", O_RDONLY) < 0) return;
 #endif
 #ifdef LEAVES_THREAD
   pthread_t thread;
   pthread_create(&thread, NULL, idle, NULL);
 #endif
+#ifdef DESCRIPTION_CHANGES
+  plain_label[0] = 'C';
+#endif
 #ifdef LEAKS
   static void *volatile lost;
   lost = malloc(1000);
+  if (!lost) return;
 #endif
 }
 
@@ -197,7 +200,8 @@ static int parity(float x, float *part) {
 /* A huge product is no infinity. */
 static float bounded(float x) { return x == x ? clamped(x, -1e38f, 1e38f) : 0; }
 
-static void answer(const sozai_texture *t, const sozai_batch *b, uint32_t i, float out[COMPONENTS]) {
+static void answer(const sozai_texture *t, const sozai_batch *b, uint32_t i,
+                   float out[COMPONENTS]) {
   static const float up[3] = {0, 0, 1};
   float part[3], normal[3], light[3], view[3], scale = (float)t->given[P_SCALE].number[0];
   int odd = 0;
@@ -228,11 +232,12 @@ static void answer(const sozai_texture *t, const sozai_batch *b, uint32_t i, flo
                    ? finite_or(b->light_colour[c][i], 0)
                    : 1;
     out[C_ALBEDO + c] = bounded(t->tint[c] * shade);
-    out[C_RADIANCE + c] = bounded(out[C_ALBEDO + c] * facing * (1 + 0.1f * seen) * clamped(of, -1e30f, 1e30f));
+    out[C_RADIANCE + c] =
+        bounded(out[C_ALBEDO + c] * facing * (1 + 0.1f * seen) * clamped(of, -1e30f, 1e30f));
   }
   float level = t->given[P_SMOOTH].number[0] != 0 ? part[0] * (1 - part[0]) : part[0];
-  out[C_HEIGHT] = level * (float)t->given[P_LEVELS].number[0] +
-                  t->weights[(int)(part[1] * WEIGHTS) % WEIGHTS];
+  out[C_HEIGHT] =
+      level * (float)t->given[P_LEVELS].number[0] + t->weights[(int)(part[1] * WEIGHTS) % WEIGHTS];
 #ifdef UNDECLARED_INPUT
   out[C_HEIGHT] += size;
 #endif
@@ -345,8 +350,7 @@ static int32_t evaluate(const sozai_texture *t, const sozai_batch *given_batch) 
     if (++calls % 50000 == 0) out[C_HEIGHT] += 0x1p-20f;
 #endif
 #ifdef READS_NEXT
-    static volatile float next;
-    next = b.point[0][i + 1];
+    if (*(const volatile float *)&b.point[0][i + 1] == 12345.0f) out[C_FACE] = 0;
 #endif
 #ifdef PLACE_IN_BATCH
     if (i > 200) out[C_FACE] += 0x1p-20f;
@@ -381,6 +385,11 @@ static const sozai_texture_info *info(uint32_t index) {
   return index < count() ? plain_info() : NULL;
 }
 static const sozai_texture_info *find(const char *id) {
+#ifdef FOUND_ELSEWHERE
+  static sozai_texture_info other;
+  if (!other.size) other = *plain_info();
+  return id && strcmp(id, "plain") == 0 ? &other : NULL;
+#endif
 #ifdef FINDS_BEGINNINGS
   return id && strncmp(id, "plain", 5) == 0 ? plain_info() : NULL;
 #endif
@@ -410,7 +419,7 @@ static const char *instruction_set(const sozai_texture *t) {
 }
 
 #ifdef NULL_FUNCTION
-#define INSTRUCTION_SET NULL
+#define INSTRUCTION_SET (1 ? NULL : instruction_set)
 #else
 #define INSTRUCTION_SET instruction_set
 #endif

@@ -118,8 +118,7 @@ static int32_t read_buffer(const sozai_parameter *p, const sozai_buffer *given, 
   if (b.kind != p->buffer_kind)
     return say(SOZAI_ERROR_KIND, "%s: a buffer of kind %u", p->id, b.kind);
 #ifndef BUFFER_TRUSTED
-  if (b.dims[0] > WEIGHTS_MOST || b.dims[1] > WEIGHTS_MOST ||
-      b.dims[0] * b.dims[1] > WEIGHTS_MOST)
+  if (b.dims[0] > WEIGHTS_MOST || b.dims[1] > WEIGHTS_MOST || b.dims[0] * b.dims[1] > WEIGHTS_MOST)
     return say(SOZAI_ERROR_RANGE, "%s: more than %d numbers", p->id, WEIGHTS_MOST);
 #endif
   uint64_t n = b.dims[0] * b.dims[1];
@@ -139,11 +138,13 @@ static int32_t copy_text(const sozai_parameter *p, const char *text, setting *s)
 
 static int32_t read_value(const sozai_parameter *p, const sozai_value *given, setting *s) {
   sozai_value v = *given;
-  bool wants_text = v.kind == SOZAI_KIND_STRING ||
-                    ((v.kind == SOZAI_KIND_CHOICE || v.kind == SOZAI_KIND_TEXT) && v.kind == p->kind);
-#ifndef NULL_TRUSTED
-  if (wants_text && !v.text) return say(SOZAI_ERROR_ARGUMENT, "%s: its text is NULL", p->id);
+  bool wants_text =
+      v.kind == SOZAI_KIND_STRING ||
+      ((v.kind == SOZAI_KIND_CHOICE || v.kind == SOZAI_KIND_TEXT) && v.kind == p->kind);
+#ifdef NULL_TRUSTED
+  wants_text = false;
 #endif
+  if (wants_text && !v.text) return say(SOZAI_ERROR_ARGUMENT, "%s: its text is NULL", p->id);
   int32_t r = SOZAI_OK;
   if (v.kind == SOZAI_KIND_STRING) r = read_text(p, given->text, &v);
   if (r) return r;
@@ -203,7 +204,8 @@ int32_t settings_read(setting *out, const char *owner, const sozai_parameter *co
   }
   int32_t r = SOZAI_OK;
   for (uint32_t i = 0; preset && i <= preset_count && !r; i++) {
-    if (i == preset_count) return say(SOZAI_ERROR_UNKNOWN, "%s has no preset \"%.60s\"", owner, preset);
+    if (i == preset_count)
+      return say(SOZAI_ERROR_UNKNOWN, "%s has no preset \"%.60s\"", owner, preset);
     if (strcmp(presets[i]->id, preset) != 0) continue;
     r = read_values(out, owner, parameters, parameter_count, presets[i]->values,
                     presets[i]->value_count);
@@ -215,9 +217,8 @@ int32_t settings_read(setting *out, const char *owner, const sozai_parameter *co
   return r ? r : read_values(out, owner, parameters, parameter_count, values, value_count);
 }
 
-int32_t setting_value(const setting *s, const char *owner,
-                      const sozai_parameter *const *parameters, uint32_t count, const char *id,
-                      sozai_value *out) {
+int32_t setting_value(const setting *s, const char *owner, const sozai_parameter *const *parameters,
+                      uint32_t count, const char *id, sozai_value *out) {
   if (!id || !out) return say(SOZAI_ERROR_ARGUMENT, "value: an argument is NULL");
   int k = find(parameters, count, id);
   if (k < 0) return say(SOZAI_ERROR_UNKNOWN, "%s has no parameter \"%.60s\"", owner, id);

@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# broken.sh PROGRAM TABLE FOLDER REPORTS SANITIZED: of every line of the table the plugin
+# FOLDER/NAME.so fails the checks that it names and no others; of those after a question mark any
+# may fail.
+set -uo pipefail
+readonly program=$1 table=$2 folder=$3 reports=$4 sanitized=$5
+if [[ $sanitized == yes ]]; then
+  echo "a sanitizer's build: it would end the process before the suite sees what becomes of it"
+  exit 77
+fi
+rm -rf "$reports"
+mkdir -p "$reports"
+failed=0
+caught=0
+# shellcheck source=tests/validate/locale.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/locale.sh"
+comma=yes
+comma_locale "$reports/locales" || comma=no
+
+while read -r name _ expected _; do
+  if [[ $expected == surroundings.comma && $comma == no ]]; then
+    echo "$name: not tried, no locale with a decimal comma can be made here"
+    continue
+  fi
+  may=${expected#*\?}
+  [[ $may == "$expected" ]] && may=''
+  must=${expected%%\?*}
+  # A slow machine is no failure; but the one that never ends is not waited for.
+  limit=3600
+  [[ $name == HANGS ]] && limit=20
+  "$program" "$folder/$name.so" --seed 1 --time-limit "$limit" >"$reports/$name.txt" 2>&1
+  code=$?
+  is=$(awk '$1 == "FAILED" { print $2 }' "$reports/$name.txt" | sort)
+  must=$(tr ',' '\n' <<<"$must" | sed '/^$/d' | sort)
+  may=$(tr ',' '\n' <<<"$may" | sed '/^$/d' | sort)
+  missed=$(comm -13 <(echo "$is") <(echo "$must") | tr '\n' ' ')
+  more=$(comm -23 <(echo "$is") <(printf '%s\n%s\n' "$must" "$may" | sort -u) | tr '\n' ' ')
+  if ((code != 1)) || [[ ${missed// /} || ${more// /} ]]; then
+    echo "FAILED: $name: exit code $code; not caught by: $missed; failed besides: $more"
+    sed 's/^/  /' "$reports/$name.txt" | grep -v '^    passed' | grep .
+    failed=$((failed + 1))
+  else
+    caught=$((caught + 1))
+  fi
+done < <(grep '^[A-Z]' "$table")
+echo "$caught defects of $((caught + failed)) caught by the checks that should and no others"
+((failed == 0 && caught >= 25))
