@@ -4,13 +4,15 @@ import csv
 import os
 import subprocess
 import time
+from types import SimpleNamespace
 
 import bpy
 import numpy
 from addon_test import check, finish, look_from, refused, render, scene, scratch, sozai, \
     sozai_addon, state
 from sozai_addon import update
-from sozai_addon.grown import gltf_file, hair_file, hull, job, looks, request, strands
+from sozai_addon.grown import gltf_file, hair_file, hull, job, looks, operators, panel, \
+    request
 from sozai_addon.program import Problem
 
 SHORT = "count=300 length=4 vertices=12"
@@ -456,6 +458,140 @@ def ended():
           everything() == before)
 
 
+# ---- menus and panels, without a window --------------------------------------
+
+
+class Growing(operators.Growing):
+    """As Blender's operators are it, outside of them."""
+
+    def __init__(self, wanted):
+        self.wanted_first, self.said = wanted, []
+
+    def request(self, _context):
+        return self.wanted_first
+
+    def report(self, kind, text):
+        self.said.append((kind, text))
+
+
+def window(told):
+    """What modal operators use of a context, with a note of what they tell."""
+    real = bpy.context
+    manager = SimpleNamespace(
+        event_timer_add=lambda step, window: told.append("timer") or "timer",
+        event_timer_remove=lambda timer: told.append("no timer"),
+        modal_handler_add=lambda operator: told.append("handler"),
+        progress_begin=lambda a, b: told.append("begin"), progress_end=lambda: told.append("end"),
+        progress_update=lambda share: told.append(share))
+    return SimpleNamespace(
+        scene=real.scene, collection=real.collection, view_layer=real.view_layer, object=real.object,
+        selected_objects=list(real.selected_objects), window=None, window_manager=manager,
+        workspace=SimpleNamespace(status_text_set=told.append))
+
+
+def modal():
+    """By timer to its end; by Esc to none."""
+    told, tick = [], SimpleNamespace(type="TIMER")
+    growing = Growing(request.new("tree", "sugi", "age=4", level=3))
+    context, count = window(told), len(bpy.data.objects)
+    check("it runs on", growing.start(context) == {"RUNNING_MODAL"})
+    state_now = {"PASS_THROUGH"}
+    while state_now == {"PASS_THROUGH"}:
+        check("other events pass", growing.modal(context, SimpleNamespace(type="MOUSEMOVE")) ==
+              {"PASS_THROUGH"})
+        time.sleep(0.02)
+        state_now = growing.modal(context, tick)
+    check("finished", state_now == {"FINISHED"} and len(bpy.data.objects) == count + 1, state_now)
+    check("it says what there is", "faces" in growing.said[0][1], growing.said)
+    check("the status bar said so, and is free again", any("Esc cancels" in str(t) for t in told) and
+          told[-1] is None and "no timer" in told and "end" in told, told)
+    told.clear()
+    before = everything()
+    growing = Growing(request.new("tree", "sugi", "age=60", level=0))
+    growing.start(context)
+    growing.modal(context, tick)
+    check("ended by Esc", growing.modal(context, SimpleNamespace(type="ESC")) == {"CANCELLED"} and
+          growing.job.finished() and everything() == before and told[-1] is None)
+    growing = Growing(request.Request("tree", target="no such tree", level=8))
+    growing.start(context)
+    growing.job.process.wait()
+    check("an object that went meanwhile", growing.modal(context, tick) == {"CANCELLED"} and
+          "is gone" in growing.said[0][1] and everything() == before, growing.said)
+
+
+ICONS = bpy.types.UILayout.bl_rna.functions["prop"].parameters["icon"].enum_items
+
+
+class Layout:
+    """Takes down what is drawn; a name that there is not is a mistake."""
+
+    def __init__(self):
+        self.drawn = []
+
+    def column(self, **_named):
+        return self
+
+    row = column
+
+    def prop(self, data, name, text=None, icon="NONE"):
+        check("a property %s" % name, name in data.bl_rna.properties)
+        self.drawn.append(name)
+
+    def operator(self, name, text=None, icon="NONE"):
+        kind = getattr(bpy.ops.sozai, name.partition(".")[2]).get_rna_type()
+        check("an icon " + icon, icon in ICONS)
+        self.drawn.append(name)
+        return SimpleNamespace(bl_rna=kind)
+
+    def menu(self, name, text=None, icon="NONE"):
+        check("a menu " + name, hasattr(bpy.types, name) and icon in ICONS)
+        self.drawn.append(name)
+
+    def label(self, text="", icon="NONE"):
+        self.drawn.append(text)
+
+    def template_icon(self, icon_value, scale):
+        pass
+
+
+def drawn(cls, context):
+    layout = Layout()
+    cls.draw(SimpleNamespace(layout=layout), context)
+    return layout.drawn
+
+
+def panels():
+    obj = next(o for o in bpy.data.objects if o.type == "CURVES" and o.sozai_grown.kind == "fiber")
+    of_tree = next(o for o in bpy.data.objects if o.sozai_grown.kind == "tree")
+    previews = sozai_addon.previews.icon
+    sozai_addon.previews.icon = lambda kind, preset: 0  # each is a program's run
+    for shown, names in ((None, {"SOZAI_MT_trees", "SOZAI_MT_strands"}),
+                         (obj, {"preset", "hull", "p_count", "level", "sozai.grow_update"}),
+                         (of_tree, {"preset", "field", "p_age", "sozai.wood_of_tree"})):
+        context = SimpleNamespace(object=shown, region=SimpleNamespace(width=300))
+        got = drawn(panel.SOZAI_PT_grown, context)
+        check("the panel of %s" % shown, names <= set(got), got)
+        groups = [c for c in panel._made if hasattr(c, "bl_parent_id") and c.poll(context)]
+        got = [name for c in groups for name in drawn(c, context)]
+        if shown:
+            kind = shown.sozai_grown.kind
+            wanted = ["p_" + p["id"] for p in state.grown[kind]["parameters"]
+                      if p["kind"] != "buffer" and p["id"] != "field"]
+            check("every parameter is in a panel", sorted(got) == sorted(wanted), got)
+        else:
+            check("no parameters of nothing", not got, got)
+    sozai_addon.previews.icon = previews
+    for cls, kind in ((panel.SOZAI_MT_trees, "tree"), (panel.SOZAI_MT_strands, "fiber")):
+        got = drawn(cls, bpy.context)
+        check("a line to each preset", len(got) == len(state.grown[kind]["presets"]), got)
+    path = os.path.join(scratch, "preview.png")
+    command = sozai_addon.previews.command("grown tree", "sugi", path)
+    command[command.index("--spp") + 1] = "1"
+    subprocess.run(command, check=True)
+    image = bpy.data.images.load(path)
+    check("a species' picture", tuple(image.size) == (sozai_addon.previews.SIDE,) * 2)
+
+
 # ---- pictures ----------------------------------------------------------------
 
 
@@ -519,6 +655,8 @@ kept()
 refusals()
 files()
 ended()
+modal()
+panels()
 pictures()
 sozai_addon.unregister()
 check("nothing is left when disabled", not hasattr(bpy.types.Object, "sozai_grown") and

@@ -60,6 +60,10 @@ class Growing:
     def invoke(self, context, _event):
         if bpy.app.background or context.window is None:
             return self.execute(context)
+        return self.start(context)
+
+    def start(self, context):
+        """Let the command run; modal() hears of it from now on."""
         try:
             self.begin(context)
         except TROUBLES as trouble:
