@@ -38,7 +38,5 @@ int textures_ready(void); /* between init and deinit */
 int32_t texture_memory(const sozai_host *host, const char *id, const char *preset,
                        const sozai_value *values, uint32_t value_count, sozai_memory *out);
 extern const sozai_memory_1 memory_table;
-/* Zeroes it; ARGUMENT where it is NULL or too small. call: for the message. */
-int32_t memory_clear(sozai_memory *out, const char *call);
 
 #endif

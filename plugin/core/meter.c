@@ -128,3 +128,13 @@ int32_t host_has_room(const sozai_host *host, uint64_t bytes) {
   atomic_store(&m->refused, held > UINT64_MAX - bytes ? UINT64_MAX : held + bytes);
   return SOZAI_ERROR_MEMORY;
 }
+
+int32_t memory_clear(sozai_memory *out, const char *call) {
+  if (!out) return fail(SOZAI_ERROR_ARGUMENT, "memory: %s: out is NULL", call);
+  if (out->size < sizeof *out) {
+    return fail(SOZAI_ERROR_ARGUMENT, "memory: %s: out.size is %u: set it to sizeof(sozai_memory)",
+                call, out->size);
+  }
+  *out = (sozai_memory){.size = out->size};
+  return SOZAI_OK;
+}

@@ -31,6 +31,9 @@ void meter_reopen(meter *m, const sozai_host *host, const uint64_t ceilings[LIMI
                   sozai_host *out);
 /* What a failure was: MEMORY is LIMIT, with a message, where the ceiling was met. */
 int32_t meter_result(const meter *m, int32_t r, const char *what);
+/* An answer's beginning: all zero; ARGUMENT where it is NULL or too small. call: for the
+ * message. */
+int32_t memory_clear(sozai_memory *out, const char *call);
 
 /* The meter behind a host, or NULL: the host is one of its own. */
 meter *meter_of(const sozai_host *host);

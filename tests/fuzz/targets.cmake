@@ -46,7 +46,7 @@ endif()
 # generators, all of them: geometry.c has a list
 file(GLOB grown CONFIGURE_DEPENDS ${p}/tree/*.c ${p}/tree/species/*.c ${p}/fiber/*.c
   ${p}/fiber/materials/*.c)
-add_library(fuzz-grown STATIC grown.c values.c ${settings} ${grown} ${p}/geometry.c ${p}/memory.c
+add_library(fuzz-grown STATIC grown.c values.c ${settings} ${grown} ${p}/geometry.c
   ${p}/core/scalar.c)
 target_include_directories(fuzz-grown PUBLIC ${p})
 target_link_libraries(fuzz-grown PUBLIC sozai::api)
