@@ -135,7 +135,7 @@ rm -f made/a.png
 for from in in/none.obj in/folder.obj in/pipe.obj; do
   must_fail "mesh" "$from" render wood -o made/a.png "${tiny[@]}" --shape "$from"
   must_fail "hull" "$from" grow fiber --hull "$from" -o made/a.usda
-  printf 'material: wood\nsurface: {mesh: %s}\n' "${from#in/}" >in/meshed.sozai
+  printf 'material: wood\nsurface: {shape: mesh, mesh: %s}\n' "${from#in/}" >in/meshed.sozai
   must_fail "baked mesh" "$from" bake in/meshed.sozai -o made/a.exr --res 16x16
 done
 for from in in/none.png in/folder.png in/pipe.png; do
