@@ -46,6 +46,11 @@ static void on_signal(int number) {
   raise(number);
 }
 
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) && !defined(__SANITIZE_ADDRESS__)
+#define __SANITIZE_ADDRESS__ 1 /* as GCC says it */
+#endif
+#endif
 #if defined(__SANITIZE_ADDRESS__)
 void __asan_set_death_callback(void (*)(void));
 #endif

@@ -26,7 +26,7 @@ typedef struct values {
 void values_take(values *v, bytes *b, const sozai_parameter *const *parameters, uint32_t count);
 void values_free(values *v);
 
-/* `rows` of `columns` floats, like the range's ends, NaN, or in between. To be freed. */
+/* So many floats, mostly from low to high, by some inputs any. To be freed. */
 float *values_floats(bytes *b, size_t count, double low, double high);
 
 #ifdef __cplusplus
