@@ -343,9 +343,10 @@ static int32_t build_figure(wood_constants *w, const settings *s) {
   double density = number_at(s, P_EYE_DENSITY), diameter = number_at(s, P_EYE_DIAMETER);
   double crowd = 32.0 / (diameter * diameter);
   if (density > crowd * 1.0000001) {
-    return fail(SOZAI_ERROR_RANGE,
-                "eye_density: %.9g/cm2 leaves no room for eyes of eye_diameter = %.9g mm; 0 to %.9g", density,
-                diameter, crowd);
+    return fail(
+        SOZAI_ERROR_RANGE,
+        "eye_density: %.9g/cm2 leaves no room for eyes of eye_diameter = %.9g mm; 0 to %.9g",
+        density, diameter, crowd);
   }
   double depth = number_at(s, P_EYE_DEPTH),
          deepest = number_at(s, P_EYE_LENGTH) / (17.5 * diameter);
