@@ -88,7 +88,7 @@ INLINE void into_frame(const hull_frame *f, const vf v[3], vf out[3]) {
   out[2] = dot3(v, f->n);
 }
 
-INLINE void ground_hull(block *k) {
+INLINE void ground_hull(const fibertex_constants *w, block *k) {
   const vf zero = splat(0.0f), one = splat(1.0f);
   ground *g = &k->ground;
   for (int c = 0; c < 3; c++) {
@@ -98,7 +98,9 @@ INLINE void ground_hull(block *k) {
   }
   g->weft = g->level = zero;
   g->ambient = g->straight = g->solid = one;
-  g->around = vmax(k->f.light[2], zero);
+  /* what comes back after many strands: less of light that grazes, and to an eye that does */
+  vf in = vmax(k->f.light[2], zero), out = vmax(k->f.view[2], zero), bend = splat(w->graze);
+  g->around = in * (one + bend * (in - one)) * (one + bend * (out - one));
   g->place[0] = g->place[1] = zero;
   g->h = splatu(0);
 }
@@ -160,11 +162,13 @@ INLINE void stage_load(const fibertex_constants *w, int woven, const kernel_io *
   into_frame(&k->f, v, k->f.light);
   k->f.between = dot3(k->f.light, k->f.view);
   k->front = smooth_step(splat(-0.02f), splat(0.22f), k->f.light[2]);
-  k->inverse_up = one / vmax(k->f.light[2], splat(0.1f));
+  /* where the eye looks along the light, what it sees is lit: the way in is the way out */
+  vf apart = one + (one - k->f.between) * splat(w->opposition_sharp);
+  k->inverse_up = (one - splat(w->opposition) / (apart * apart)) / vmax(k->f.light[2], splat(0.1f));
   if (woven)
     ground_cloth(w, k, cloth.u, cloth.v, sel(lt(dot3(other, k->f.e2), zero), zero - one, one));
   else
-    ground_hull(k);
+    ground_hull(w, k);
 
   k->sum.left = k->shade = one;
   for (int c = 0; c < 2; c++) {
@@ -276,13 +280,21 @@ STAGE void looks_of(const fibertex_constants *w, int woven, const block *k, int 
     t.up2 = splat(o->up2);
     vf up = dot3(t.up, k->f.light), share = splat(o->straight);
     strand_light(w, k->f.light, k->f.view, k->f.between, &t, &white, &tinted);
-    q->around[i] = q->around[i] + splat(o->around) * (woven ? vmax(up, zero) * k->front
-                                                            : vmax(k->f.light[2], zero));
-    if (woven) share = share * flank(up);
+    q->around[i] =
+        q->around[i] + splat(o->around) * (woven ? vmax(up, zero) * k->front : k->ground.around);
+    if (woven) /* else strands across the view's slant look broader, and are more of what is seen */
+      share = share * flank(up);
+    else
+      share = share * widening(k->f.lean2[0] * t.across[0] + k->f.lean2[1] * t.across[1],
+                               w->layer[w->layers - 1].widen_most);
     q->tinted[i] = q->tinted[i] + share * tinted;
     q->white[i] = q->white[i] + share * white;
     q->straight = q->straight + share;
   }
+  if (woven || !light) return;
+  vf inverse = splat(1.0f) / q->straight;
+  q->tinted[0] = q->tinted[0] * inverse;
+  q->white[0] = q->white[0] * inverse;
 }
 
 /* Adds a density of strands: cover, with its ambient and its straight light. */

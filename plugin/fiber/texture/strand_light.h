@@ -52,7 +52,7 @@ INLINE void strand_light(const fibertex_constants *w, const vf light[3], const v
   vf cl2 = vmax(one - sl * sl - sl2, splat(0.01f)), cv2 = vmax(one - sv * sv - sv2, splat(0.01f));
   vf round = clamp((between - sl * sv - both) * inverse_root(cl2 * cv2), splat(-1.0f), one);
   vf sum = sl + sv;
-  vf back = one + round, ahead = (one - round) * splat(0.5f);
+  vf back = one + round, ahead = vmax(splat(0.25f) - splat(0.5f) * round, zero);
   /* the cosine of the inclination, as a polynomial of its sine: its mean is known */
   vf x = sl * sl, fourth = x * x + splat(6.0f) * x * sl2 + splat(3.0f) * sl2 * sl2;
   vf cosine = vmax(splat(0.985f) - splat(0.3f) * (x + sl2) - splat(0.55f) * fourth, zero);
@@ -63,9 +63,11 @@ INLINE void strand_light(const fibertex_constants *w, const vf light[3], const v
     lobe[i] = splat(w->gloss[i]) * bell(sum - splat(w->tilt[i]), sharp * splat(w->sharp[i]));
   }
   /* azimuthal parts: over all round each is 1 / 2 pi; times pi for the irradiance */
-  *white = lobe[0] * back * splat(0.5f) * cosine;
-  *tinted = (lobe[1] * ahead * ahead * splat(1.3333333f) + lobe[2] * back * splat(0.5f)) * cosine +
-            splat(w->single) * cosine;
+  /* dim where light only grazes the ground */
+  vf through = lobe[1] * ahead * ahead * splat(2.82986f) * cosine;
+  through = through * vmin(vmax(light[2], zero) * splat(w->grazing), one);
+  *white = lobe[0] * back * splat(0.5f) * cosine + splat(w->pale) * through;
+  *tinted = through + lobe[2] * back * splat(0.5f) * cosine + splat(w->single) * cosine;
 }
 
 #endif

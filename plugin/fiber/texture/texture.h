@@ -112,7 +112,13 @@ typedef struct {
   float gloss[3], tilt[3], sharp[3]; /* of R, TT and TRT; the last over R's */
   float beta2;                       /* R's variance */
   float single, multiple;            /* diffuse: of light met once, and often */
-  float strand_alpha2;               /* roughness of a strand */
+  float pale;                        /* of what goes through: white over tinted */
+  float grazing; /* 1 over the sine of light's elevation that it begins to fade at */
+  float graze;   /* loss of what is met often, of light or view at a slant */
+  /* how much less is shaded of what is seen along the light; how soon that ends as the
+   * two part: over 1 - their cosine */
+  float opposition, opposition_sharp;
+  float strand_alpha2; /* roughness of a strand */
   uint32_t seed;
 } fibertex_constants;
 

@@ -1,0 +1,240 @@
+/* SPDX-License-Identifier: Apache-2.0
+ * Row 10: light on curves and on the texture of one aggregate. Rays go to and fro between
+ * the strands of a slab (slab.h), and the texture of the same diameter, packing, thickness,
+ * rise and fibre answers under five footprints. Prints the table of docs/fiber-texture.md. */
+#include <dlfcn.h>
+#include <math.h>
+#include "slab.h"
+
+enum { SCALES = 5, POINTS = 8192 };
+
+/* ---- the texture ------------------------------------------------------- */
+
+static const sozai_textures_1 *textures_of(void) {
+  void *library = dlopen(SOZAI_TEST_PLUGIN, RTLD_NOW | RTLD_LOCAL);
+  const sozai_entry_v1 *entry = library ? dlsym(library, SOZAI_ENTRY_SYMBOL) : NULL;
+  assert_non_null(entry);
+  return entry->get_factory(SOZAI_TEXTURES_1);
+}
+
+static double encoded(double x) {
+  return x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1 / 2.4) - 0.055;
+}
+
+static sozai_texture *texture_of(const slab *b, const sozai_textures_1 *textures) {
+  const aggregate *a = b->of;
+#define NUMBER_(i, x)                                                                              \
+  {                                                                                                \
+    .id = i, .kind = SOZAI_KIND_FLOAT, .number = { x }                                             \
+  }
+  const sozai_value values[] = {
+      NUMBER_("diameter", a->diameter),
+      NUMBER_("diameter_spread", 0),
+      NUMBER_("thickness", a->thick),
+      NUMBER_("packing", b->packing),
+      NUMBER_("flyaway", 0),
+      NUMBER_("crimp", 0),
+      NUMBER_("alignment", 0),
+      NUMBER_("elevation", 0),
+      NUMBER_("elevation_spread", atan(b->rise) * 180 / PI),
+      NUMBER_("second_share", 0),
+      NUMBER_("variation", 0),
+      {.id = "colour",
+       .kind = SOZAI_KIND_COLOUR,
+       .number = {encoded((double)colours[0]), encoded((double)colours[1]),
+                  encoded((double)colours[2])},
+       .text = "sRGB"},
+  };
+  sozai_texture *t;
+  if (textures->create(NULL, "fiber", a->preset, values, sizeof values / sizeof *values, &t))
+    fail_msg("%s", textures->last_error());
+  return t;
+}
+
+static double random_of(uint32_t *state) {
+  *state = *state * 1664525u + 1013904223u;
+  return (double)(*state >> 8) / 16777216.0;
+}
+
+/* Mean radiance of the three colours. */
+static void look_at_texture(const sozai_texture *t, const sozai_textures_1 *textures, vec view,
+                            vec light, double footprint, double got[3]) {
+  enum { RADIANCE = 3, COMPONENTS = 17 };
+  static float in[10][POINTS], normal[3][POINTS], out[3][POINTS];
+  uint32_t r = 9;
+  for (int i = 0; i < POINTS; i++) {
+    /* the hull's frame turns with the ground, as the curves' view does */
+    double turn = 2 * PI * random_of(&r), c = cos(turn), d = sin(turn);
+    for (int k = 0; k < 2; k++) in[k][i] = (float)(400 * random_of(&r));
+    const vec *of[2] = {&view, &light};
+    for (int q = 0; q < 2; q++) {
+      double x = (double)of[q]->x, y = (double)of[q]->y;
+      in[3 + 3 * q][i] = (float)(c * x - d * y);
+      in[4 + 3 * q][i] = (float)(d * x + c * y);
+      in[5 + 3 * q][i] = of[q]->z;
+    }
+    in[9][i] = (float)footprint;
+    normal[2][i] = 1;
+  }
+  float *outs[COMPONENTS] = {0};
+  for (int k = 0; k < 3; k++) outs[RADIANCE + k] = out[k];
+  sozai_batch q = {.size = sizeof q,
+                   .count = POINTS,
+                   .point = {in[0], in[1], in[2]},
+                   .normal = {normal[0], normal[1], normal[2]},
+                   .view = {in[3], in[4], in[5]},
+                   .light = {in[6], in[7], in[8]},
+                   .footprint = in[9],
+                   .out = outs,
+                   .out_count = COMPONENTS};
+  assert_int_equal(textures->evaluate(t, &q), SOZAI_OK);
+  for (int k = 0; k < 3; k++) {
+    got[k] = 0;
+    for (int i = 0; i < POINTS; i++) got[k] += (double)out[k][i] / POINTS;
+  }
+}
+
+/* ---- both -------------------------------------------------------------- */
+
+static void compare(const aggregate *a) {
+  static const double footprints[SCALES] = {0, 0.03, 0.3, 3, 30};
+  static const char *const names[3] = {"white", "wool", "dark"};
+  slab b;
+  grow_slab(&b, a);
+  const sozai_textures_1 *textures = textures_of();
+  sozai_texture *t = texture_of(&b, textures);
+  print_message(
+      "%s: packing %.3f, %g mm; of each colour curves (+- chance), texture, parts apart\n", a->name,
+      b.packing, a->thick);
+  double all[3] = {0}, all_seen[3] = {0}, worst[3] = {0}, apart = 0;
+  for (int v = 0; v < VIEWS; v++) {
+    seen s = look_at_curves(&b, v, a->rays);
+    for (int l = 0; l < LIGHTS; l++) {
+      double got[SCALES][3], mean[3] = {0};
+      vec towards = aim(lights[l][0], lights[l][1]);
+      for (int f = 0; f < SCALES; f++) {
+        look_at_texture(t, textures, aim(views[v], 0), towards, footprints[f], got[f]);
+        for (int k = 0; k < 3; k++) mean[k] += got[f][k] / SCALES;
+      }
+      print_message("  view %2.0f light %2.0f at %3.0f:", views[v], lights[l][0], lights[l][1]);
+      for (int k = 0; k < 3; k++) {
+        double square = s.square[l][k] - s.sum[l][k] * s.sum[l][k];
+        double chance = sqrt(fmax(square, 0) / a->rays), off = mean[k] / s.sum[l][k] - 1;
+        print_message(" %s %.3f (%.3f) %.3f %+3.0f %%", names[k], s.sum[l][k], chance, mean[k],
+                      100 * off);
+        double beyond = fabs(mean[k] - s.sum[l][k]) - 3 * chance;
+        worst[k] = fmax(worst[k], beyond / s.sum[l][k]);
+        for (int f = 0; f < SCALES; f++) apart = fmax(apart, fabs(got[f][k] / mean[k] - 1));
+        all[k] += s.sum[l][k];
+        all_seen[k] += mean[k];
+      }
+      print_message("\n");
+    }
+  }
+  for (int k = 0; k < 3; k++) {
+    double off = all_seen[k] / all[k] - 1;
+    print_message(
+        "  %s: the mean of all %+.1f %% (%.0f allowed); one by one %.0f %% (%.0f) beyond chance\n",
+        names[k], 100 * off, 100 * a->mean[k], 100 * worst[k], 100 * a->each[k]);
+  }
+  print_message("  scales from their mean: %.1f %%\n", 100 * apart);
+  for (int k = 0; k < 3; k++) {
+    assert_true(fabs(all_seen[k] / all[k] - 1) <= a->mean[k]);
+    assert_true(worst[k] <= a->each[k]);
+  }
+  assert_true(apart <= a->apart);
+  textures->destroy(t);
+  free_slab(&b);
+}
+
+static const aggregate list[] = {
+    {.name = "felt",
+     .preset = "felt",
+     .diameter = 20,
+     .length = 1.2,
+     .side = 3,
+     .thick = 4,
+     .packing = 0.1,
+     .squeeze = 0.3,
+     .roughness = 10,
+     .round = 0.4f,
+     .tilt = 3,
+     .index = 1.553f,
+     .rays = 6000,
+     .mean = {0.05, 0.11, 0.07},
+     .each = {0.08, 0.26, 0.19},
+     .apart = 0.095},
+    {.name = "merino",
+     .preset = "wool_merino",
+     .diameter = 20,
+     .length = 1.2,
+     .side = 3,
+     .thick = 10,
+     .packing = 0.03,
+     .squeeze = 0.3,
+     .roughness = 9,
+     .round = 0.35f,
+     .tilt = 3,
+     .index = 1.553f,
+     .rays = 6000,
+     .mean = {0.05, 0.13, 0.07},
+     .each = {0.06, 0.24, 0.14},
+     .apart = 0.095},
+    {.name = "cotton",
+     .preset = "cotton",
+     .diameter = 14,
+     .length = 1.2,
+     .side = 3,
+     .thick = 12,
+     .packing = 0.02,
+     .squeeze = 0.5,
+     .roughness = 14,
+     .round = 0.55f,
+     .index = 1.55f,
+     .rays = 6000,
+     .mean = {0.05, 0.08, 0.05},
+     .each = {0.22, 0.26, 0.30},
+     .apart = 0.09},
+    {.name = "thin",
+     .preset = "felt",
+     .diameter = 20,
+     .length = 1.2,
+     .side = 5,
+     .thick = 0.7,
+     .packing = 0.03,
+     .squeeze = 0.5,
+     .roughness = 10,
+     .round = 0.4f,
+     .tilt = 3,
+     .index = 1.553f,
+     .rays = 12000,
+     .mean = {0.53, 0.07, 0.29},
+     .each = {1.0, 0.27, 0.31},
+     .apart = 0.1},
+    {.name = "half-thick",
+     .preset = "felt",
+     .diameter = 20,
+     .length = 1.2,
+     .side = 5,
+     .thick = 2.7,
+     .packing = 0.03,
+     .squeeze = 0.5,
+     .roughness = 10,
+     .round = 0.4f,
+     .tilt = 3,
+     .index = 1.553f,
+     .rays = 8000,
+     .mean = {0.26, 0.18, 0.23},
+     .each = {0.41, 0.30, 0.23},
+     .apart = 0.075},
+};
+
+static void all_of_them(void **unused) {
+  (void)unused;
+  for (unsigned i = 0; i < sizeof list / sizeof *list; i++) compare(&list[i]);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {cmocka_unit_test(all_of_them)};
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
