@@ -81,15 +81,10 @@ static void smaller_struct(void **unused) {
     sozai_batch s;
     memcpy(&s, cut, sizeof s);
     int32_t r = evaluate(&s);
-    /* without out_count nothing is wanted; a member cut in two has its low
-     * bytes alone */
-    if (size <= offsetof(sozai_batch, out_count)) {
-      assert_int_equal(r, SOZAI_OK);
-      assert_int_equal(batch_spilt(&b, 0), 0);
-    } else if (size >= offsetof(sozai_batch, reserved)) {
-      assert_int_equal(r, SOZAI_OK);
-      assert_true(same_as_whole(16));
-    }
+    /* structs are whole eights of bytes: out_count, in the last, is left out, and
+     * without it nothing is wanted */
+    assert_int_equal(r, SOZAI_OK);
+    assert_int_equal(batch_spilt(&b, 0), 0);
   }
 }
 

@@ -120,7 +120,7 @@ void includes(void **) {
     direct_write(("deep" + std::to_string(i) + ".sozai").c_str(),
                  ("include: deep" + std::to_string(i + 1) + ".sozai\n").c_str());
   direct_write("deep10.sozai", "material: wood\n");
-  refuse(folder + "deep0.sozai", {"more than 8"});
+  refuse(folder + "deep0.sozai", {"recipe_includes, 8"});
   direct_write("wrong.sozai", "material: wood\nparams: {ring_width: wide}\n");
   refuse_text("include: wrong.sozai\n", {"wrong.sozai:2:", "ring_width"}); // where it stands
   refuse_text("include: deep10.sozai\nparams: {grain: odd}\n", {"bad.sozai:2:", "grain"});
@@ -163,7 +163,7 @@ void hostile(void **) {
   refuse_text("%YAML 9.9\n---\nmaterial: wood\n", {"bad.sozai"});
   refuse_text("material: wood\n---\nmaterial: stone\n", {"document"});
   refuse_text("material: " + std::string(70000, 'w') + "\n", {"too long"});
-  refuse_text("material: wood\n#" + std::string(2000000, 'x'), {"longer than"});
+  refuse_text("material: wood\n#" + std::string(2000000, 'x'), {"recipe_bytes, 1048576"});
   std::string longest(4000, 'n');
   refuse("/tmp/" + longest + ".sozai", {"cannot read"});
   refuse(direct_folder(), {"not a .sozai file"});
