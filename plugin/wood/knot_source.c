@@ -48,8 +48,8 @@ static int32_t check_knots(knot_source *k, const sozai_host *host, const sozai_b
       {KNOT_BIRTH, 0, 10000},    {KNOT_DEATH, -1, 10000},       {KNOT_SHED, -1, 10000},
       {KNOT_AZIMUTH, -100, 100}, {KNOT_INCLINATION, -1.3, 1.3}, {KNOT_HEIGHT, -2e5, 2e5},
       {KNOT_RADIUS, 0, 1000},    {KNOT_FIRST, 0, ROWS_MOST},    {KNOT_COUNT, 0, 10000}};
-  return check_table("knots", host, b, KNOT_COLUMNS, LIMIT_KNOTS, tree_table_infos[TABLE_KNOTS], ranges,
-                     sizeof ranges / sizeof *ranges, &k->knots);
+  return check_table("knots", host, b, KNOT_COLUMNS, LIMIT_KNOTS, tree_table_infos[TABLE_KNOTS],
+                     ranges, sizeof ranges / sizeof *ranges, &k->knots);
 }
 
 static int32_t check_radii(knot_source *k, const sozai_host *host, const sozai_buffer *b) {
@@ -71,8 +71,8 @@ static int32_t check_radii(knot_source *k, const sozai_host *host, const sozai_b
 static int32_t check_rings(knot_source *k, const sozai_host *host, const sozai_buffer *b) {
   static const column_range ranges[] = {
       {RING_YEAR, 0, 10000}, {RING_HEIGHT, -2e5, 2e5}, {RING_RADIUS, 0, 20000}};
-  int32_t r = check_table("stem_rings", host, b, RING_COLUMNS, LIMIT_TABLE_ROWS, tree_table_infos[TABLE_RINGS],
-                          ranges, 3, &k->rings);
+  int32_t r = check_table("stem_rings", host, b, RING_COLUMNS, LIMIT_TABLE_ROWS,
+                          tree_table_infos[TABLE_RINGS], ranges, 3, &k->rings);
   if (r) return r;
   const float *rows = k->rings.rows;
   uint64_t n = 1;
