@@ -184,8 +184,8 @@ static bool make_pictures(gallery *g, failure *why) {
   const shot *end = gallery_shots + gallery_shot_count;
   for (const shot *s = gallery_shots; s < end;) {
     uint32_t each = 0;
-    while (s + each < end && s[each].each_preset &&
-           s[each].more == s->more && strcmp(material_of(s + each), material_of(s)) == 0)
+    while (s + each < end && s[each].each_preset && s[each].more == s->more &&
+           strcmp(material_of(s + each), material_of(s)) == 0)
       each++;
     if (s->more && !g->all) {
       s += each ? each : 1;
@@ -249,8 +249,8 @@ int run_gallery(int argc, char **argv) {
   const option options[] = {
       {"output", 'o', OPTION_TEXT, &folder, "DIR", "folder for the pictures; made if need be", 0,
        0},
-      {"all", 0, OPTION_FLAG, &all, NULL, "every picture: some minutes; without it a choice of them",
-       0, 0},
+      {"all", 0, OPTION_FLAG, &all, NULL,
+       "every picture: some minutes; without it a choice of them", 0, 0},
       {"spp", 0, OPTION_COUNT, &spp, "N", "samples per pixel (default: 16)", 1, VIEW_MOST_SAMPLES},
       SESSION_DISPLAY_OPTIONS(shared),
       SESSION_RUN_OPTIONS(shared)};
@@ -263,7 +263,8 @@ int run_gallery(int argc, char **argv) {
                              .option_count = sizeof options / sizeof options[0]};
   int parsed = options_parse(&line, argc, argv, NULL, &why);
   int code = 0;
-  if (parsed == OPTIONS_BAD || (parsed == OPTIONS_RUN && !make_gallery(&shared, folder, spp, all, &why)))
+  if (parsed == OPTIONS_BAD ||
+      (parsed == OPTIONS_RUN && !make_gallery(&shared, folder, spp, all, &why)))
     code = report(&why);
   session_options_free(&shared);
   return code;

@@ -205,8 +205,8 @@ INLINE void cells_add(const stone_cells *c, vu h, const vi at[3], vf share, vf u
 
 /* A square well below a cell's size: the two cells that it meets. nearest: the one
  * that its middle is in. */
-INLINE void cells_look(const stone_cells *c, const vf p[3], const cells_square *s,
-                       cells_cover *out, vu *nearest) {
+INLINE void cells_look(const stone_cells *c, const vf p[3], const cells_square *s, cells_cover *out,
+                       vu *nearest) {
   vf q[3], share[2];
   vf uneven = cells_place(c, p, q) * splat(1.3f * c->variation) + splat(1.0f);
   cells_near near[2];

@@ -104,8 +104,7 @@ STAGE void stage_fabric(const stone_constants *w, block *k) {
   k->speck = k->hole = zero;
   if (w->layer[LAYER_GRAINS].on) {
     cells_cover q;
-    k->crystal_known =
-        cells_at(&w->layer[LAYER_GRAINS], k->p, k->t1, k->t2, k->s, &q, &k->crystal);
+    k->crystal_known = cells_at(&w->layer[LAYER_GRAINS], k->p, k->t1, k->t2, k->s, &q, &k->crystal);
     weight[COLOUR_BASE] = q.toned[0];
     weight[COLOUR_SECOND] = q.toned[1];
     weight[COLOUR_THIRD] = q.toned[2];
