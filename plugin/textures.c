@@ -188,7 +188,7 @@ static int32_t evaluate(const sozai_texture *t, const sozai_batch *batch) {
                   batch->size);
     }
     memset(&copy, 0, sizeof copy);
-    memcpy(&copy, batch, whole_members(batch->size, sizeof copy));
+    memcpy(&copy, batch, whole_members(batch->size, sizeof copy, PAIR_AT(sozai_batch, out_count)));
     batch = &copy;
   }
   uint32_t components = t->info->component_count, count = batch->out_count;

@@ -126,7 +126,8 @@ const char *result_name(int32_t result) {
                                       "SOZAI_ERROR_CANCELLED (-7)",
                                       "SOZAI_ERROR_FILE (-8)",
                                       "SOZAI_ERROR_COLOUR (-9)",
-                                      "SOZAI_ERROR_STATE (-10)"};
+                                      "SOZAI_ERROR_STATE (-10)",
+                                      "SOZAI_ERROR_LIMIT (-11)"};
   if (result <= 0 && result > -(int32_t)COUNT_OF(names)) return names[-result];
   static _Thread_local char text[40];
   snprintf(text, sizeof text, "the unknown result %d", (int)result);

@@ -172,7 +172,7 @@ static int32_t check_text(const sozai_host *host, const sozai_parameter *p, cons
 static sozai_buffer whole_buffer(const sozai_buffer *given) {
   sozai_buffer b;
   memset(&b, 0, sizeof b);
-  memcpy(&b, given, whole_members(given->size, sizeof b));
+  memcpy(&b, given, whole_members(given->size, sizeof b, PAIR_AT(sozai_buffer, wrap)));
   return b;
 }
 

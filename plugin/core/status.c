@@ -79,7 +79,7 @@ int read_number(const char *text, const char *end, double *out) {
 sozai_host host_copy(const sozai_host *host) {
   sozai_host h;
   memset(&h, 0, sizeof h);
-  if (host) memcpy(&h, host, whole_members(host->size, sizeof h));
+  if (host) memcpy(&h, host, whole_members(host->size, sizeof h, PAIR_AT(sozai_host, limit_count)));
   return h;
 }
 

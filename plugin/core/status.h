@@ -5,6 +5,8 @@
 #ifndef SOZAI_CORE_STATUS_H
 #define SOZAI_CORE_STATUS_H
 
+#include <stddef.h>
+
 #include "../../api/sozai.h"
 
 /* Keep a message for last_error() on this thread, numbers written as in C
@@ -16,10 +18,14 @@ const char *fail_message(void);
 int read_number(const char *text, const char *end, double *out);
 
 /* Bytes to copy of a struct that the host says is `size` long and this plugin knows `known` bytes
- * of: a member that would be cut in two, half a pointer, is left out. */
-static inline size_t whole_members(uint32_t size, size_t known) {
-  return (size < known ? size : known) & ~(size_t)7;
+ * of: a member that would be cut in two, half a pointer, is left out. pairs: bit k of it says that
+ * two members of four bytes stand at byte 8 k, of which the first alone may be there. */
+static inline size_t whole_members(uint32_t size, size_t known, uint64_t pairs) {
+  if (size >= known) return known;
+  size_t eights = size / 8u;
+  return eights * 8u + (size % 8u >= 4u && eights < 64u && pairs >> eights & 1u ? 4u : 0u);
 }
+#define PAIR_AT(type, first) (1ull << offsetof(type, first) / 8u)
 
 /* The host's members, zero where its struct is older. */
 sozai_host host_copy(const sozai_host *host);

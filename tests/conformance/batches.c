@@ -81,10 +81,12 @@ static void smaller_struct(void **unused) {
     sozai_batch s;
     memcpy(&s, cut, sizeof s);
     int32_t r = evaluate(&s);
-    /* structs are whole eights of bytes: out_count, in the last, is left out, and
-     * without it nothing is wanted */
     assert_int_equal(r, SOZAI_OK);
-    assert_int_equal(batch_spilt(&b, 0), 0);
+    /* without the whole of out_count nothing is wanted */
+    if (size < offsetof(sozai_batch, reserved))
+      assert_int_equal(batch_spilt(&b, 0), 0);
+    else
+      assert_true(same_as_whole(16));
   }
 }
 

@@ -101,21 +101,19 @@ for words in "png|render wood --res 16x16 --spp 1" "exr|bake wood --size 40x20 -
 done
 
 # ---- folders of files ------------------------------------------------------------------
-for words in "saw --species sugi --age 20 --log-length 300 --res 320x320"; do
-  read -ra arguments <<<"$words"
-  err=$( (
-    ulimit -f 1
-    "$sozai" "${arguments[@]}" -o made/set 2>&1 >/dev/null
-    echo "exit $?"
-  ) | cat)
-  code=${err##*exit }
-  check "full: sozai $words fails: $err" test "$code" -ne 0 -a "$code" -lt 126
-  same "full: no half file is left by sozai $words" "" \
-    "$(find made -type f \( -name '.*' -o -size 0 -o -size +2 \))"
-  rm -rf made
-  mkdir made
-  must_fail "a file for a folder" "in/mesh.obj" "${arguments[@]}" -o in/mesh.obj
-done
+readonly sawn=(saw --species sugi --age 20 --log-length 300 --res 320x320)
+err=$( (
+  ulimit -f 1
+  "$sozai" "${sawn[@]}" -o made/set 2>&1 >/dev/null
+  echo "exit $?"
+) | cat)
+code=${err##*exit }
+check "full: sozai ${sawn[*]} fails: $err" test "$code" -ne 0 -a "$code" -lt 126
+same "full: no half file is left by sozai ${sawn[*]}" "" \
+  "$(find made -type f \( -name '.*' -o -size 0 -o -size +2 \))"
+rm -rf made
+mkdir made
+must_fail "a file for a folder" "in/mesh.obj" "${sawn[@]}" -o in/mesh.obj
 # their pictures take minutes: before any is drawn
 must_fail "a file for a folder" "in/mesh.obj" figures stone-06 -o in/mesh.obj
 

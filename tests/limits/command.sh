@@ -34,8 +34,8 @@ works render wood -o a.png "${small[@]}" --limit texture_bytes=1M
 refuses 2 "geometry_bytes, 1024" grow tree -o a.obj -p age=3 --limit geometry_bytes=1K
 refuses 2 "mesh_bytes, 1024" grow tree -o a.obj -p age=3 --limit mesh_bytes=1K
 refuses 2 "strands, 9" grow fiber --hull ball -o a.usda -p count=10 --limit strands=9
-SOZAI_LIMITS=leaves=10 refuses 2 "leaves, 10" grow tree -o a.obj --species cherry -p age=6 -p orders=3
-SOZAI_LIMITS=leaves=10 works grow tree -o a.obj --species cherry -p age=6 -p orders=3 --limit leaves=1M
+SOZAI_LIMITS=leaves=10 refuses 2 "leaves, 10" grow tree -o a.obj --species cherry -p age=6 -p orders=4
+SOZAI_LIMITS=leaves=10 works grow tree -o a.obj --species cherry -p age=6 -p orders=4 --limit leaves=1M
 printf 'px,py,pz\n0,0,0\n' >points.csv
 refuses 2 "texture_bytes, 1" eval wood --limit texture_bytes=1 <points.csv
 refuses 2 "texture_bytes, 1" bake wood -o a.exr --size 10x10 --res 8x8 --limit texture_bytes=1

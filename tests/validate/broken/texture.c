@@ -271,7 +271,7 @@ static int32_t refuse(const sozai_batch *b) {
 }
 
 #ifdef RACE
-static float scratch[COMPONENTS];
+static volatile float scratch[COMPONENTS]; /* or the compiler need not read it again */
 #endif
 #ifdef STATIC_STATE
 static uint32_t calls;
@@ -336,9 +336,9 @@ static int32_t evaluate(const sozai_texture *t, const sozai_batch *given_batch) 
     float out[COMPONENTS];
     answer(t, &b, i, out);
 #ifdef RACE
-    memcpy(scratch, out, sizeof out);
+    for (uint32_t c = 0; c < COMPONENTS; c++) scratch[c] = out[c];
     sched_yield();
-    memcpy(out, scratch, sizeof out);
+    for (uint32_t c = 0; c < COMPONENTS; c++) out[c] = scratch[c];
 #endif
 #ifdef LANE_LEAK
     if (i % 8 && b.footprint && !(b.footprint[i - 1] == b.footprint[i - 1])) out[C_HEIGHT] = 0;
