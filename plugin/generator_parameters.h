@@ -8,22 +8,11 @@
 
 #include "core/preset.h"
 
-#define N_(name, i, l, g, u, h0, h1, s0, s1, d, t)                                                 \
+#define N_(...) NUMBER_ROW_(SOZAI_KIND_FLOAT, __VA_ARGS__)
+#define I_(...) NUMBER_ROW_(SOZAI_KIND_INT, __VA_ARGS__)
+#define NUMBER_ROW_(k, name, i, l, g, u, h0, h1, s0, s1, d, t)                                     \
   static const sozai_parameter p_##name = {.size = sizeof(sozai_parameter),                        \
-                                           .kind = SOZAI_KIND_FLOAT,                               \
-                                           .id = i,                                                \
-                                           .label = l,                                             \
-                                           .group = g,                                             \
-                                           .unit = u,                                              \
-                                           .doc = t,                                               \
-                                           .hard_min = h0,                                         \
-                                           .hard_max = h1,                                         \
-                                           .soft_min = s0,                                         \
-                                           .soft_max = s1,                                         \
-                                           .default_number = {d}};
-#define I_(name, i, l, g, u, h0, h1, s0, s1, d, t)                                                 \
-  static const sozai_parameter p_##name = {.size = sizeof(sozai_parameter),                        \
-                                           .kind = SOZAI_KIND_INT,                                 \
+                                           .kind = k,                                              \
                                            .id = i,                                                \
                                            .label = l,                                             \
                                            .group = g,                                             \

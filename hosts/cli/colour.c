@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "colour_report.h"
+#include "output_file.h"
 #include "commands.h"
 
 static const char *why_chosen(const session *s, const session_options *o) {
@@ -72,9 +73,7 @@ static bool print_report(const char *name, const session_options *o, bool as_jso
   for (size_t i = 0; i < r.use_count; i++) spaces_free(&r.uses[i].spaces);
   free(r.uses);
   session_close(&s);
-  if (ok && (fflush(stdout) != 0 || ferror(stdout)))
-    ok = fail(why, EXIT_FAILURE, "cannot write standard output");
-  return ok;
+  return ok && output_printed(why);
 }
 
 int run_colour(int argc, char **argv) {

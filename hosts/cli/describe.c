@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include "commands.h"
 #include "options.h"
+#include "output_file.h"
 #include "plugin.h"
 #include "recipe.h"
 
@@ -87,7 +88,5 @@ int run_describe(int argc, char **argv) {
   }
   plugin_close(&p);
   if (!info && !grown) return report(&why);
-  if (fflush(stdout) == 0 && !ferror(stdout)) return 0;
-  fail(&why, EXIT_FAILURE, "cannot write standard output");
-  return report(&why);
+  return output_printed(&why) ? 0 : report(&why);
 }

@@ -64,16 +64,6 @@ static float number_of(const sozai_geometry_1 *table, const sozai_geometry *g, c
 
 /* ---- light ------------------------------------------------------------- */
 
-typedef struct draw {
-  uint32_t state;
-} draw;
-
-static float next(draw *d) {
-  d->state = d->state * 747796405u + 2891336453u;
-  uint32_t x = ((d->state >> ((d->state >> 28) + 4)) ^ d->state) * 277803737u;
-  return sample_unit(x >> 22 ^ x);
-}
-
 static vec colour_of(const view *w, uint32_t curve) {
   uint32_t part = 0;
   const sozai_curves *c = w->curves;
@@ -99,9 +89,9 @@ static vec leave(const strand_hit *h, vec direction) {
 }
 
 static vec key_light(const view *w, const fiber_lobe *lobe, const fiber_view_from *f,
-                     const strand_hit *h, draw *d) {
+                     const strand_hit *h, sample_stream *d) {
   const studio *st = &w->studio;
-  float r = st->light_spread * sqrtf(next(d)), turn = 6.2831853f * next(d);
+  float r = st->light_spread * sqrtf(sample_next(d)), turn = 6.2831853f * sample_next(d);
   vec towards = vec_along(st->light, r * cosf(turn), st->light_s);
   towards = vec_unit(vec_along(towards, r * sinf(turn), st->light_t));
   vec value = fiber_lobe_value(lobe, f, towards);
@@ -126,7 +116,7 @@ static vec surroundings(const view *w, vec origin, vec direction) {
   return vec_scale(0.3f + 0.7f * fminf(1, d * d), st->lit_floor);
 }
 
-static vec follow(const view *w, strand_hit h, vec direction, draw *d) {
+static vec follow(const view *w, strand_hit h, vec direction, sample_stream *d) {
   vec sum = {0, 0, 0}, through = {1, 1, 1}, weight, origin;
   for (uint32_t bounce = 0; bounce <= w->how->bounces; bounce++) {
     vec absorption = fiber_lobe_absorption(colour_of(w, h.curve), w->round);
@@ -141,12 +131,12 @@ static vec follow(const view *w, strand_hit h, vec direction, draw *d) {
     if (bounce && most > 3) lit = vec_scale(3 / most, lit);
     sum = vec_add(sum, lit);
     float u[4];
-    for (int k = 0; k < 4; k++) u[k] = next(d);
+    for (int k = 0; k < 4; k++) u[k] = sample_next(d);
     direction = fiber_lobe_sample(lobe, &f, u, &weight);
     through = vec_mul(through, weight);
     if (bounce >= ROULETTE_FROM) {
       float keep = fminf(0.97f, fmaxf(through.x, fmaxf(through.y, through.z)));
-      if (!(next(d) < keep)) break;
+      if (!(sample_next(d) < keep)) break;
       through = vec_scale(1 / keep, through);
     }
     origin = leave(&h, direction);
@@ -183,7 +173,7 @@ static void draw_row(void *context, uint32_t y) {
       float u, v;
       vec origin, direction, got;
       strand_hit h;
-      draw d = {sample_hash(seed ^ (i + 1) * 0x9e3779b9u)};
+      sample_stream d = {sample_hash(seed ^ (i + 1) * 0x9e3779b9u)};
       sample_pair(seed, i, PAIR_PIXEL, &u, &v);
       camera_ray(&w->camera, (float)x + u, (float)y + v, f->width, f->height, &origin, &direction);
       if (strands_trace(w->strands, origin, direction, &h)) {

@@ -10,6 +10,7 @@
 #include "json.h"
 #include "ceilings.h"
 #include "options.h"
+#include "output_file.h"
 #include "plugin.h"
 
 typedef struct row {
@@ -104,7 +105,5 @@ int run_limits(int argc, char **argv) {
   }
   plugin_close(&p);
   if (!ok) return report(&why);
-  if (fflush(stdout) == 0 && !ferror(stdout)) return 0;
-  fail(&why, EXIT_FAILURE, "cannot write standard output");
-  return report(&why);
+  return output_printed(&why) ? 0 : report(&why);
 }

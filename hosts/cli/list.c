@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include "json.h"
 #include "options.h"
+#include "output_file.h"
 #include "plugin.h"
 
 static void print_presets(const char *id, const char *label, const sozai_preset *const *presets,
@@ -72,7 +73,5 @@ int run_list(int argc, char **argv) {
   else
     print_text(p.textures, geometry);
   plugin_close(&p);
-  if (fflush(stdout) == 0 && !ferror(stdout)) return 0;
-  fail(&why, EXIT_FAILURE, "cannot write standard output");
-  return report(&why);
+  return output_printed(&why) ? 0 : report(&why);
 }

@@ -107,9 +107,7 @@ static bool match_photo(const request *q, session *s, recipe *r, photo *p, const
                             .width_assumed = q->width <= 0};
   if (q->output && !write_recipe(q, &all, why)) return false;
   match_print(stdout, &all, "");
-  if (fflush(stdout) != 0 || ferror(stdout))
-    return fail(why, EXIT_FAILURE, "cannot write standard output");
-  return true;
+  return output_printed(why);
 }
 
 static bool match_with(request *q, session *s, const char *path, failure *why) {

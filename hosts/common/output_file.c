@@ -67,3 +67,8 @@ void output_discard(output_file *o) {
   if (o->writing && !o->in_place) unlink(o->writing);
   forget(o);
 }
+
+bool output_printed(failure *why) {
+  return (fflush(stdout) == 0 && !ferror(stdout)) ||
+         fail(why, EXIT_FAILURE, "cannot write standard output");
+}

@@ -18,4 +18,7 @@ bool output_commit(output_file *o, failure *why);
 /* Forget the file. Harmless after a commit, or on a zeroed struct. */
 void output_discard(output_file *o);
 
+/* Whether what was printed to standard output was taken; if not, that is said. */
+bool output_printed(failure *why);
+
 #endif

@@ -428,11 +428,15 @@ static bool read_one(recipe *r, const char *path, const reader *includer, failur
                .out = r,
                .why = why};
   bool ok;
-  if (includes_itself(&in))
-    ok = fail(why, EXIT_BAD_INPUT, "%s:%d: %s includes itself", includer->path, line_of(includer),
-              path);
+  char what[sizeof why->text];
+  if (includer)
+    snprintf(what, sizeof what, "%s:%d: %s", includer->path, line_of(includer), path);
   else
-    ok = limits_check(HOST_LIMIT_RECIPE_INCLUDES, (uint64_t)depth_of(&in), path, why) &&
+    snprintf(what, sizeof what, "%s", path);
+  if (includes_itself(&in))
+    ok = fail(why, EXIT_BAD_INPUT, "%s includes itself", what);
+  else
+    ok = limits_check(HOST_LIMIT_RECIPE_INCLUDES, (uint64_t)depth_of(&in), what, why) &&
          limits_check(HOST_LIMIT_RECIPE_BYTES, (uint64_t)status.st_size, path, why) &&
          read_stream(&in, file);
   fclose(file);

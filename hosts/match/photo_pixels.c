@@ -2,6 +2,7 @@
 #include "photo_pixels.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "appearance.h"
@@ -16,7 +17,9 @@
 
 static bool check_size(const char *path, uint32_t width, uint32_t height, uint32_t channels,
                        failure *why) {
-  if (!limits_check(HOST_LIMIT_PHOTO_PIXELS, (uint64_t)width * height, path, why)) return false;
+  char what[sizeof why->text];
+  snprintf(what, sizeof what, "%s: %ux%u pixels", path, width, height);
+  if (!limits_check(HOST_LIMIT_PHOTO_PIXELS, (uint64_t)width * height, what, why)) return false;
   return channels == 3 || channels == 4 ||
          fail(why, EXIT_BAD_INPUT, "%s: has %u channel%s, not three of colour", path, channels,
               channels == 1 ? "" : "s");

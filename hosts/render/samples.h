@@ -46,6 +46,18 @@ static inline uint32_t sample_sobol_1(uint32_t index) {
 
 static inline float sample_unit(uint32_t x) { return (float)(x >> 8) * 0x1p-24f; }
 
+/* As many as are wanted, one after the other (O'Neill, PCG, 2014): paths whose length is not
+ * known. state: any number to begin with. */
+typedef struct sample_stream {
+  uint32_t state;
+} sample_stream;
+
+static inline float sample_next(sample_stream *d) {
+  d->state = d->state * 747796405u + 2891336453u;
+  uint32_t x = ((d->state >> ((d->state >> 28) + 4)) ^ d->state) * 277803737u;
+  return sample_unit(x >> 22 ^ x);
+}
+
 /* Two numbers in [0, 1). pixel: any number of its own; pair: which dimensions. */
 static inline void sample_pair(uint32_t pixel, uint32_t index, uint32_t pair, float *u, float *v) {
   uint32_t seed = sample_hash(pixel + 0x9e3779b9u * (pair + 1));

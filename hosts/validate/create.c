@@ -12,19 +12,9 @@
 
 static kind kinds[KINDS_MOST];
 
-/* The textures that are judged. */
-static uint32_t start_textures(subject *s) {
-  if (!subject_start(s)) return 0;
-  uint32_t n = subject_kinds(s, kinds), kept = 0;
-  for (uint32_t i = 0; i < n; i++)
-    if (kinds[i].texture) kinds[kept++] = kinds[i];
-  if (!kept) skipped("it has no texture");
-  return kept;
-}
-
 /* "preset: NULL for the parameters' own defaults" */
 static void plain(subject *s) {
-  uint32_t n = start_textures(s);
+  uint32_t n = subject_textures(s, kinds);
   for (uint32_t i = 0; i < n; i++) {
     sozai_texture *t = POISON;
     doing("create of %s", kinds[i].id);
@@ -40,7 +30,7 @@ static void plain(subject *s) {
 
 /* "NULL is allowed." of destroy */
 static void destroy_null(subject *s) {
-  if (!start_textures(s)) return;
+  if (!subject_textures(s, kinds)) return;
   doing("destroy(NULL)");
   s->textures->destroy(NULL);
   asked();
@@ -49,7 +39,7 @@ static void destroy_null(subject *s) {
 /* "ARGUMENT: a NULL, a wrong size"; "UNKNOWN: no texture, preset"; "the texture; NULL when
  * anything failed, and then nothing is kept" */
 static void refuses(subject *s) {
-  uint32_t n = start_textures(s);
+  uint32_t n = subject_textures(s, kinds);
   for (uint32_t i = 0; i < n; i++) {
     const char *id = kinds[i].id;
     const sozai_value lost = {.id = "validate_none", .kind = SOZAI_KIND_FLOAT};
@@ -98,7 +88,7 @@ static void refuses(subject *s) {
 /* How much more the process holds after many rounds than after a few. */
 static void rounds(subject *s, const char *what,
                    void (*once)(subject *s, const kind *k, uint32_t round)) {
-  uint32_t n = start_textures(s);
+  uint32_t n = subject_textures(s, kinds);
   if (!memory_watched()) {
     skipped("a sanitizer has the allocator");
     return;
@@ -165,7 +155,7 @@ static void told(subject *s, const sozai_texture_info *info, const char *preset,
 
 /* info_of, bytes, instruction_set */
 static void tells(subject *s) {
-  if (start_textures(s)) each_texture(s, 3, told);
+  if (subject_textures(s, kinds)) each_texture(s, 3, told);
 }
 
 /* "Bytes of memory it holds." of a texture made through the host's allocator, which knows. */
@@ -187,7 +177,7 @@ static void count_free(void *user, void *memory, size_t size, size_t align) {
 }
 
 static void bytes_held(subject *s) {
-  uint32_t n = start_textures(s);
+  uint32_t n = subject_textures(s, kinds);
   for (uint32_t i = 0; i < n; i++) {
     counted c = {0};
     const sozai_host host = {
@@ -213,7 +203,7 @@ static void repeated(subject *s, const sozai_texture_info *info, const char *pre
 }
 
 static void same(subject *s) {
-  if (start_textures(s)) each_texture(s, 4, repeated);
+  if (subject_textures(s, kinds)) each_texture(s, 4, repeated);
 }
 
 static void beside(subject *s, const sozai_texture_info *info, const char *preset,
@@ -239,7 +229,7 @@ static void beside(subject *s, const sozai_texture_info *info, const char *prese
 }
 
 static void independent(subject *s) {
-  if (start_textures(s)) each_texture(s, 2, beside);
+  if (subject_textures(s, kinds)) each_texture(s, 2, beside);
 }
 
 CHECKS(create, //

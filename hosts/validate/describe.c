@@ -8,7 +8,7 @@
 
 #include "batch.h"
 #include "groups.h"
-#include "utf8.h"
+#include "text.h"
 
 static kind kinds[KINDS_MOST];
 

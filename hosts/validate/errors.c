@@ -8,7 +8,7 @@
 
 #include "groups.h"
 #include "make.h"
-#include "utf8.h"
+#include "text.h"
 
 static kind kinds[KINDS_MOST];
 

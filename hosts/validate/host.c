@@ -12,15 +12,6 @@
 static kind kinds[KINDS_MOST];
 static recorder rec;
 
-static uint32_t start_textures(subject *s) {
-  if (!subject_start(s)) return 0;
-  uint32_t n = subject_kinds(s, kinds), kept = 0;
-  for (uint32_t i = 0; i < n; i++)
-    if (kinds[i].texture) kinds[kept++] = kinds[i];
-  if (!kept) skipped("it has no texture");
-  return kept;
-}
-
 static const char *some_preset(subject *s, const kind *k) {
   return k->preset_count ? k->presets[chance_below(s, k->preset_count)]->id : NULL;
 }
@@ -42,7 +33,7 @@ static bool made_with(subject *s, const kind *k, const char *preset, made *m, co
 
 /* "Both or neither"; "free gets what alloc was asked"; "what else they are handed" */
 static void services(subject *s) {
-  uint32_t n = start_textures(s);
+  uint32_t n = subject_textures(s, kinds);
   for (uint32_t i = 0; i < n; i++)
     for (uint32_t round = 0; round < 4; round++) {
       made m;
@@ -62,7 +53,7 @@ static void services(subject *s) {
 /* "Every member may be NULL." */
 static void without(subject *s) {
   static const sozai_host empty = {.size = sizeof empty};
-  uint32_t n = start_textures(s);
+  uint32_t n = subject_textures(s, kinds);
   for (uint32_t i = 0; i < n; i++) {
     made plain, m;
     if (make(s, &kinds[i], NULL, NULL, NULL, 0, &plain) != SOZAI_OK) continue;
@@ -94,7 +85,7 @@ static void sizes(subject *s) {
       offsetof(sozai_host, alloc),         offsetof(sozai_host, parallel),
       offsetof(sozai_host, progress),      offsetof(sozai_host, get_service),
       offsetof(sozai_host, colour_config), offsetof(sozai_host, image_memory)};
-  uint32_t n = start_textures(s);
+  uint32_t n = subject_textures(s, kinds);
   for (uint32_t i = 0; i < n; i++) {
     made m;
     for (uint32_t c = 0; c < COUNT_OF(cuts); c++) {
@@ -130,7 +121,7 @@ static void sizes(subject *s) {
 
 /* "MEMORY: the allocator gave NULL"; "NULL when anything failed, and then nothing is kept" */
 static void allocator_fails(subject *s) {
-  uint32_t n = start_textures(s);
+  uint32_t n = subject_textures(s, kinds);
   for (uint32_t i = 0; i < n; i++)
     for (uint32_t round = 0; round < 2 && !enough(); round++) {
       const char *preset = round ? some_preset(s, &kinds[i]) : NULL;
@@ -164,7 +155,7 @@ static void allocator_fails(subject *s) {
  * runs them itself" */
 static void parallel(subject *s) {
   static const char *const ways[] = {"in order", "backwards", "on three threads", "refused"};
-  uint32_t n = start_textures(s);
+  uint32_t n = subject_textures(s, kinds);
   for (uint32_t i = 0; i < n; i++)
     for (uint32_t round = 0; round < 2; round++) {
       const char *preset = round ? some_preset(s, &kinds[i]) : NULL;
@@ -183,7 +174,7 @@ static void parallel(subject *s) {
 
 /* "Long work, 0 to 1. Not 0: cancel."; "CANCELLED: the host asked to stop" */
 static void cancelled(subject *s) {
-  uint32_t n = start_textures(s), reported = 0;
+  uint32_t n = subject_textures(s, kinds), reported = 0;
   for (uint32_t i = 0; i < n; i++) {
     made m;
     recorder_init(&rec);
@@ -206,7 +197,7 @@ static void cancelled(subject *s) {
 
 /* "allocates nothing": nothing of the host's either, nor any other service */
 static void in_evaluate(subject *s) {
-  uint32_t n = start_textures(s);
+  uint32_t n = subject_textures(s, kinds);
   for (uint32_t i = 0; i < n; i++) {
     made m;
     recorder_init(&rec);
@@ -232,7 +223,7 @@ static void in_evaluate(subject *s) {
 
 /* "Colours are converted into the working space here, once" */
 static void colour(subject *s) {
-  uint32_t n = start_textures(s), has = 0;
+  uint32_t n = subject_textures(s, kinds), has = 0;
   for (uint32_t i = 0; i < n; i++) {
     if (!first_of(&kinds[i], SOZAI_KIND_COLOUR)) continue;
     made one, other;
@@ -255,7 +246,7 @@ static void colour(subject *s) {
 
 /* "COLOUR: an unknown colour space, or a failing transform" */
 static void colour_fails(subject *s) {
-  uint32_t n = start_textures(s), has = 0;
+  uint32_t n = subject_textures(s, kinds), has = 0;
   for (uint32_t i = 0; i < n; i++) {
     if (!first_of(&kinds[i], SOZAI_KIND_COLOUR)) continue;
     made m;
@@ -277,7 +268,7 @@ static void colour_fails(subject *s) {
 /* Colours that are no numbers, or huge: refused, or the answers are finite. */
 static void colour_odd(subject *s) {
   static const float scales[] = {0.0f / 1.0f, 1e38f, -1e38f, __builtin_nanf(""), __builtin_inff()};
-  uint32_t n = start_textures(s), has = 0;
+  uint32_t n = subject_textures(s, kinds), has = 0;
   for (uint32_t i = 0; i < n; i++) {
     if (!first_of(&kinds[i], SOZAI_KIND_COLOUR)) continue;
     has++;
@@ -301,7 +292,7 @@ static void colour_odd(subject *s) {
 
 /* Without a service, an unknown space is refused by that error. */
 static void colour_unknown(subject *s) {
-  uint32_t n = start_textures(s), has = 0;
+  uint32_t n = subject_textures(s, kinds), has = 0;
   for (uint32_t i = 0; i < n; i++) {
     const sozai_parameter *p = first_of(&kinds[i], SOZAI_KIND_COLOUR);
     sozai_value v;
@@ -328,7 +319,7 @@ static sozai_value picture(const sozai_parameter *p) {
 /* "pictures are opened here"; "FILE: missing, unreadable or malformed", "UNSUPPORTED ... for a
  * picture where there is no image service" */
 static void picture_missing(subject *s) {
-  uint32_t n = start_textures(s), has = 0;
+  uint32_t n = subject_textures(s, kinds), has = 0;
   for (uint32_t i = 0; i < n; i++) {
     const sozai_parameter *p = first_of(&kinds[i], SOZAI_KIND_IMAGE);
     made m;
@@ -345,7 +336,7 @@ static void picture_missing(subject *s) {
 
 /* The host's own service, which opens and which refuses. */
 static void picture_service(subject *s) {
-  uint32_t n = start_textures(s), has = 0;
+  uint32_t n = subject_textures(s, kinds), has = 0;
   for (uint32_t i = 0; i < n; i++) {
     const sozai_parameter *p = first_of(&kinds[i], SOZAI_KIND_IMAGE);
     made m;

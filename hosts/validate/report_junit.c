@@ -1,18 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0
  * JUnit's XML as CI systems read it: a testsuite for each group. */
 #include "report.h"
+#include "utf8.h"
 
 /* The length of the UTF-8 character at s that XML 1.0 may hold, or 0. */
 static int xml_character(const unsigned char *s) {
   if (s[0] < 0x80) return s[0] >= 0x20 || s[0] == '\t' || s[0] == '\n' || s[0] == '\r';
-  int n = s[0] >= 0xf0 ? 4 : s[0] >= 0xe0 ? 3 : 2;
-  if (s[0] < 0xc2 || s[0] > 0xf4) return 0;
-  for (int i = 1; i < n; i++)
-    if ((s[i] & 0xc0) != 0x80) return 0;
-  if ((s[0] == 0xe0 && s[1] < 0xa0) || (s[0] == 0xed && s[1] > 0x9f)) return 0;
-  if ((s[0] == 0xf0 && s[1] < 0x90) || (s[0] == 0xf4 && s[1] > 0x8f)) return 0;
-  if (s[0] == 0xef && s[1] == 0xbf && s[2] >= 0xbe) return 0; /* U+FFFE, U+FFFF */
-  return n;
+  int n = utf8_length(s);
+  return n == 3 && s[0] == 0xef && s[1] == 0xbf && s[2] >= 0xbe ? 0 : n; /* U+FFFE, U+FFFF */
 }
 
 static void escaped(FILE *to, const char *text) {

@@ -110,6 +110,15 @@ uint32_t subject_kinds(const subject *s, kind *out) {
   return n;
 }
 
+uint32_t subject_textures(subject *s, kind *out) {
+  if (!subject_start(s)) return 0;
+  uint32_t n = subject_kinds(s, out), kept = 0;
+  for (uint32_t i = 0; i < n; i++)
+    if (out[i].texture) out[kept++] = out[i];
+  if (!kept) skipped("it has no texture");
+  return kept;
+}
+
 const char *last_error(const subject *s) {
   const char *text = s->textures ? s->textures->last_error() : s->geometry->last_error();
   return text ? text : "(last_error gave NULL)";

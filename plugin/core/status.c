@@ -57,9 +57,6 @@ int32_t fail(int32_t code, const char *format, ...) {
   print_in_c(message, sizeof message, format, list);
   make_line(message);
   va_end(list);
-  /* One line for a terminal, whatever the text of the host's that it quotes. */
-  for (char *c = message; *c; c++)
-    if ((unsigned char)*c < ' ' || *c == 0x7f) *c = ' ';
   return code;
 }
 

@@ -71,6 +71,9 @@ typedef struct fiber {
 } fiber;
 
 void plan_fiber(fiber_plan *p, const settings *s);
+/* Bytes of what there is of each strand: its points, its radius, how its fitting ended. Arrays that
+ * may be empty have an element more. */
+uint64_t fiber_strand_bytes(const fiber *f);
 /* How many strands; RANGE, LIMIT. */
 int32_t plan_count(fiber *f, const sozai_host *host);
 double fiber_strand_volume(const fiber_plan *p, double length, double radius);

@@ -85,9 +85,7 @@ static uint64_t bytes(const void *state) {
   const fiber *f = state;
   /* arrays that may be empty have an element more */
   uint64_t n = hull_bytes(&f->hull) + grid_bytes(&f->grid) +
-               (f->grid.bricks ? sizeof(float) + 2 * sizeof(uint32_t) : 0) +
-               (uint64_t)f->strands * 12ull * f->vertices + sizeof(float) +
-               (f->strands + 1ull) * (sizeof(float) + sizeof *f->results);
+               (f->grid.bricks ? sizeof(float) + 2 * sizeof(uint32_t) : 0) + fiber_strand_bytes(f);
   for (int i = 0; i < FIBER_TABLES; i++) n += (f->tables[i].room + 1) * sizeof(float);
   return n;
 }

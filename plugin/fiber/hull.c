@@ -231,14 +231,19 @@ static int32_t from_lattices(hull *h, const sozai_host *host, const source *s, d
   }
   if (!(h->area > 0))
     return fail(SOZAI_ERROR_RANGE, "hull: none of its %u triangles has any area", h->given);
-  int32_t r = limit_check(host, LIMIT_HULL_VERTICES, total, "spacing, as vertices on the hull");
-  if (r) return r;
+  uint64_t most = limit_of(host, LIMIT_HULL_VERTICES);
+  if (total > most) {
+    return fail(SOZAI_ERROR_LIMIT,
+                "spacing: %.6g mm asks for %llu vertices on the hull, above the ceiling "
+                "hull_vertices, %llu",
+                spacing, (unsigned long long)total, (unsigned long long)most);
+  }
   h->rule = HULL_VERTICES;
   h->items = (uint32_t)total;
   size_t bytes = (size_t)total * 6 * sizeof(float);
   dense d = {.list = host_alloc(host, bytes, 64)};
   float *normals = point_normals(host, s, h->given);
-  r = d.list && normals ? SOZAI_OK : SOZAI_ERROR_MEMORY;
+  int32_t r = d.list && normals ? SOZAI_OK : SOZAI_ERROR_MEMORY;
   for (uint32_t t = 0; !r && t < h->given; t++) put_lattice(&d, s, normals, t, spacing);
   if (!r) r = hull_tree(h, host, dense_of, &d);
   host_free(host, normals, 3 * (size_t)s->mesh->dims[0] * sizeof(float), 64);

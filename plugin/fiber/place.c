@@ -91,14 +91,17 @@ static void place_job(void *context, uint32_t job) {
   for (uint32_t i = job * STRANDS_JOB; i < end && i < f->strands; i++) place_strand(f, i);
 }
 
+uint64_t fiber_strand_bytes(const fiber *f) {
+  return ((uint64_t)f->strands * f->vertices * 3 + 1) * sizeof(float) +
+         (f->strands + 1ull) * (sizeof(float) + sizeof *f->results);
+}
+
 int32_t fiber_place(fiber *f, const sozai_host *host) {
   if (f->plan.mode != MODE_LITERAL && !f->grid.candidate_count)
     return fail(SOZAI_ERROR_RANGE,
                 "hull: its %u triangles enclose nothing that %u cells along its longest side show",
                 f->hull.given, f->plan.cells);
-  uint64_t strands = f->strands + 1ull;
-  uint64_t bytes = ((uint64_t)f->strands * f->vertices * 3 + 1) * sizeof(float) +
-                   strands * (sizeof(float) + sizeof *f->results);
+  uint64_t bytes = fiber_strand_bytes(f);
   if (host_rehearses(host)) return host_claim(host, bytes);
   int32_t r = host_has_room(host, bytes);
   if (r) return r;

@@ -78,9 +78,13 @@ int32_t plan_count(fiber *f, const sozai_host *host) {
   }
   const char *from = p->count ? "count" : "packing, as strands";
   uint64_t strands = n < 1e18 ? (uint64_t)n : (uint64_t)1e18;
+  uint64_t most = limit_of(host, LIMIT_STRAND_POINTS);
   int32_t r = limit_check(host, LIMIT_STRANDS, strands, from);
-  if (!r) r = limit_check(host, LIMIT_STRAND_POINTS, strands * p->shape.vertices, from);
   if (r) return r;
+  if (strands > most / p->shape.vertices)
+    return fail(SOZAI_ERROR_LIMIT,
+                "%s: %llu strands of %u vertices are above the ceiling strand_points, %llu", from,
+                (unsigned long long)strands, p->shape.vertices, (unsigned long long)most);
   f->strands = (uint32_t)strands;
   f->vertices = p->shape.vertices;
   return SOZAI_OK;

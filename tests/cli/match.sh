@@ -209,7 +209,7 @@ bad "grey.png|1 channel" grey.png
 bad "greys.png|grey" greys.png
 bad "clear.png|transparent" clear.png
 bad "nan.exr|not finite" nan.exr
-bad "huge.tif|400000000|67108864" huge.tif
+bad "huge.tif|20000x20000|67108864" huge.tif
 bad "--space|nope" known.png --space nope
 bad "--material|'glass'|wood" known.png --material glass
 bad "--crop|'1,2,3'" known.png --crop 1,2,3

@@ -56,8 +56,8 @@ static void messages(void **unused) {
   refused(&b, "count=5", SOZAI_ERROR_RANGE, "hull_points: goes with mode=literal");
   b.kind = SOZAI_BUFFER_MESH;
   refused(&b, "mode=literal count=0", SOZAI_ERROR_RANGE, "count: 0");
-  refused(&b, "count=50000000 vertices=1024", SOZAI_ERROR_LIMIT, "strand_points");
-  refused(&b, "mode=literal spacing=1e-5 count=3", SOZAI_ERROR_LIMIT, "hull_vertices");
+  refused(&b, "count=50000000 vertices=1024", SOZAI_ERROR_LIMIT, "count: 50000000 strands");
+  refused(&b, "mode=literal spacing=1e-5 count=3", SOZAI_ERROR_LIMIT, "spacing: 1e-05 mm asks for");
   refused(&b, "count=-1", SOZAI_ERROR_RANGE, "count: -1 is outside");
   refused(&b, "length=nan", SOZAI_ERROR_RANGE, "length: nan is outside");
   refused(&b, "diameter=1e30", SOZAI_ERROR_RANGE, "diameter: 1e+30 is outside");

@@ -141,16 +141,6 @@ void free_slab(slab *b) {
 
 /* ---- curves ------------------------------------------------------------ */
 
-typedef struct {
-  uint32_t state;
-} draw;
-
-static float next(draw *d) {
-  d->state = d->state * 747796405u + 2891336453u;
-  uint32_t x = ((d->state >> ((d->state >> 28) + 4)) ^ d->state) * 277803737u;
-  return sample_unit(x >> 22 ^ x);
-}
-
 static vec leave(const strand_hit *h, vec direction) {
   vec middle = vec_along(h->point, -h->radius, h->normal);
   vec flat = vec_along(direction, -vec_dot(direction, h->tangent), h->tangent);
@@ -159,8 +149,8 @@ static vec leave(const strand_hit *h, vec direction) {
   return vec_along(middle, 1.03f * h->radius, out);
 }
 
-static void follow(const slab *b, strand_hit h, vec direction, vec absorption, double turn, draw *d,
-                   double got[LIGHTS][3]) {
+static void follow(const slab *b, strand_hit h, vec direction, vec absorption, double turn,
+                   sample_stream *d, double got[LIGHTS][3]) {
   vec through = {1, 1, 1}, weight;
   for (int bounce = 0; bounce < BOUNCES; bounce++) {
     if (vec_dot(h.normal, direction) > 0) h.normal = vec_scale(-1, h.normal);
@@ -176,12 +166,12 @@ static void follow(const slab *b, strand_hit h, vec direction, vec absorption, d
       for (int k = 0; k < 3; k++) got[l][k] += rgb[k];
     }
     float u[4];
-    for (int k = 0; k < 4; k++) u[k] = next(d);
+    for (int k = 0; k < 4; k++) u[k] = sample_next(d);
     direction = fiber_lobe_sample(&b->lobe, &f, u, &weight);
     through = vec_mul(through, weight);
     if (bounce >= 8) {
       float keep = fminf(0.97f, fmaxf(through.x, fmaxf(through.y, through.z)));
-      if (!(next(d) < keep)) return;
+      if (!(sample_next(d) < keep)) return;
       through = vec_scale(1 / keep, through);
     }
     if (!trace(b, leave(&h, direction), direction, &h)) return;
@@ -202,10 +192,10 @@ static void look_part(void *context, uint32_t part) {
   memset(out, 0, sizeof *out);
   vec absorption = fiber_lobe_absorption((vec){colours[0], colours[1], colours[2]}, b->of->round);
   for (uint32_t i = part; i < t->rays; i += PARTS) {
-    draw d = {sample_hash(i * 2654435761u + 77u + (uint32_t)t->view)};
+    sample_stream d = {sample_hash(i * 2654435761u + 77u + (uint32_t)t->view)};
     float half = (float)b->of->side / 2;
-    float x = half * (2 * next(&d) - 1), y = half * (2 * next(&d) - 1);
-    double turn = 360 * (double)next(&d);
+    float x = half * (2 * sample_next(&d) - 1), y = half * (2 * sample_next(&d) - 1);
+    double turn = 360 * (double)sample_next(&d);
     vec to = aim(views[t->view], turn), direction = vec_scale(-1, to);
     vec origin = {x, y, (float)b->of->thick / 2 + 0.04f};
     strand_hit h;

@@ -3,7 +3,7 @@
  * parts that have no name outside. */
 #include "../../hosts/common/mesh.c"
 
-#include "fuzz.h"
+#include "mesh_check.h"
 
 #define PARTS 4
 #define MOST 30
@@ -61,10 +61,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     CHECK(*why.text);
     return 0;
   }
-  CHECK(m.triangle_count > 0);
-  for (size_t i = 0; i < 3 * (size_t)m.triangle_count; i++) CHECK(m.indices[i] < m.point_count);
-  for (size_t i = 0; i < 3 * (size_t)m.point_count; i++)
-    CHECK(isfinite(m.points[i]) && isfinite(m.normals[i]));
+  mesh_check(&m);
   mesh_free(&m);
   return 0;
 }

@@ -2,13 +2,9 @@
  * A mesh's file through Assimp: the first byte says which kind, the rest is the file. What ends it
  * within Assimp is not ours to mend, so that this one is run by its name alone: see
  * docs/fuzzing.md. */
-#include "mesh.h"
-
-#include <math.h>
 #include <string.h>
 
-#include "fuzz.h"
-#include "mesh_ply.h"
+#include "mesh_check.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   static const char *const names[] = {"m.obj", "m.ply", "m.stl", "m.off"};
@@ -20,10 +16,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     CHECK(*why.text && !strchr(why.text, '\n'));
     return 0;
   }
-  CHECK(m.triangle_count > 0);
-  for (size_t i = 0; i < 3 * (size_t)m.triangle_count; i++) CHECK(m.indices[i] < m.point_count);
-  for (size_t i = 0; i < 3 * (size_t)m.point_count; i++)
-    CHECK(isfinite(m.points[i]) && isfinite(m.normals[i]));
+  mesh_check(&m);
   mesh_free(&m);
   return 0;
 }

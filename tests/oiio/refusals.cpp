@@ -120,7 +120,7 @@ void includes(void **) {
     direct_write(("deep" + std::to_string(i) + ".sozai").c_str(),
                  ("include: deep" + std::to_string(i + 1) + ".sozai\n").c_str());
   direct_write("deep10.sozai", "material: wood\n");
-  refuse(folder + "deep0.sozai", {"recipe_includes, 8"});
+  refuse(folder + "deep0.sozai", {"deep7.sozai:1: ", "recipe_includes, 8"});
   direct_write("wrong.sozai", "material: wood\nparams: {ring_width: wide}\n");
   refuse_text("include: wrong.sozai\n", {"wrong.sozai:2:", "ring_width"}); // where it stands
   refuse_text("include: deep10.sozai\nparams: {grain: odd}\n", {"bad.sozai:2:", "grain"});

@@ -79,12 +79,7 @@ def group_panel(kind, name):
 
     def draw(self, context):
         group = getattr(context.material, state.attribute(kind))
-        column = self.layout.column()
-        column.use_property_split = True
-        for parameter in state.described[kind]["parameters"]:
-            if parameter["group"] == name and parameters.attribute(parameter) in \
-                    group.__annotations__:
-                column.prop(group, parameters.attribute(parameter))
+        parameters.draw_group(self.layout, group, state.described[kind], name)
 
     return type("SOZAI_PT_%s_%s" % (kind, name), (Place, bpy.types.Panel), {
         "bl_label": name.capitalize(), "bl_parent_id": "SOZAI_PT_material",

@@ -170,3 +170,12 @@ def read(parameter, text):
 
 def pointer(cls):
     return PointerProperty(type=cls)
+
+
+def draw_group(layout, values, described, name):
+    """What may be set of one group of parameters."""
+    column = layout.column()
+    column.use_property_split = True
+    for parameter in described["parameters"]:
+        if parameter["group"] == name and attribute(parameter) in values.__annotations__:
+            column.prop(values, attribute(parameter))

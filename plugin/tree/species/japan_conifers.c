@@ -70,11 +70,10 @@ static const sozai_value akamatsu[] = {
     TRIPLE("bark_colour", 0.55, 0.31, 0.21),
     TRIPLE("shoot_colour", 0.50, 0.34, 0.20),
     TRIPLE("leaf_colour", 0.25, 0.37, 0.17)};
-SPECIES(
-    akamatsu, "akamatsu", "Akamatsu (Pinus densiflora)",
-    "Japanese red pine: a whorl a year, red crooked limbs, flat-topped when old.",
-    "Hayashi & Takahashi 1997, figure 12 (whorls); " FARJON "; needles in pairs, 70 to 120 mm; "
-    "branches 25 to 50 mm thick in a stand of 45 years, as the stem's whorls are seen in boards");
+SPECIES(akamatsu, "akamatsu", "Akamatsu (Pinus densiflora)",
+        "Japanese red pine: a whorl a year, red crooked limbs, flat-topped when old.",
+        "Hayashi & Takahashi 1997, figure 12 (whorls); " FARJON "; needles in pairs, 70 to 120 mm; "
+        "thickness of branches ours: 25 to 50 mm at 45 years");
 
 static const sozai_value kuromatsu[] = {
     HEIGHT(25, 0.032, 1.2),

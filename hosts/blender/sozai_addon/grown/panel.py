@@ -97,12 +97,7 @@ def group_panel(kind, name):
 
     def draw(self, context):
         group = getattr(context.object, settings.attribute(kind))
-        column = self.layout.column()
-        column.use_property_split = True
-        for parameter in state.grown[kind]["parameters"]:
-            if parameter["group"] == name and parameters.attribute(parameter) in \
-                    group.__annotations__:
-                column.prop(group, parameters.attribute(parameter))
+        parameters.draw_group(self.layout, group, state.grown[kind], name)
 
     return type("SOZAI_PT_grown_%s_%s" % (kind, name.replace(" ", "_")),
                 (Place, bpy.types.Panel), {

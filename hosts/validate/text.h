@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
  * Whether a text is fit to be shown. */
-#ifndef SOZAI_VALIDATE_UTF8_H
-#define SOZAI_VALIDATE_UTF8_H
+#ifndef SOZAI_VALIDATE_TEXT_H
+#define SOZAI_VALIDATE_TEXT_H
 
 #include <stdbool.h>
 

@@ -1,22 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "utf8.h"
+#include "text.h"
 
 #include <string.h>
 
-static int length_at(const unsigned char *s) {
-  if (s[0] < 0x80) return 1;
-  int n = s[0] >= 0xf0 ? 4 : s[0] >= 0xe0 ? 3 : 2;
-  if (s[0] < 0xc2 || s[0] > 0xf4) return 0;
-  for (int i = 1; i < n; i++)
-    if ((s[i] & 0xc0) != 0x80) return 0;
-  if ((s[0] == 0xe0 && s[1] < 0xa0) || (s[0] == 0xed && s[1] > 0x9f)) return 0;
-  if ((s[0] == 0xf0 && s[1] < 0x90) || (s[0] == 0xf4 && s[1] > 0x8f)) return 0;
-  return n;
-}
+#include "utf8.h"
 
 bool utf8_valid(const char *text) {
   for (const unsigned char *s = (const unsigned char *)text; *s;) {
-    int n = length_at(s);
+    int n = utf8_length(s);
     if (n == 0) return false;
     s += n;
   }
