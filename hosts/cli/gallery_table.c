@@ -32,7 +32,16 @@ const shot_sheet gallery_sheets[GALLERY_SHEETS] = {
     {"stones", 5},   {"layouts", 6}, {"finishes", 4}, /* two species, near and far */
     {"macro", 3},                                     /* of a species its three faces */
     {"figured", 4},  {"fibers", 6},  {"knots", 4},
+    {"stone-finishes", 6}, /* two stones in a row, three finishes of each */
 };
+
+/* A finish of every stone, under light from the side. */
+#define DRESSED(id, label)                                                                         \
+  {                                                                                                \
+    .name = "stone-" id, .title = label, .more = true, .material = "stone", .each_preset = true,   \
+    .sheet = "stone-finishes", .params = {"finish=" id}, .shape = "plane", .camera = "front",      \
+    .size = "120x90", .light = "35,30", .sky = 0.8, .width = 240, .height = 180                    \
+  }
 
 /* Two and a half metres before the eye and beyond, or so. */
 #define PAVED(id, label, stone, a, b, c, d, sun)                                                   \
@@ -270,6 +279,9 @@ const shot gallery_shots[] = {
      .camera = "front",
      .width = 320,
      .height = 240},
+    DRESSED("polished", "polished"),
+    DRESSED("flamed", "flamed"),
+    DRESSED("split", "split"),
     {.name = "stone-ball",
      .more = true,
      .title = "a ball of 120 mm",

@@ -35,10 +35,32 @@ STAGE vf bed_share(const stone_constants *w, const vf p[3], vf s, vf flat2) {
   return sum;
 }
 
+/* How folded the whole is: how far a family's veins lie from where they would,
+ * in their spacing, and how that changes. Over some eight spacings the veins'
+ * direction wanders by twenty degrees or so. */
+#define VEIN_FOLD 0.13f
+#define VEIN_FOLDED 2.6f
+
+typedef struct {
+  vf v, g[3];
+  vf many; /* where there are veins, and where there are few: +-0.5 or so, mean 0 */
+} vein_fold;
+
+INLINE vein_fold vein_folded(const stone_constants *w, const vf p[3]) {
+  vein_fold f;
+  vf k = splat(w->vein_frequency * VEIN_FOLD);
+  float far = VEIN_FOLDED * w->vein_warp;
+  f.many = noise_gradient3(p[0] * k, p[1] * k, p[2] * k, splatu(w->seed_vein + 2u), f.g);
+  f.v = splat(far) * f.many;
+  for (int a = 0; a < 3; a++) f.g[a] = splat(far * VEIN_FOLD) * f.g[a];
+  return f;
+}
+
 /* One family of veins: fractures in a direction, bent; each by chance thick,
  * thin or not there, and swelling and pinching out along its way. The share of
  * the footprint within half a vein's width of its middle. */
-STAGE vf vein_sheet(const stone_constants *w, const vf p[3], const vf n[3], vf s, int family) {
+STAGE vf vein_sheet(const stone_constants *w, const vf p[3], const vf n[3], vf s,
+                    const vein_fold *fold, int family) {
   const float finer = family ? 2.4f : 1.0f, *m = w->vein_direction[family];
   float frequency = w->vein_frequency * finer;
   uint32_t seed = w->seed_vein + 16u * (uint32_t)family;
@@ -48,17 +70,27 @@ STAGE vf vein_sheet(const stone_constants *w, const vf p[3], const vf n[3], vf s
       noise_gradient3(q[0] * splat(0.7f), q[1] * splat(0.7f), q[2] * splat(0.7f), splatu(seed), g);
   vf shake = noise_gradient3(q[0] * splat(3.9f), q[1] * splat(3.9f), q[2] * splat(3.9f),
                              splatu(seed + 1u), fine);
+  /* one family's way is the other's mirrored; the finer one's in its own spacing */
+  const float turn = family ? -2.4f : 1.0f;
   vf f = splat(m[0]) * q[0] + splat(m[1]) * q[1] + splat(m[2]) * q[2] +
-         splat(w->vein_warp) * (bend + splat(0.12f) * shake);
+         splat(w->vein_warp) * (bend + splat(0.12f) * shake) + splat(turn) * fold->v;
   vi which;
   vf middle = vfloor(f + splat(0.5f), &which);
   for (int k = 0; k < 3; k++) {
-    g[k] = splat(m[k]) + splat(w->vein_warp) * (splat(0.7f) * g[k] + splat(0.468f) * fine[k]);
+    g[k] = splat(m[k]) + splat(w->vein_warp) * (splat(0.7f) * g[k] + splat(0.468f) * fine[k]) +
+           splat(family ? -1.0f : 1.0f) * fold->g[k];
   }
   vf k = inverse_root(vmax(g[0] * g[0] + g[1] * g[1] + g[2] * g[2], splat(0.09f)));
   vf d = vabs(f - middle) * k * splat(1.0f / frequency);
   vf chance = vabs(hash_signed(hash_mix((vu)which + splatu(seed)))) * splat(1.0f / HASH_ONE);
-  vf swell = splat(0.2f) + splat(0.9f) * bend + splat(1.1f) * shake + splat(0.6f) * chance;
+  /* along the vein, one number to each vein: neighbours do not thin out together */
+  vf way = q[0] * splat(m[1] - m[2]) + q[1] * splat(m[2] - m[0]) + q[2] * splat(m[0] - m[1]);
+  vf unused, own;
+  noise_axis a = noise_split_cubic(way * splat(0.45f), HASH_X);
+  own = noise_value1(&a, (vu)which * splatu(HASH_Y) + splatu(seed + 3u), &unused);
+  vf swell = splat(family ? -0.1f : 0.2f) + splat(0.9f) * bend + splat(1.1f) * shake +
+             splat(0.6f) * chance + splat(family ? -2.6f : 1.2f) * fold->many +
+             splat((family ? 0.9f : 0.4f) / HASH_ONE) * own;
   vf half = clamp01(swell) * chance * chance * splat(0.5f * w->vein_width / finer);
   vf along = (g[0] * n[0] + g[1] * n[1] + g[2] * n[2]) * k;
   vf e = vsqrt(s * s * vmax(one - along * along, splat(0.0f)) + splat(w->vein_soft * w->vein_soft) +
@@ -87,8 +119,9 @@ INLINE vf vein_share(const stone_constants *w, const vf p[3], const vf n[3], con
       if (!any(there)) break;
       vf u = (splat((float)i + 0.5f) * inverse - splat(0.5f)) * s, at[3];
       for (int k = 0; k < 3; k++) at[k] = p[k] + t1[k] * u + t2[k] * v;
-      vf a = vein_sheet(w, at, n, h, 0);
-      vf b = vein_sheet(w, at, n, h, 1);
+      vein_fold fold = vein_folded(w, at);
+      vf a = vein_sheet(w, at, n, h, &fold, 0);
+      vf b = vein_sheet(w, at, n, h, &fold, 1);
       sum = sel(there, sum + (one - (one - a) * (one - splat(0.8f) * b)), sum);
     }
   }

@@ -18,8 +18,10 @@
 
 #include "../core/filter.h"
 #include "../core/noise.h"
+#include "crystals.h"
 #include "stone.h"
 
+#define CELLS_REACH 0.5f   /* cells: the width of what shows through a border from behind it */
 #define CELLS_JITTER 0.86f /* of the lattice cell; more, and a neighbour's neighbour counts */
 
 /* Shares of a footprint: kinds 1 and 2, and all kinds with their brightness. */
@@ -153,6 +155,11 @@ INLINE void cells_shares(const stone_cells *c, const cells_near *a, const cells_
   vf t = (b->d - a->d) * e;
   if (!c->shaped) {
     *first = clamp01(splat(0.5f) + t);
+    if (c->depth > 0.0f) {
+      /* light that has gone on behind the border */
+      vf far = inverse_root(cells_extent2(s, g, CELLS_REACH));
+      *first = mix(*first, clamp01(splat(0.5f) + (b->d - a->d) * far), splat(c->depth));
+    }
     *second = splat(1.0f) - *first;
     return;
   }
@@ -189,17 +196,21 @@ STAGE vf cells_place(const stone_cells *c, const vf p[3], vf q[3]) {
   return a + b;
 }
 
-/* The mineral of a cell: shares of kinds 1 and 2, and all with their brightness. */
-INLINE void cells_add(const stone_cells *c, vu h, const vi at[3], vf share, vf uneven,
+INLINE vf cells_length(const vf x[3]) { return vsqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]); }
+
+/* The mineral of a cell: shares of kinds 1 and 2, and all with their brightness.
+ * uneven: that within the cell, of kinds 0 and 2, and of kind 1. */
+INLINE void cells_add(const stone_cells *c, vu h, const vi at[3], vf share, const vf uneven[2],
                       cells_cover *out) {
   vf u = cells_rank(c, at), zero = splat(0.0f);
-  vf tone = uneven + splat(c->variation / HASH_ONE) * hash_signed(h + splatu(HASH_Y));
+  vf own = splat(c->variation / HASH_ONE) * hash_signed(h + splatu(HASH_Y));
+  vf tone = uneven[0] + own, tone1 = uneven[1] + own;
   vm first = lt(u, splat(c->chance[0])), second = and_(lt(u, splat(c->chance[1])), not_(first));
   vf a = sel(first, share, zero), b = sel(second, share, zero);
   out->cover[0] = out->cover[0] + a;
   out->cover[1] = out->cover[1] + b;
   out->toned[0] = out->toned[0] + (share - a - b) * tone;
-  out->toned[1] = out->toned[1] + a * tone;
+  out->toned[1] = out->toned[1] + a * tone1;
   out->toned[2] = out->toned[2] + b * tone;
 }
 
@@ -208,11 +219,26 @@ INLINE void cells_add(const stone_cells *c, vu h, const vi at[3], vf share, vf u
 INLINE void cells_look(const stone_cells *c, const vf p[3], const cells_square *s, cells_cover *out,
                        vu *nearest) {
   vf q[3], share[2];
-  vf uneven = cells_place(c, p, q) * splat(1.3f * c->variation) + splat(1.0f);
+  vf cloud = cells_place(c, p, q), one = splat(1.0f);
+  vf uneven = cloud * splat(1.3f * c->variation) + one;
   cells_near near[2];
   cells_find(c, q, &near[0], &near[1]);
   cells_shares(c, &near[0], &near[1], s, &share[0], &share[1]);
-  for (int n = 0; n < 2; n++) cells_add(c, near[n].h, near[n].at, share[n], uneven, out);
+  crystal_square square = {{s->u[0], s->u[1], s->u[2]}, {s->v[0], s->v[1], s->v[2]}, one};
+  crystal_noise inner;
+  if (c->textured) {
+    cells_turn(c, p, q);
+    square.wide = vmax(cells_length(s->u), cells_length(s->v));
+    inner = crystal_at(c, q, &square, cloud);
+  }
+  for (int n = 0; n < 2; n++) {
+    vf tone[2] = {uneven, uneven};
+    if (c->textured) {
+      crystal_tones(c, &inner, near[n].h, q, &square, tone);
+      for (int k = 0; k < 2; k++) tone[k] = vmax(tone[k] + uneven, splat(0.0f));
+    }
+    cells_add(c, near[n].h, near[n].at, share[n], tone, out);
+  }
   *nearest = near[0].h;
 }
 
@@ -244,6 +270,7 @@ INLINE void cells_sum(const stone_cells *c, const vf p[3], const cells_square *s
   vf iu = inverse_root(uu), iv = inverse_root(vv);
   vu at = (vu)whole[0] * splatu(HASH_X) + (vu)whole[1] * splatu(HASH_Y) +
           (vu)whole[2] * splatu(HASH_Z) + splatu(c->seed);
+  const vf even[2] = {one, one};
   UNROLL(27)
   for (int m = 0; m < 27; m++) {
     int dx = m % 3 - 1, dy = m / 3 % 3 - 1, dz = m / 9 - 1;
@@ -262,13 +289,11 @@ INLINE void cells_sum(const stone_cells *c, const vf p[3], const cells_square *s
     vf b = (x[0] * s->v[0] + x[1] * s->v[1] + x[2] * s->v[2]) * iv * iv;
     vf share = splat(c->even) * cells_overlap(a, half * iu) * cells_overlap(b, half * iv);
     const vi cell[3] = {whole[0] + splati(dx), whole[1] + splati(dy), whole[2] + splati(dz)};
-    cells_add(c, h, cell, sel(met, share, zero), one, out);
+    cells_add(c, h, cell, sel(met, share, zero), even, out);
   }
 }
 
 #define CELLS_STEPS 6 /* along a side of the footprint, at most */
-
-INLINE vf cells_length(const vf x[3]) { return vsqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]); }
 
 /* Over a footprint: as many looks or sums as it takes, and past what those
  * reach the expected shares. t1, t2: the square's sides, unit; s: mm. Whether one look

@@ -8,32 +8,66 @@
 #include "cells.h"
 #include "field.h"
 
-/* mm below the face, 0 or more. p: bed space. */
-STAGE vf hole_depth_at(const stone_constants *w, const vf p[3]) {
+/* How deep the nearer of two cells' bodies is below the face at a place: mm, 0 or
+ * more. */
+INLINE vf hole_depth_of(const stone_constants *w, const cells_near *a, const cells_near *b) {
   const stone_cells *c = &w->layer[LAYER_HOLES];
-  vf q[3], zero = splat(0.0f), one = splat(1.0f);
-  (void)cells_place(c, p, q);
-  cells_near a, b;
-  cells_find(c, q, &a, &b);
+  vf zero = splat(0.0f), one = splat(1.0f);
   vf g2 = zero, r2 = splat(1e-12f);
   for (int k = 0; k < 3; k++) {
-    vf g = a.x[k] - b.x[k];
+    vf g = a->x[k] - b->x[k];
     g2 = g2 + g * g;
-    r2 = r2 + a.x[k] * a.x[k];
+    r2 = r2 + a->x[k] * a->x[k];
   }
-  vf in = splat(0.5f) * (b.d - a.d) * inverse_root(g2 + splat(1e-12f)) - cells_erosion(c, a.h);
-  if (c->radius < 4.0f) in = vmin(in, cells_radius(c, a.h) - vsqrt(r2));
+  vf in = splat(0.5f) * (b->d - a->d) * inverse_root(g2 + splat(1e-12f)) - cells_erosion(c, a->h);
+  if (c->radius < 4.0f) in = vmin(in, cells_radius(c, a->h) - vsqrt(r2));
   in = vmax(in, zero);
-  vm open = lt(cells_rank(c, a.at), splat(c->chance[1]));
+  vm open = lt(cells_rank(c, a->at), splat(c->chance[1]));
   /* steep at the rim, flat at the bottom */
   vf depth = splat(2.0f * w->hole_depth) * in / (one + splat(4.0f) * in);
   return sel(open, depth, zero);
 }
 
+STAGE vf hole_depth_at(const stone_constants *w, const vf p[3]) {
+  const stone_cells *c = &w->layer[LAYER_HOLES];
+  vf q[3];
+  (void)cells_place(c, p, q);
+  cells_near a, b;
+  cells_find(c, q, &a, &b);
+  return hole_depth_of(w, &a, &b);
+}
+
+/* The cell as it lies from a place `by` cells away. */
+INLINE cells_near hole_moved(const cells_near *n, const vf by[3]) {
+  cells_near m = *n;
+  m.d = splat(0.0f);
+  for (int k = 0; k < 3; k++) {
+    m.x[k] = n->x[k] - by[k];
+    m.d = m.d + m.x[k] * m.x[k]; /* bodies have no weights */
+  }
+  return m;
+}
+
+/* The same near a place whose nearest two cells are known. Between them lie the
+ * walls of stone that a third cell would be beyond. */
+STAGE vf hole_depth_by(const stone_constants *w, const vf p[3], const vf q0[3], const cells_near *a,
+                       const cells_near *b) {
+  vf q[3];
+  (void)cells_place(&w->layer[LAYER_HOLES], p, q);
+  for (int k = 0; k < 3; k++) q[k] = q[k] - q0[k];
+  cells_near m = hole_moved(a, q), n = hole_moved(b, q);
+  vf own = hole_depth_of(w, &m, &n), other = hole_depth_of(w, &n, &m);
+  return sel(le(m.d, n.d), own, other);
+}
+
+#define HOLE_PLACES 3 /* about the point, at the corners of a triangle */
+
 /* The same as height. The field bends in a way that has no gradient of its own
  * here: slopes are differences over a step within the surface. t1, t2: bed space. */
 STAGE field hole_relief(const stone_constants *w, const vf p[3], const vf t1[3], const vf t2[3],
                         vf s, vf share, vf *lost) {
+  static const float corner[HOLE_PLACES][2] = {
+      {1.0f, 0.0f}, {-0.5f, 0.8660254f}, {-0.5f, -0.8660254f}};
   const stone_cells *c = &w->layer[LAYER_HOLES];
   vf zero = splat(0.0f), one = splat(1.0f);
   float size = c->size;
@@ -43,17 +77,27 @@ STAGE field hole_relief(const stone_constants *w, const vf p[3], const vf t1[3],
   field f = field_of(splat(-0.1f * w->hole_depth) * share * (one - keep));
   if (!any(gt(keep, zero))) return f;
   vf step = vmax(splat(0.5f) * s, splat(0.004f * size));
-  vf d[4], sum = zero, inverse = splat(0.5f) / step;
-  for (int k = 0; k < 4; k++) {
-    const vf *t = k < 2 ? t1 : t2;
-    vf along = k & 1 ? step : zero - step, at[3];
-    for (int a = 0; a < 3; a++) at[a] = p[a] + t[a] * along;
-    d[k] = hole_depth_at(w, at);
-    sum = sum + d[k];
+  vm little = le(step, splat(0.06f * size));
+  int all = !any(not_(little)), none = !any(little);
+  vf q0[3];
+  cells_near a, b;
+  if (!none) {
+    (void)cells_place(c, p, q0);
+    cells_find(c, q0, &a, &b);
   }
-  f.v = f.v - keep * splat(0.25f) * sum;
-  vf du = (d[0] - d[1]) * inverse * keep, dv = (d[2] - d[3]) * inverse * keep;
-  for (int a = 0; a < 3; a++) f.g[a] = du * t1[a] + dv * t2[a];
+  vf sum = zero, du = zero, dv = zero, inverse = splat(2.0f / HOLE_PLACES) / step * keep;
+  for (int k = 0; k < HOLE_PLACES; k++) {
+    vf at[3], d = zero;
+    for (int i = 0; i < 3; i++)
+      at[i] = p[i] + (t1[i] * splat(corner[k][0]) + t2[i] * splat(corner[k][1])) * step;
+    if (!none) d = hole_depth_by(w, at, q0, &a, &b);
+    if (!all) d = sel(little, d, hole_depth_at(w, at));
+    sum = sum + d;
+    du = du - d * splat(corner[k][0]);
+    dv = dv - d * splat(corner[k][1]);
+  }
+  f.v = f.v - keep * splat(1.0f / HOLE_PLACES) * sum;
+  for (int i = 0; i < 3; i++) f.g[i] = (du * t1[i] + dv * t2[i]) * inverse;
   return f;
 }
 

@@ -104,6 +104,27 @@ static const sozai_parameter grain_variation = {
    "to three times this.",
    .hard_min = 0, .hard_max = 0.35, .soft_min = 0, .soft_max = 0.2, .default_number = {0.1}};
 
+static const sozai_parameter grain_depth = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "grain_depth", .label = "Depth", .group = "grains", .unit = "",
+   .doc = "How clear the crystals are: how much of their neighbours is seen through their edges, "
+   "over some quarter of a grain.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
+
+static const sozai_parameter cleavage = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "cleavage", .label = "Cleavage", .group = "grains", .unit = "",
+   .doc = "How plain the lamellae of cleavage and twins are: strongest in specks of mica, weakest "
+   "in the second mineral.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
+
+static const sozai_parameter turbidity = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "turbidity", .label = "Turbidity", .group = "grains", .unit = "",
+   .doc = "How clouded crystals are within, flecked or, in the second mineral, crossed by healed "
+   "cracks.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
+
 static const sozai_parameter bed_thickness = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "bed_thickness", .label = "Bed thickness", .group = "bedding", .unit = "mm",
@@ -412,6 +433,9 @@ const sozai_parameter *const stone_parameters[STONE_PARAMETERS] = {
    [P_SECOND_SHARE] = &second_share,
    [P_THIRD_SHARE] = &third_share,
    [P_VARIATION] = &grain_variation,
+   [P_GRAIN_DEPTH] = &grain_depth,
+   [P_CLEAVAGE] = &cleavage,
+   [P_TURBIDITY] = &turbidity,
    [P_BED_THICKNESS] = &bed_thickness,
    [P_BED_CONTRAST] = &bed_contrast,
    [P_BED_WAVE] = &bed_wave,

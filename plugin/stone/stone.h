@@ -56,11 +56,14 @@ typedef struct {
   float mean[2];               /* expected share of kinds 1 and 2 */
   float variation;             /* of brightness from cell to cell */
   float blur;                  /* mm over size: crystals let light through at their edges */
+  float depth;                 /* share of light that comes through from behind them */
+  float cleavage, turbidity;   /* what is seen within a crystal: crystals.h */
   float even;                  /* area of the bodies over that of the balls in their place */
   float size;                  /* mm */
   float fade;                  /* footprint, in cells, from which the mean stands in */
   float looks;                 /* parts to a cell that a footprint is looked at in */
   int32_t on, shaped;          /* shaped: eroded, or cut to a ball */
+  int32_t textured;            /* something is to be seen within a crystal */
   uint32_t seed, seed_warp;
 } stone_cells;
 

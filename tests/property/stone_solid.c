@@ -75,7 +75,8 @@ static void shares_are_of_area(void **state) {
   }
 }
 
-/* Every colour alone, the others black: their sum is the whole. */
+/* Every colour alone, the others black: their sum is the whole at a point; how closely a
+ * footprint is looked at goes by the palette. */
 static void linear_in_the_palette(void **state) {
   (void)state;
   static const char *const ids[] = {"base_colour",  "second_colour",    "third_colour",
@@ -87,7 +88,7 @@ static void linear_in_the_palette(void **state) {
   points p = {0};
   uniform_seed(93);
   for (int i = 0; i < POINTS; i++) {
-    points_add(&p, 300 * (uniform() - 0.5), 300 * (uniform() - 0.5), 0, 3 * uniform());
+    points_add(&p, 300 * (uniform() - 0.5), 300 * (uniform() - 0.5), 0, 0);
   }
   double worst = 0;
   for (int k = 0; k <= COLOURS; k++) {
@@ -112,9 +113,48 @@ static void linear_in_the_palette(void **state) {
   points_free(&p);
 }
 
+/* What is seen within crystals is as light as it is dark, and a wide footprint has
+ * nothing of it left: the mean over many crystals is the mineral's own. */
+static void crystals_keep_their_mean(void **state) {
+  (void)state;
+  static const char *const ids[] = {"cleavage", "turbidity", "grain_depth"};
+  enum { CRYSTALS = 60000, SQUARES = 300 };
+  double plain[2] = {0, 0};
+  for (int k = -1; k < 3; k++) {
+    sozai_value v[] = {number("mottle", 0), number("grain_size", 2), number("second_share", 0.4),
+                       number("black_share", 0), number(k < 0 ? "seed" : ids[k], 1)};
+    if (k < 0) v[4].kind = SOZAI_KIND_INT;
+    sozai_texture *t = make("inada", v, 5);
+    points p = {0};
+    uniform_seed(94);
+    for (int i = 0; i < CRYSTALS + SQUARES; i++)
+      points_add(&p, 2000 * (uniform() - 0.5), 2000 * (uniform() - 0.5), 0,
+                 i < CRYSTALS ? 0 : 8 * 2);
+    points_ask(&p, t);
+    double mean[2] = {0, 0}, square = 0;
+    for (int i = 0; i < CRYSTALS; i++) {
+      mean[0] += (double)p.out[0][i] / CRYSTALS;
+      square += (double)(p.out[0][i] * p.out[0][i]) / CRYSTALS;
+    }
+    for (int i = CRYSTALS; i < CRYSTALS + SQUARES; i++) mean[1] += (double)p.out[0][i] / SQUARES;
+    if (k < 0) {
+      plain[0] = mean[0];
+      plain[1] = mean[1];
+    } else {
+      for (int f = 0; f < 2; f++)
+        CHECK(fabs(mean[f] / plain[f] - 1) < 0.002, "%s, %s: the mean is %.4f of that without it\n",
+              ids[k], f ? "wide" : "at points", mean[f] / plain[f]);
+    }
+    print_message("%s: mean %.4f, sd %.4f\n", k < 0 ? "plain" : ids[k], mean[0],
+                  sqrt(square - mean[0] * mean[0]));
+    points_free(&p);
+    textures->destroy(t);
+  }
+}
+
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(any_face_shows_the_same),
-                                     cmocka_unit_test(shares_are_of_area),
-                                     cmocka_unit_test(linear_in_the_palette)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(any_face_shows_the_same), cmocka_unit_test(shares_are_of_area),
+      cmocka_unit_test(linear_in_the_palette), cmocka_unit_test(crystals_keep_their_mean)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

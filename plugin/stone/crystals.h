@@ -1,0 +1,99 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * What is seen within a crystal, as brightness relative to its mineral, mean 1:
+ * the lamellae of cleavage and of twins, straight, in each crystal in a direction
+ * of its own; clouds, as of altered feldspar; the healed cracks of quartz, light,
+ * and flecks of mica, dark. MacKenzie, Donaldson and Guilford, Atlas of Igneous
+ * Rocks and their Textures (1982); Deer, Howie and Zussman, An Introduction to the
+ * Rock-Forming Minerals (1992).
+ *
+ * Each part fades as the footprint grows past its size, to its mean, which is 0. Of a
+ * noise's clamped parts the mean is a number, measured; property.stone_solid would
+ * find another.
+ */
+#ifndef SOZAI_STONE_CRYSTALS_H
+#define SOZAI_STONE_CRYSTALS_H
+
+#include "../core/filter.h"
+#include "../core/noise.h"
+#include "stone.h"
+
+#define LAMELLAE 13.0f     /* to a cell, of the finest direction's */
+#define CRYSTAL_FINE 7.3f  /* frequency of what is fine within crystals, 1/cell */
+#define CRACK_MEAN 0.1023f /* of max(0, 1 - |n| / 0.05), n gradient noise */
+#define FLECK_MEAN 0.0137f /* of clamp01((n - 0.36) 8) */
+
+/* What clouds, cracks and flecks are cut from: a noise and how much it changes
+ * over the footprint; and what the footprint leaves of them. */
+typedef struct {
+  vf fine, extent2, keep, cloud;
+} crystal_noise;
+
+/* u, v: the footprint's sides, cells; wide: the longer's length. */
+typedef struct {
+  vf u[3], v[3], wide;
+} crystal_square;
+
+/* q: cells, before their faces are bent. cloud: of a size of a third of a cell. */
+INLINE crystal_noise crystal_at(const stone_cells *c, const vf q[3], const crystal_square *s,
+                                vf cloud) {
+  vf one = splat(1.0f), zero = splat(0.0f), g[3], f = splat(CRYSTAL_FINE), t = splat(c->turbidity);
+  crystal_noise n = {zero, zero, zero, zero};
+  n.cloud = cloud * t * (one - smooth_step(splat(0.5f), splat(1.5f), s->wide * splat(3.1f)));
+  n.keep = t * (one - smooth_step(splat(0.4f), splat(1.4f), s->wide * f));
+  if (!any(gt(n.keep, zero))) return n;
+  n.fine = noise_gradient3(q[0] * f, q[1] * f, q[2] * f, splatu(c->seed_warp + 2u), g);
+  vf a = (g[0] * s->u[0] + g[1] * s->u[1] + g[2] * s->u[2]) * f;
+  vf b = (g[0] * s->v[0] + g[1] * s->v[1] + g[2] * s->v[2]) * f;
+  n.extent2 = vmin(splat(0.5f) * (a * a + b * b), splat(0.05f)); /* a noise is no plane for long */
+  return n;
+}
+
+/* The integral from 0 to f of value noise's blend, and of the rest. */
+INLINE vf crystal_blend(vf f) { return f * f * f * (splat(1.0f) - splat(0.5f) * f); }
+
+/* The mean over the footprint, within +-1; of all places 0. Value noise along the
+ * crystal's direction, its integral exact for up to two lamellae. h: the crystal's. */
+INLINE vf crystal_lamellae(vu h, const vf q[3], const crystal_square *s) {
+  const float k = 2.0f * LAMELLAE / 1023.0f;
+  vu hash = hash_mix(h ^ splatu(0x3c6ef35fu));
+  vf d[3] = {to_float((vi)(hash >> 22)) * splat(k) - splat(LAMELLAE),
+             to_float((vi)((hash >> 12) & splatu(1023u))) * splat(k) - splat(LAMELLAE),
+             to_float((vi)((hash >> 2) & splatu(1023u))) * splat(k) - splat(LAMELLAE)};
+  vf t = d[0] * q[0] + d[1] * q[1] + d[2] * q[2];
+  vf a = d[0] * s->u[0] + d[1] * s->u[1] + d[2] * s->u[2];
+  vf b = d[0] * s->v[0] + d[1] * s->v[1] + d[2] * s->v[2];
+  vf one = splat(1.0f), zero = splat(0.0f), wide = vsqrt(a * a + b * b + splat(1e-4f));
+  vf keep = one - smooth_step(one, splat(2.0f), wide), side = vmin(wide, splat(2.0f));
+  vi first;
+  vf from = t - splat(0.5f) * side, f = from - vfloor(from, &first);
+  vf value[4];
+  for (int i = 0; i < 4; i++)
+    value[i] = hash_signed((vu)first * splatu(HASH_X) + hash + splatu((uint32_t)i * HASH_X));
+  /* from f to f + side over three pieces of one each */
+  vf sum = zero;
+  for (int i = 0; i < 3; i++) {
+    vf low = i ? zero : f, high = clamp01(f + side - splat((float)i));
+    vf over = crystal_blend(high) - crystal_blend(low);
+    sum = sum + value[i] * (high - low) + (value[i + 1] - value[i]) * over;
+  }
+  return keep * sum / (side * splat(HASH_ONE));
+}
+
+/* Of the base's and the third mineral (feldspars), and of the second (quartz).
+ * Cracks and flecks are blurred as if the noise were a plane over the footprint. */
+INLINE void crystal_tones(const stone_cells *c, const crystal_noise *n, vu h, const vf q[3],
+                          const crystal_square *s, vf tone[2]) {
+  vf zero = splat(0.0f), lamellae = zero;
+  if (c->cleavage > 0.0f) lamellae = splat(c->cleavage) * crystal_lamellae(h, q, s);
+  vf wide = vsqrt(n->extent2 + splat(0.015625f)),
+     broad = splat(0.05f) + splat(0.5f) * wide - splat(0.0625f);
+  vf crack = splat(0.05f) * vmax(broad - vabs(n->fine), zero) / (broad * broad) - splat(CRACK_MEAN);
+  vf fleck = clamp01(splat(0.5f) + (n->fine - splat(0.4225f)) / wide) - splat(FLECK_MEAN);
+  tone[0] = splat(0.1f) * lamellae +
+            (splat(0.1f) * n->cloud + n->keep * (splat(0.16f) * n->fine - splat(0.6f) * fleck));
+  tone[1] = splat(0.05f) * lamellae +
+            (splat(0.3f) * n->cloud + n->keep * (splat(0.3f) * n->fine + splat(0.16f) * crack));
+}
+
+#endif
