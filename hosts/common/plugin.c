@@ -3,10 +3,10 @@
 
 #include <dlfcn.h>
 #include <limits.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
+
+#include "places.h"
 
 bool plugin_load(const char *path, const char *symbol, void **library, const sozai_entry_v1 **entry,
                  failure *why) {
@@ -33,62 +33,15 @@ bool plugin_load(const char *path, const char *symbol, void **library, const soz
   return false;
 }
 
-/* The folder this program stands in, with a slash at its end. */
-static bool executable_folder(char *folder, size_t size) {
-  ssize_t length = readlink("/proc/self/exe", folder, size - 1);
-  if (length <= 0) return false;
-  folder[length] = '\0';
-  char *slash = strrchr(folder, '/');
-  if (!slash) return false;
-  slash[1] = '\0';
-  return true;
-}
-
-/* The first that exists of: ../lib and the install libdir beside the program,
- * so that build trees and moved installations work, then the configured
- * libdir; in each, sozai.so itself or in a folder sozai. */
-static bool find(char *found, size_t size, failure *why) {
-  static const char *const relative[] = {"../lib/", "../" SOZAI_LIBDIR "/"};
-  static const char *const names[] = {"sozai.so", "sozai/sozai.so"};
-  char folder[PATH_MAX];
-  bool known = executable_folder(folder, sizeof folder);
-  for (size_t place = 0; place < 3; place++)
-    for (size_t name = 0; name < 2; name++) {
-      if (place < 2 && !known) continue;
-      int length = place < 2 ? snprintf(found, size, "%s%s%s", folder, relative[place], names[name])
-                             : snprintf(found, size, "%s/%s", SOZAI_FULL_LIBDIR, names[name]);
-      if (length > 0 && (size_t)length < size && access(found, R_OK) == 0) return true;
-    }
-  return fail(why, EXIT_FAILURE,
-              "sozai.so not found in %s../lib, %s../%s or %s; set SOZAI_PLUGIN to its path",
-              known ? folder : "", known ? folder : "", SOZAI_LIBDIR, SOZAI_FULL_LIBDIR);
-}
-
-/* Beside a library, or in a folder sozai there, else in the configured libdir. */
-static bool find_beside(char *found, size_t size, const char *library, failure *why) {
-  const char *slash = strrchr(library, '/');
-  int folder = slash ? (int)(slash + 1 - library) : 0;
-  static const char *const names[] = {"sozai.so", "sozai/sozai.so"};
-  for (size_t place = 0; place < 2; place++)
-    for (size_t name = 0; name < 2; name++) {
-      int length = place == 0 ? snprintf(found, size, "%.*s%s", folder, library, names[name])
-                              : snprintf(found, size, "%s/%s", SOZAI_FULL_LIBDIR, names[name]);
-      if (length > 0 && (size_t)length < size && access(found, R_OK) == 0) return true;
-    }
-  return fail(why, EXIT_FAILURE,
-              "sozai.so not found beside %s or in %s; set SOZAI_PLUGIN to its path", library,
-              SOZAI_FULL_LIBDIR);
-}
-
 /* library: what the plugin lies beside; NULL: this program. */
 static bool open_found(plugin *p, const char *library, failure *why) {
   memset(p, 0, sizeof *p);
   char found[2 * PATH_MAX];
   const char *path = getenv("SOZAI_PLUGIN");
   if (!path || !*path) {
-    if (!(library ? find_beside(found, sizeof found, library, why)
-                  : find(found, sizeof found, why)))
-      return false;
+    if (!(library ? places_find_beside(found, sizeof found, "sozai.so", library, why)
+                  : places_find(found, sizeof found, "sozai.so", why)))
+      return fail(why, EXIT_FAILURE, "%s; set SOZAI_PLUGIN to its path", why->text);
     path = found;
   }
   /* Absolute: dlopen would look a bare name up in the system's folders, and the

@@ -14,7 +14,7 @@ typedef struct plugin {
 } plugin;
 
 /* Load $SOZAI_PLUGIN if that is set, else the sozai.so that belongs to this
- * program: see plugin.c for the places. */
+ * program: see places.h. */
 bool plugin_open(plugin *p, failure *why);
 /* The same for a library that other programs load: $SOZAI_PLUGIN, else the
  * sozai.so beside that library's file, else the configured place. */

@@ -71,7 +71,7 @@ fi
 
 every=${1:-1}
 shift $(($# > 0))
-sets=(scalar sse2 avx2 avx512)
+read -ra sets <<<"${SOZAI_TEST_SETS:-scalar sse2 avx2 avx512}" # other.sh
 if (($#)) || [[ $(uname -m) == aarch64 ]]; then sets=(scalar neon); fi
 failed=0
 for cpu in "${sets[@]}"; do

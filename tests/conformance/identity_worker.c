@@ -1,13 +1,17 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * identity_worker PLUGIN POINTS BATCH THREADS [misaligned] [masked] [subset] [flushed]
+ * identity_worker PLUGIN WAY...
+ * WAY: POINTS,BATCH,THREADS[,misaligned][,masked][,subset][,flushed]
  *
- * Evaluates POINTS points (whole blocks of them) and prints their number, a
- * hash over every bit of every answer, and the instruction set. The hash is a
- * sum over points and components, so neither the order nor the way in which
- * the points are cut into batches is in it. Exits 1 when something is wrong,
- * 77 when the plugin says that this machine lacks what SOZAI_CPU asks for.
+ * Evaluates, in each of the ways in turn, POINTS points (whole blocks of them)
+ * and prints a line of their number, a hash over every bit of every answer, and
+ * the instruction set. The hash is a sum over points and components, so neither
+ * the order nor the way in which the points are cut into batches is in it. One
+ * process for all ways, because making the textures takes longer than most of
+ * them. Exits 1 when something is wrong, 77 when the plugin says that this
+ * machine lacks what SOZAI_CPU asks for.
  */
+#include <inttypes.h>
 #include <math.h>
 #include <pthread.h>
 #include <stdatomic.h>
@@ -18,6 +22,7 @@
 #include "identity_points.h"
 
 #define TEXTURES_MAX 256
+#define THREADS_MOST 64u
 #define PIECES 16u /* a block is cut into at most so many, for the threads */
 
 static plugin host;
@@ -349,18 +354,32 @@ static void *thread(void *one) {
   return NULL;
 }
 
+/* One way, and its line. */
+static int go(const char *way) {
+  blocks = (strtoull(way, NULL, 10) + BLOCK - 1) / BLOCK;
+  unsigned threads = 0;
+  if (sscanf(way, "%*u,%" SCNu32 ",%u", &batch_size, &threads) != 2) return 2;
+  if (!batch_size || !threads || threads > THREADS_MOST) return 2;
+  misaligned = strstr(way, ",misaligned") != NULL;
+  masked = strstr(way, ",masked") != NULL;
+  subset = strstr(way, ",subset") != NULL;
+  flushed = strstr(way, ",flushed") != NULL;
+  atomic_store(&next_piece, 0);
+  atomic_store(&total, 0);
+  atomic_store(&evaluated, 0);
+  int alone = threads == 1;
+  pthread_t list[THREADS_MOST];
+  for (uint32_t t = 0; t < threads; t++) pthread_create(&list[t], NULL, thread, &alone);
+  for (uint32_t t = 0; t < threads; t++) pthread_join(list[t], NULL);
+  printf("%llu %016llx %s\n", (unsigned long long)atomic_load(&evaluated),
+         (unsigned long long)atomic_load(&total), host.textures->instruction_set(textures[0]));
+  fflush(stdout);
+  return atomic_load(&failed);
+}
+
 int main(int argc, char **argv) {
-  if (argc < 5) return 2;
-  blocks = (strtoull(argv[2], NULL, 10) + BLOCK - 1) / BLOCK;
-  batch_size = (uint32_t)strtoul(argv[3], NULL, 10);
-  uint32_t threads = (uint32_t)strtoul(argv[4], NULL, 10);
-  for (int i = 5; i < argc; i++) {
-    misaligned |= strcmp(argv[i], "misaligned") == 0;
-    masked |= strcmp(argv[i], "masked") == 0;
-    subset |= strcmp(argv[i], "subset") == 0;
-    flushed |= strcmp(argv[i], "flushed") == 0;
-  }
-  if (!batch_size || threads > 64 || plugin_start(&host, argv[1])) return 1;
+  if (argc < 3) return 2;
+  if (plugin_start(&host, argv[1])) return 1;
   int r = make_woods();
   if (!r) r = make_layouts();
   wood_count = texture_count;
@@ -372,15 +391,8 @@ int main(int argc, char **argv) {
     const sozai_texture_info *info = host.textures->info_of(textures[i]);
     if (info->component_count > COMPONENTS || info->channel_count > 32) return 1;
   }
-
-  int alone = threads <= 1;
-  pthread_t list[64];
-  for (uint32_t t = 0; t < threads; t++) pthread_create(&list[t], NULL, thread, &alone);
-  for (uint32_t t = 0; t < threads; t++) pthread_join(list[t], NULL);
-  const char *isa = host.textures->instruction_set(textures[0]);
-  printf("%llu %016llx %s\n", (unsigned long long)atomic_load(&evaluated),
-         (unsigned long long)atomic_load(&total), isa);
+  for (int i = 2; !r && i < argc; i++) r = go(argv[i]);
   for (uint32_t i = 0; i < texture_count; i++) host.textures->destroy(textures[i]);
   plugin_stop(&host);
-  return atomic_load(&failed);
+  return r;
 }

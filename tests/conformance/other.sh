@@ -1,16 +1,24 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# other.sh SOURCE PLUGIN BUILD TEST COMPILER [CMake option...] [-- RUNNER...]:
+# other.sh SOURCE PLUGIN BUILD TEST few|all COMPILER [CMake option...] [-- RUNNER...]:
 # build the plugin once more with COMPILER, and ask TEST whether it answers with
-# the same bits as PLUGIN, the one built here, and with those recorded. RUNNER: what runs programs of another
-# processor. Exits 77 without the compiler or the runner.
+# the same bits as PLUGIN, the one built here, and with those recorded. few: on x86-64
+# its kernels for one lane and for AVX2 alone; all: every one, and at length. RUNNER: what
+# runs programs of another processor. Exits 77 without the compiler or the runner.
 #
 # Built here and not with everything else: only this test wants it, and a
 # second compiler must not stand in the way of the first one's build.
 set -euo pipefail
-source=$1 plugin=$2 build=$3 test=$4 compiler=$5
-shift 5
+source=$1 plugin=$2 build=$3 test=("$4") kernels=$5 compiler=$6
+shift 6
 options=() runner=()
+if [[ $kernels == all ]]; then
+  test+=(--long)
+elif [[ $(uname -m) == x86_64 ]]; then
+  options+=(-DSOZAI_FEW_KERNELS=ON)
+  # the other names stand for these
+  export SOZAI_TEST_SETS="scalar avx2"
+fi
 while (($#)) && [[ $1 != -- ]]; do
   options+=("$1")
   shift
@@ -49,6 +57,6 @@ else
   "${hashes[@]}"
 fi
 if ((${#runner[@]})); then
-  exec "$test" --against "$build/sozai.so" --worker "$build/identity-worker" --runner "${runner[@]}"
+  exec "${test[@]}" --against "$build/sozai.so" --worker "$build/identity-worker" --runner "${runner[@]}"
 fi
-exec "$test" --against "$build/sozai.so"
+exec "${test[@]}" --against "$build/sozai.so"

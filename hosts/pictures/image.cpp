@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The only C++ of the hosts. OpenImageIO may throw, and so may the standard
+// OpenImageIO may throw, and so may the standard
 // library; nothing gets past this file.
 #include "image.h"
 
