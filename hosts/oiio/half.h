@@ -13,6 +13,9 @@ extern "C" {
  * largest, so that finite numbers stay finite. */
 void half_from_float(uint16_t *to, const float *from, size_t count);
 
+/* The same of three arrays, to three halves side by side: count of each. */
+void half_from_rgb(uint16_t *to, const float *const from[3], size_t count);
+
 #ifdef __cplusplus
 }
 #endif
