@@ -95,7 +95,7 @@ tool iinfo -v "$look&format=auto"
 holds "iinfo of one subimage" "11 channel, half/half/half/float" \
   "channel list: R (half), G (half), B (half), height (float), roughness (float), fiber.x (float)," \
   'oiio:ColorSpace: "scene_linear"'
-check "there is one" test "${out/subimages/}" = "$out"
+check "there is one" test "${out/ subimages/}" = "$out"
 tool oiiotool "$look" --selectmip 0 -o "$scratch/look.exr"
 tool oiiotool "$look" --selectmip 0 "$scratch/look.exr" --diff
 works bake "$file" -o "$scratch/baked.exr" --outputs albedo,normal,roughness,height,fiber --bits 32

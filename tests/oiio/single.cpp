@@ -99,7 +99,7 @@ void every_level(void **) {
 
 void seamless(void **) {
   std::string file = direct_write("stone.sozai", stone);
-  for (const char *query : {"", "&wrap=periodic", "&wrap=periodic&normals=tangent"})
+  for (const char *query : {"", "&wrap=periodic&finish=flamed", "&wrap=periodic&normals=tangent"})
     compare_with_separate(file, query);
 }
 
