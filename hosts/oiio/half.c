@@ -97,3 +97,26 @@ void half_from_rgb(uint16_t *to, const float *const from[3], size_t count) {
   for (; i < count; i++)
     for (size_t c = 0; c < 3; c++) to[3 * i + c] = convert(from[c][i]);
 }
+
+void half_weave(char *to, ptrdiff_t stride, const uint16_t *const from[4], size_t count) {
+  size_t i = 0;
+#if defined(__x86_64__)
+  for (; i + 8 <= count; i += 8) {
+    __m128i h[4];
+    for (int c = 0; c < 4; c++) memcpy(&h[c], from[c] + i, sizeof h[c]);
+    __m128i ab[2] = {_mm_unpacklo_epi16(h[0], h[1]), _mm_unpackhi_epi16(h[0], h[1])};
+    __m128i cd[2] = {_mm_unpacklo_epi16(h[2], h[3]), _mm_unpackhi_epi16(h[2], h[3])};
+    for (int k = 0; k < 2; k++) {
+      __m128i two[2] = {_mm_unpacklo_epi32(ab[k], cd[k]), _mm_unpackhi_epi32(ab[k], cd[k])};
+      for (int n = 0; n < 2; n++, to += 2 * stride) {
+        _mm_storel_epi64((__m128i *)(void *)to, two[n]);
+        _mm_storeh_pd((double *)(void *)(to + stride), _mm_castsi128_pd(two[n]));
+      }
+    }
+  }
+#endif
+  for (; i < count; i++, to += stride) {
+    uint16_t four[4] = {from[0][i], from[1][i], from[2][i], from[3][i]};
+    memcpy(to, four, sizeof four);
+  }
+}

@@ -5,6 +5,8 @@
 #include "evaluate.h"
 #include "half.h"
 
+#define WOVEN 4 /* layers of halves at once */
+
 /* `to` comes by value: what is written could be it, for all the compiler knows,
  * which would read it again for every texel. */
 
@@ -22,6 +24,28 @@ static void put_halves(const float *from, const put_place to, uint32_t offset) {
   for (uint32_t row = 0; row < to.h; row++) {
     char *at = to.first + (ptrdiff_t)row * to.row + offset;
     for (uint32_t x = 0; x < to.w; x++, at += to.texel) memcpy(at, half++, sizeof *half);
+  }
+}
+
+static void put_four(float *const planes[WOVEN], const put_place to, uint32_t offset) {
+  uint16_t halves[WOVEN][SURFACE_BLOCK];
+  for (uint32_t k = 0; k < WOVEN; k++) half_from_float(halves[k], planes[k], (size_t)to.w * to.h);
+  for (uint32_t row = 0; row < to.h; row++) {
+    const uint16_t *from[WOVEN];
+    for (uint32_t k = 0; k < WOVEN; k++) from[k] = halves[k] + (size_t)row * to.w;
+    half_weave(to.first + (ptrdiff_t)row * to.row + offset, to.texel, from, to.w);
+  }
+}
+
+/* Layers of halves side by side, four at once; the last four may write again
+ * what those before them wrote. */
+static void put_run(const put_layer *layers, uint32_t count, float *const *planes,
+                    const put_place *to) {
+  for (uint32_t k = 0; count < WOVEN && k < count; k++)
+    put_halves(planes[k], *to, layers[k].offset);
+  for (uint32_t k = 0; count >= WOVEN && k < count; k += WOVEN) {
+    uint32_t first = k + WOVEN <= count ? k : count - WOVEN;
+    put_four(planes + first, *to, layers[first].offset);
   }
 }
 
@@ -53,11 +77,13 @@ void put_layers(const put_layer *layers, uint32_t count, float *const *planes,
     put_rgb(planes, *to);
     return;
   }
-  for (uint32_t k = 0; k < count; k++)
-    if (layers[k].half)
-      put_halves(planes[k], *to, layers[k].offset);
+  for (uint32_t k = 0, end; k < count; k = end) {
+    for (end = k; end < count && layers[end].half;) end++;
+    if (end > k)
+      put_run(layers + k, end - k, planes + k, to);
     else
-      put_floats(planes[k], *to, layers[k].offset);
+      put_floats(planes[end], *to, layers[end].offset), end++;
+  }
 }
 
 void put_zeros(const put_place *to, size_t bytes) {
