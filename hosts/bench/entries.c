@@ -22,8 +22,15 @@
 #define FIBER_ON(set) FIBER("full.batch1024@" set, 1024, set), FIBER("full.batch1@" set, 1, set)
 #define FIBER_FOOTPRINT(mm) FIBER("footprint_" #mm ".batch1024", 1024, NULL, .footprint = (float)(mm))
 #define FIBER_OF(id) {.name = "fiber." id ".batch1024", .batch = 1024, .wood = {.fiber = id}}
-#define TILE(called, of, which, given, mm) \
-  {.name = "oiio.tile." called, .kind = ENTRY_TILE, .tile = {of, which, given, mm}}
+#define READ(called, of, which, given, mm, outputs, apart) \
+  {.name = "oiio." called, .kind = ENTRY_TILE, .tile = {of, which, given, mm, outputs, apart}}
+#define TILE(called, ...) READ("tile." called, __VA_ARGS__, "albedo", false)
+/* what the shaders of hosts/osl and the nodes of hosts/blender read: a normal where there is relief */
+#define WOOD "albedo,fiber"
+#define RELIEF "albedo,fiber,normal"
+#define STONES "albedo,roughness,normal"
+#define LOOK(called, of, look, ...) READ("look." called, of, __VA_ARGS__, look, false), \
+  READ("look_apart." called, of, __VA_ARGS__, look, true)
 /* clang-format on */
 
 const entry entries[] = {
@@ -148,6 +155,18 @@ const entry entries[] = {
     TILE("carrara", "stone", "carrara", NULL, 0.25),
     TILE("travertino", "stone", "travertino", NULL, 0.25),
     TILE("terrazzo", "stone", "terrazzo", NULL, 0.0625),
+    LOOK("keyaki", "wood", WOOD, "keyaki", "cut: flat", 0.0625),
+    LOOK("keyaki_0.5mm", "wood", WOOD, "keyaki", "cut: flat", 0.5),
+    LOOK("mizunara", "wood", WOOD, "mizunara", "cut: flat", 0.0625),
+    LOOK("sugi", "wood", WOOD, "sugi", "cut: flat", 0.0625),
+    LOOK("buna", "wood", WOOD, "buna", "cut: flat", 0.0625),
+    LOOK("mizunara_strip", "wood", RELIEF, "mizunara", "layout: strip", 0.5),
+    LOOK("keyaki_planed", "wood", RELIEF, "keyaki", "cut: flat, surface: planed", 0.0625),
+    LOOK("inada", "stone", STONES, "inada", NULL, 0.0625),
+    LOOK("inada_0.5mm", "stone", STONES, "inada", NULL, 0.5),
+    LOOK("carrara", "stone", STONES, "carrara", NULL, 0.25),
+    LOOK("travertino", "stone", STONES, "travertino", NULL, 0.25),
+    LOOK("terrazzo", "stone", STONES, "terrazzo", NULL, 0.0625),
     {.name = "wood.load", .kind = ENTRY_LOAD},
 };
 const size_t entry_count = sizeof entries / sizeof entries[0];

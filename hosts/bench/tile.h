@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0
  * Reading a tile of a .sozai file through OpenImageIO, beside reading the same
- * tile of that picture baked: half R G B, tiled, zip-compressed, with mipmaps. */
+ * tile of that picture baked: half, tiled, zip-compressed, with mipmaps. Of
+ * several outputs, which are the channels of one subimage, it is baked to one
+ * file with all channels, or to a file for each output. */
 #ifndef SOZAI_BENCH_TILE_H
 #define SOZAI_BENCH_TILE_H
 
+#include <stdbool.h>
 #include <stdint.h>
 #include "failure.h"
 
@@ -13,8 +16,10 @@ extern "C" {
 
 typedef struct tile_kind {
   const char *material, *preset;
-  const char *params; /* as in a .sozai file, or NULL */
-  double texel;       /* mm */
+  const char *params;  /* as in a .sozai file, or NULL */
+  double texel;        /* mm */
+  const char *outputs; /* with commas between */
+  bool apart;          /* baked to a file for each */
 } tile_kind;
 
 #define TILE_SIDE 64u

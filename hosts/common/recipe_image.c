@@ -5,11 +5,12 @@
 #include <string.h>
 #include "numbers.h"
 
-const char recipe_image_keys[] = "resolution, size, format, wrap, outputs, normals, udim";
+const char recipe_image_keys[] =
+    "resolution, size, format, wrap, outputs, normals, udim, subimages";
 
-#define KEYS 7
+#define KEYS 8
 static const char *const names[KEYS] = {"resolution", "size",    "format", "wrap",
-                                        "outputs",    "normals", "udim"};
+                                        "outputs",    "normals", "udim",   "subimages"};
 
 int recipe_image_key(const char *name) {
   for (int key = 0; key < KEYS; key++)
@@ -104,8 +105,10 @@ bool recipe_image_set(recipe_image *image, int key, const char *text, failure *w
     return set_outputs(image, text, why);
   case 5:
     return set_choice(&image->normals, "normals", text, "object, tangent", why);
-  default:
+  case 6:
     return set_udim(image, text, why);
+  default:
+    return set_choice(&image->subimages, "subimages", text, "separate, single", why);
   }
 }
 

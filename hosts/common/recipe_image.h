@@ -17,6 +17,9 @@
 #define RECIPE_WRAP_PERIODIC 3 /* and the picture is made to fit itself */
 #define RECIPE_WRAP_MIRROR 4
 
+#define RECIPE_SUBIMAGES_SEPARATE 0 /* one for each output */
+#define RECIPE_SUBIMAGES_SINGLE 1   /* one, whose channels are all outputs' */
+
 #define RECIPE_NORMALS_OBJECT 0
 #define RECIPE_NORMALS_TANGENT 1 /* 0.5 + 0.5 n: right, up, out */
 
@@ -27,6 +30,7 @@ typedef struct recipe_image {
   int format;           /* RECIPE_FORMAT_* */
   int wrap;             /* RECIPE_WRAP_* */
   int normals;          /* RECIPE_NORMALS_* */
+  int subimages;        /* RECIPE_SUBIMAGES_* */
   int udim;             /* of a mesh: 1001 and on; 0: its first */
   char *outputs;        /* channels' ids with commas between; NULL: all */
 } recipe_image;

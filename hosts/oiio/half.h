@@ -13,6 +13,12 @@ extern "C" {
  * largest, so that finite numbers stay finite. */
 void half_from_float(uint16_t *to, const float *from, size_t count);
 
+/* The same of three arrays, to three halves side by side: count of each. */
+void half_from_rgb(uint16_t *to, const float *const from[3], size_t count);
+
+/* Four halves side by side at every `stride` bytes: count of each array. */
+void half_weave(char *to, ptrdiff_t stride, const uint16_t *const from[4], size_t count);
+
 #ifdef __cplusplus
 }
 #endif

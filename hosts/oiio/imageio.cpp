@@ -70,7 +70,7 @@ picture_box make_box(int x0, int x1, int y0, int y1, int z0, int z1) {
 bool SozaiInput::known(int subimage, int level) const {
   if (!picture_ || subimage < 0 || level < 0) return false;
   const picture_about *about = picture_about_of(picture_.get());
-  return whole(subimage) < about->output_count && whole(level) < about->shape.levels;
+  return whole(subimage) < about->subimage_count && whole(level) < about->shape.levels;
 }
 
 bool SozaiInput::valid_file(const std::string &name) const {
@@ -151,15 +151,15 @@ bool SozaiInput::read_tiles(int subimage, int level, int x0, int x1, int y0, int
     errorfmt("a rectangle that is not of whole tiles, or channels that there are not");
     return false;
   }
-  if (format == TypeDesc::UNKNOWN) format = spec.format;
+  int form = format == TypeDesc::UNKNOWN ? PICTURE_NATIVE
+             : format == TypeDesc::HALF  ? PICTURE_HALF
+                                         : PICTURE_FLOAT;
+  if (form == PICTURE_NATIVE && xstride == AutoStride)
+    xstride = stride_t(spec.pixel_bytes(first, end, true));
   spec.auto_stride(xstride, ystride, zstride, format, end - first, x1 - x0, y1 - y0);
-  picture_place to = {data,
-                      format == TypeDesc::HALF,
-                      whole(first),
-                      whole(end - first),
-                      {xstride, ystride, zstride}};
+  picture_place to = {data, form, whole(first), whole(end - first), {xstride, ystride, zstride}};
   picture_box box = make_box(x0, x1, y0, y1, z0, z1);
-  if (format == TypeDesc::HALF || format == TypeDesc::FLOAT) return read(subimage, level, box, to);
+  if (form != PICTURE_FLOAT || format == TypeDesc::FLOAT) return read(subimage, level, box, to);
 
   // Any other type: through float, slice by slice in rows of tiles.
   try {
@@ -214,9 +214,9 @@ bool SozaiInput::read_native_scanline(int subimage, int level, int y, int z, voi
     return false;
   }
   ImageSpec spec = spec_make_dimensions(picture_.get(), whole(subimage), whole(level));
-  stride_t texel = stride_t(spec.pixel_bytes());
+  stride_t texel = stride_t(spec.pixel_bytes(true));
   picture_place to = {data,
-                      spec.format == TypeDesc::HALF,
+                      PICTURE_NATIVE,
                       0,
                       whole(spec.nchannels),
                       {texel, texel * spec.width, texel * spec.width}};

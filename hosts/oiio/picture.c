@@ -20,13 +20,12 @@ static const char *wrap_name(int wrap) {
   }
 }
 
-static void describe(picture *p, uint32_t output_count) {
+static void describe(picture *p) {
   picture_about *a = &p->about;
   a->shape = *surface_shape_of(p->surface);
   bool volume = a->shape.kind == SURFACE_VOLUME;
   for (int c = 0; c < 3; c++) a->tile[c] = volume ? PICTURE_VOLUME_TILE : c < 2 ? PICTURE_TILE : 1;
-  a->output_count = output_count;
-  a->outputs = p->outputs;
+  a->subimages = p->subimages;
   a->material = p->recipe.material;
   a->preset = p->recipe.preset ? p->recipe.preset : "";
   a->working = p->library->working;
@@ -45,7 +44,10 @@ static bool open_parts(picture *p, failure *why) {
   bool solid = surface_shape_of(p->surface)->kind == SURFACE_VOLUME;
   const sozai_texture_info *info = p->library->plugin.textures->info_of(p->texture);
   if (!outputs_make(&p->outputs, &count, &p->recipe, info, solid, why)) return false;
-  describe(p, count);
+  bool single = p->recipe.image.subimages == RECIPE_SUBIMAGES_SINGLE;
+  if (!subimages_make(&p->subimages, &p->about.subimage_count, p->outputs, count, single, why))
+    return false;
+  describe(p);
   return true;
 }
 
@@ -72,6 +74,7 @@ bool picture_open(picture **out, const char *name, failure *why) {
 
 void picture_close(picture *p) {
   if (!p) return;
+  free(p->subimages);
   free(p->outputs);
   surface_close(p->surface);
   shared_release(p->texture_use);

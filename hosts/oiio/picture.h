@@ -21,8 +21,8 @@ typedef struct picture picture; /* immutable once opened */
 typedef struct picture_about {
   surface_shape shape;
   uint32_t tile[3];
-  uint32_t output_count;
-  const output *outputs;
+  uint32_t subimage_count;
+  const subimage *subimages;
   const char *material, *preset; /* the preset "" for none */
   const char *working;           /* the working space's name, or "" */
   const char *wrap;              /* as in OpenImageIO's wrapmodes: "clamp" */
@@ -42,18 +42,23 @@ typedef struct picture_box {
   uint32_t begin[3], end[3];
 } picture_box;
 
-/* Components first to first + count of a texel side by side, half or float;
- * strides in bytes from texel to texel, row to row, slice to slice. */
+#define PICTURE_FLOAT 0
+#define PICTURE_HALF 1
+#define PICTURE_NATIVE 2 /* each output's own, without gaps */
+
+/* Components first to first + count of a texel side by side; strides in bytes
+ * from texel to texel, row to row, slice to slice. */
 typedef struct picture_place {
   void *data;
-  bool half;
+  int format; /* PICTURE_* */
   uint32_t first, count;
   ptrdiff_t stride[3];
 } picture_place;
 
-/* Evaluate a box of one output, that output's channel alone, on up to `threads`
- * threads. Holds no lock, and on one thread allocates nothing. [thread-safe] */
-bool picture_read(const picture *p, uint32_t output, uint32_t level, const picture_box *box,
+/* Evaluate a box of one subimage, the channels that those components are of
+ * and no others, all in one go, on up to `threads` threads. Holds no lock, and
+ * on one thread allocates nothing. [thread-safe] */
+bool picture_read(const picture *p, uint32_t subimage, uint32_t level, const picture_box *box,
                   const picture_place *to, uint32_t threads, failure *why);
 
 #ifdef __cplusplus

@@ -14,6 +14,7 @@ struct picture {
   const sozai_texture *texture;
   surface *surface;
   output *outputs;
+  subimage *subimages;
   picture_about about;
 };
 

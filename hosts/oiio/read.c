@@ -1,90 +1,84 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * Evaluating a box of texels: cut into tiles, those into blocks that fit the
- * processor's nearest cache, each of them one batch. */
+ * processor's nearest caches, each of them one batch of all channels asked
+ * for. */
 #include "picture_parts.h"
 
 #include <stdatomic.h>
 #include <stdlib.h>
-#include <string.h>
 #include "evaluate.h"
-#include "half.h"
 #include "parallel.h"
+#include "put.h"
 
 #define TILES_FOR_THREADS 4u /* fewer are not worth starting threads for */
-
-typedef struct block {
-  uint32_t x, y, z, w, h;
-} block;
+#define ROOM 8192u           /* numbers evaluated at once: of many components fewer texels */
 
 typedef struct job {
   const picture *picture;
-  const output *output;
   uint32_t level;
   uint32_t pixels[3]; /* of the level */
   const picture_box *box;
   const picture_place *to;
+  put_layer layers[SURFACE_COMPONENTS];
+  uint32_t layer_count;
+  size_t texel_bytes;
+  uint32_t most;     /* texels in a block */
   uint32_t tiles[3]; /* how many, each way */
   atomic_bool failed;
   failure *why;
 } job;
 
-typedef struct room {
-  float out[OUTPUT_MOST_COMPONENTS][SURFACE_BLOCK];
-  float row[OUTPUT_MOST_COMPONENTS * PICTURE_TILE]; /* texel by texel */
-} room;
+/* ---- what of a texel -------------------------------------------------- */
 
-static char *place_of(const job *j, uint32_t x, uint32_t y, uint32_t z) {
+static void add_layer(job *j, const output *o, uint32_t k) {
+  bool half = j->to->format == PICTURE_NATIVE ? o->half : j->to->format == PICTURE_HALF;
+  j->layers[j->layer_count++] = (put_layer){.component = o->first + k,
+                                            .offset = (uint32_t)j->texel_bytes,
+                                            .half = half,
+                                            .encoded = o->encoded};
+  j->texel_bytes += half ? sizeof(uint16_t) : sizeof(float);
+}
+
+static bool set_layers(job *j, const subimage *s) {
+  uint32_t first = j->to->first, end = first + j->to->count, at = 0;
+  if (first > s->components || j->to->count > s->components - first || end > SURFACE_COMPONENTS)
+    return false;
+  for (uint32_t i = 0; i < s->output_count; i++)
+    for (uint32_t k = 0; k < s->outputs[i].components; k++, at++)
+      if (at >= first && at < end) add_layer(j, &s->outputs[i], k);
+  uint32_t fit = ROOM / (j->layer_count ? j->layer_count : 1);
+  j->most = fit < SURFACE_BLOCK ? fit / PICTURE_TILE * PICTURE_TILE : SURFACE_BLOCK;
+  return true;
+}
+
+/* ---- a block ---------------------------------------------------------- */
+
+typedef struct block {
+  uint32_t x, y, z, w, h;
+} block;
+
+static put_place place_of(const job *j, const block *b) {
   const picture_place *to = j->to;
   const uint32_t *begin = j->box->begin;
-  return (char *)to->data + (ptrdiff_t)(x - begin[0]) * to->stride[0] +
-         (ptrdiff_t)(y - begin[1]) * to->stride[1] + (ptrdiff_t)(z - begin[2]) * to->stride[2];
+  char *first = (char *)to->data + (ptrdiff_t)(b->x - begin[0]) * to->stride[0] +
+                (ptrdiff_t)(b->y - begin[1]) * to->stride[1] +
+                (ptrdiff_t)(b->z - begin[2]) * to->stride[2];
+  return (put_place){first, to->stride[0], to->stride[1], b->w, b->h};
 }
 
-/* ---- writing ---------------------------------------------------------- */
-
-static void put_row(const job *j, room *r, uint32_t row, const block *b) {
-  const picture_place *to = j->to;
-  uint32_t n = to->count;
-  size_t from = (size_t)row * b->w;
-  for (uint32_t k = 0; k < n; k++) {
-    const float *value = r->out[to->first + k] + from;
-    for (uint32_t x = 0; x < b->w; x++) r->row[x * n + k] = value[x];
-  }
-  uint16_t halves[OUTPUT_MOST_COMPONENTS * PICTURE_TILE];
-  if (to->half) half_from_float(halves, r->row, (size_t)b->w * n);
-  const char *texels = to->half ? (const char *)halves : (const char *)r->row;
-  size_t size = n * (to->half ? sizeof(uint16_t) : sizeof(float));
-  char *at = place_of(j, b->x, b->y + row, b->z);
-  if (to->stride[0] == (ptrdiff_t)size)
-    memcpy(at, texels, b->w * size);
-  else
-    for (uint32_t x = 0; x < b->w; x++) memcpy(at + x * to->stride[0], texels + x * size, size);
-}
-
-static void put_zeros(const job *j, uint32_t x, uint32_t to_x, uint32_t y, uint32_t z) {
-  size_t size = j->to->count * (j->to->half ? sizeof(uint16_t) : sizeof(float));
-  for (; x < to_x; x++) memset(place_of(j, x, y, z), 0, size);
-}
-
-/* ---- evaluating ------------------------------------------------------- */
-
-static void encode(float *value, size_t count) {
-  for (size_t i = 0; i < count; i++) value[i] = 0.5f + 0.5f * value[i];
-}
-
-static bool evaluate(const job *j, room *r, const block *b, failure *why) {
+static bool read_block(const job *j, float *room, const block *b, failure *why) {
   const picture *p = j->picture;
   surface_material material = {p->library->plugin.textures, p->texture};
-  float *out[SURFACE_COMPONENTS] = {NULL};
-  uint32_t first = j->to->first, end = first + j->to->count;
-  for (uint32_t k = first; k < end; k++) out[j->output->first + k] = r->out[k];
+  float *out[SURFACE_COMPONENTS] = {NULL}, *planes[SURFACE_COMPONENTS];
+  for (uint32_t k = 0; k < j->layer_count; k++)
+    out[j->layers[k].component] = planes[k] = room + (size_t)k * j->most;
   failure reason;
   if (!surface_evaluate(p->surface, &material, j->level, b->x, b->y, b->z, b->w, b->h, out,
                         SURFACE_COMPONENTS, NULL, &reason))
     return fail(why, EXIT_FAILURE, "%s: %s", p->recipe.file, reason.text);
-  for (uint32_t k = first; j->output->encoded && k < end; k++)
-    encode(r->out[k], (size_t)b->w * b->h);
+  put_place to = place_of(j, b);
+  put_layers(j->layers, j->layer_count, planes, &to);
   return true;
 }
 
@@ -92,8 +86,13 @@ static bool evaluate(const job *j, room *r, const block *b, failure *why) {
 
 static uint32_t least(uint32_t a, uint32_t b) { return a < b ? a : b; }
 
+static void zeros(const job *j, uint32_t x, uint32_t y, uint32_t z, uint32_t w, uint32_t h) {
+  put_place to = place_of(j, &(block){x, y, z, w, h});
+  put_zeros(&to, j->texel_bytes);
+}
+
 /* One slice of a tile: what is in the picture, then what is past it. */
-static bool read_slice(const job *j, room *r, const uint32_t begin[3], const uint32_t end[3],
+static bool read_slice(const job *j, float *room, const uint32_t begin[3], const uint32_t end[3],
                        uint32_t z, failure *why) {
   bool inside = z < j->pixels[2];
   uint32_t x1 = inside ? least(end[0], j->pixels[0]) : begin[0];
@@ -101,16 +100,13 @@ static bool read_slice(const job *j, room *r, const uint32_t begin[3], const uin
   if (x1 < begin[0]) x1 = begin[0];
   if (y1 < begin[1] || x1 == begin[0]) y1 = begin[1];
   block b = {.x = begin[0], .z = z, .w = x1 - begin[0]};
-  uint32_t rows = b.w ? SURFACE_BLOCK / b.w : 0;
+  uint32_t rows = b.w ? j->most / b.w : 0;
   for (b.y = begin[1]; b.y < y1; b.y += b.h) {
     b.h = least(rows, y1 - b.y);
-    if (!evaluate(j, r, &b, why)) return false;
-    for (uint32_t row = 0; row < b.h; row++) {
-      put_row(j, r, row, &b);
-      put_zeros(j, x1, end[0], b.y + row, z);
-    }
+    if (!read_block(j, room, &b, why)) return false;
   }
-  for (uint32_t y = y1; y < end[1]; y++) put_zeros(j, begin[0], end[0], y, z);
+  zeros(j, x1, begin[1], z, end[0] - x1, y1 - begin[1]);
+  zeros(j, begin[0], y1, z, end[0] - begin[0], end[1] - y1);
   return true;
 }
 
@@ -124,26 +120,21 @@ static void read_tile(void *context, uint32_t index) {
     begin[c] = j->box->begin[c] + place[c] * j->picture->about.tile[c];
     end[c] = least(begin[c] + j->picture->about.tile[c], j->box->end[c]);
   }
-  room r;
+  _Alignas(64) float room[ROOM];
   failure why;
   for (uint32_t z = begin[2]; z < end[2]; z++)
-    if (!read_slice(j, &r, begin, end, z, &why)) {
+    if (!read_slice(j, room, begin, end, z, &why)) {
       if (!atomic_exchange(&j->failed, true)) *j->why = why;
       return;
     }
 }
 
-bool picture_read(const picture *p, uint32_t output, uint32_t level, const picture_box *box,
+bool picture_read(const picture *p, uint32_t subimage, uint32_t level, const picture_box *box,
                   const picture_place *to, uint32_t threads, failure *why) {
-  if (output >= p->about.output_count || level >= p->about.shape.levels)
+  if (subimage >= p->about.subimage_count || level >= p->about.shape.levels)
     return fail(why, EXIT_FAILURE, "%s: no such subimage or mip level", p->recipe.file);
-  job j = {.picture = p,
-           .output = &p->outputs[output],
-           .level = level,
-           .box = box,
-           .to = to,
-           .why = why};
-  if (to->first > j.output->components || to->count > j.output->components - to->first)
+  job j = {.picture = p, .level = level, .box = box, .to = to, .why = why};
+  if (!set_layers(&j, &p->subimages[subimage]))
     return fail(why, EXIT_FAILURE, "%s: no such channels", p->recipe.file);
   surface_level(p->surface, level, j.pixels);
   uint64_t tiles = 1;

@@ -33,25 +33,30 @@ void add_scale(ImageSpec &spec, const picture_about *about, const uint32_t *pixe
   spec.attribute("sozai:mm_per_pixel", TypeDesc(TypeDesc::FLOAT, 2), mm);
 }
 
-void add_metadata(ImageSpec &spec, const picture_about *about, const output *out) {
+void add_metadata(ImageSpec &spec, const picture_about *about, const subimage *s) {
   bool volume = about->shape.kind == SURFACE_VOLUME;
   std::string wrap = about->wrap;
-  spec.attribute("oiio:subimagename", out->id);
-  spec.attribute("oiio:ColorSpace", out->colour ? "scene_linear" : "data");
+  bool colour = false, encoded = false;
+  for (uint32_t i = 0; i < s->output_count; i++) {
+    colour = colour || s->outputs[i].colour;
+    encoded = encoded || s->outputs[i].encoded;
+  }
+  if (s->output_count == 1) spec.attribute("oiio:subimagename", s->outputs[0].id);
+  spec.attribute("oiio:ColorSpace", colour ? "scene_linear" : "data");
   spec.attribute("wrapmodes", wrap + "," + wrap);
   spec.attribute("textureformat", volume ? "Volume Texture" : "Plain Texture");
   spec.attribute("sozai:material", about->material);
   if (*about->preset) spec.attribute("sozai:preset", about->preset);
-  if (out->colour && *about->working) spec.attribute("sozai:ColorSpace", about->working);
+  if (colour && *about->working) spec.attribute("sozai:ColorSpace", about->working);
   if (about->shape.udim) spec.attribute("sozai:udim", about->shape.udim);
-  if (out->encoded) spec.attribute("sozai:normals", "tangent");
+  if (encoded) spec.attribute("sozai:normals", "tangent");
 }
 
 } // namespace
 
 ImageSpec spec_make_dimensions(const picture *p, uint32_t subimage, uint32_t level) {
   const picture_about *about = picture_about_of(p);
-  const output *out = &about->outputs[subimage];
+  const struct subimage *s = &about->subimages[subimage];
   uint32_t pixels[3];
   picture_level(p, level, pixels);
   ImageSpec spec;
@@ -61,17 +66,23 @@ ImageSpec spec_make_dimensions(const picture *p, uint32_t subimage, uint32_t lev
   spec.tile_width = static_cast<int>(about->tile[0]);
   spec.tile_height = static_cast<int>(about->tile[1]);
   spec.tile_depth = static_cast<int>(about->tile[2]);
-  spec.nchannels = static_cast<int>(out->components);
-  spec.format = out->half ? TypeDesc::HALF : TypeDesc::FLOAT;
+  spec.nchannels = static_cast<int>(s->components);
+  // of several types the widest, as everywhere in OpenImageIO
+  spec.format = s->half ? TypeDesc::HALF : TypeDesc::FLOAT;
+  for (uint32_t i = 0; s->mixed && i < s->output_count; i++)
+    spec.channelformats.insert(spec.channelformats.end(), s->outputs[i].components,
+                               s->outputs[i].half ? TypeDesc::HALF : TypeDesc::FLOAT);
   return spec;
 }
 
 ImageSpec spec_make(const picture *p, uint32_t subimage, uint32_t level) {
   const picture_about *about = picture_about_of(p);
-  const output *out = &about->outputs[subimage];
+  const struct subimage *s = &about->subimages[subimage];
   ImageSpec spec = spec_make_dimensions(p, subimage, level);
-  for (uint32_t k = 0; k < out->components; k++) spec.channelnames.push_back(out->names[k]);
-  add_metadata(spec, about, out);
+  for (uint32_t i = 0; i < s->output_count; i++)
+    for (uint32_t k = 0; k < s->outputs[i].components; k++)
+      spec.channelnames.push_back(s->outputs[i].names[k]);
+  add_metadata(spec, about, s);
   uint32_t pixels[3];
   picture_level(p, level, pixels);
   add_scale(spec, about, pixels);

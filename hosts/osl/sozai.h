@@ -2,7 +2,9 @@
 // What sozai's shaders share. OSL 1.12 and later.
 //
 // file is a .sozai file, whose outputs are subimages of their channels' names,
-// or a name with <output> in it, for files that were baked one by one.
+// or a name with <output> in it, for files that were baked one by one. Or all
+// outputs lie in one subimage, of a .sozai file or an EXR baked of it: channel
+// is then the first of the output's, else -1.
 #ifndef SOZAI_OSL_H
 #define SOZAI_OSL_H
 
@@ -14,13 +16,15 @@ string sozai_file(string file, string output_name) {
 }
 
 // As the shader's own (s, t) says; t runs upwards, as in sozai's pictures.
-color sozai_colour(string file, string output_name, float s, float t, string wrap) {
+color sozai_colour(string file, string output_name, int channel, float s, float t, string wrap) {
+  if (channel >= 0) return (color)texture(file, s, 1 - t, "wrap", wrap, "firstchannel", channel);
   string name = sozai_file(file, output_name);
   if (name != file) return (color)texture(name, s, 1 - t, "wrap", wrap);
   return (color)texture(name, s, 1 - t, "wrap", wrap, "subimage", output_name);
 }
 
-float sozai_number(string file, string output_name, float s, float t, string wrap) {
+float sozai_number(string file, string output_name, int channel, float s, float t, string wrap) {
+  if (channel >= 0) return (float)texture(file, s, 1 - t, "wrap", wrap, "firstchannel", channel);
   string name = sozai_file(file, output_name);
   if (name != file) return (float)texture(name, s, 1 - t, "wrap", wrap);
   return (float)texture(name, s, 1 - t, "wrap", wrap, "subimage", output_name);
@@ -29,9 +33,9 @@ float sozai_number(string file, string output_name, float s, float t, string wra
 // A direction of the texture's axes (x along s, y along t, z out of the surface
 // for a plane; the object's own for an unwrapped mesh), unit. fallback where
 // there is none.
-vector sozai_direction(string file, string output_name, float s, float t, string wrap,
+vector sozai_direction(string file, string output_name, int channel, float s, float t, string wrap,
                        int unwrapped, vector fallback) {
-  vector d = (vector)sozai_colour(file, output_name, s, t, wrap);
+  vector d = (vector)sozai_colour(file, output_name, channel, s, t, wrap);
   if (length(d) < 0.01) return fallback;
   if (unwrapped) return normalize(transform("object", "common", d));
   vector along = normalize(dPdu - dot(dPdu, N) * N);

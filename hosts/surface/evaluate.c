@@ -5,6 +5,12 @@
 #include <string.h>
 #include "blend.h"
 
+/* A plane's normal, the same at every texel. */
+#define FOUR_OF(x) x, x, x, x
+static const float zeros[SURFACE_BLOCK],
+    ones[SURFACE_BLOCK] = {FOUR_OF(FOUR_OF(FOUR_OF(FOUR_OF(FOUR_OF(1.0f)))))};
+static const float *const upwards[3] = {zeros, zeros, ones};
+
 static bool too_far(const uint8_t *covered, size_t count) {
   for (size_t i = 0; i < count; i++)
     if (covered[i]) return false;
@@ -20,19 +26,19 @@ static void repeat_first(float *const *out, uint32_t out_count, size_t count) {
 bool surface_evaluate(const surface *s, const surface_material *m, uint32_t level, uint32_t x,
                       uint32_t y, uint32_t z, uint32_t w, uint32_t h, float *const *out,
                       uint32_t out_count, uint8_t *covered, failure *why) {
-  float input[7][SURFACE_BLOCK];
+  _Alignas(64) float input[7][SURFACE_BLOCK];
   uint8_t own_covered[SURFACE_BLOCK];
   const surface_shape *shape = surface_shape_of(s);
+  bool flat = shape->kind == SURFACE_PLANE, mesh = shape->kind == SURFACE_MESH;
   surface_room texels = {.point = {input[0], input[1], input[2]},
                          .footprint = input[6],
-                         .covered = covered ? covered : own_covered};
-  bool solid = shape->kind == SURFACE_VOLUME;
-  for (int c = 0; c < 3; c++) texels.normal[c] = solid ? NULL : input[3 + c];
+                         .covered = covered || !mesh ? covered : own_covered};
+  for (int c = 0; c < 3; c++) texels.normal[c] = mesh ? input[3 + c] : NULL;
   size_t count = (size_t)w * h;
   if (count > SURFACE_BLOCK || !surface_texels(s, level, x, y, z, w, h, &texels))
     return fail(why, EXIT_FAILURE, "no such texels");
   if (out_count > SURFACE_COMPONENTS) out_count = SURFACE_COMPONENTS;
-  bool alike = shape->kind == SURFACE_MESH && too_far(texels.covered, count);
+  bool alike = mesh && too_far(texels.covered, count);
   sozai_batch batch = {.size = sizeof batch,
                        .count = alike ? 1 : (uint32_t)count,
                        .footprint = texels.footprint,
@@ -40,7 +46,7 @@ bool surface_evaluate(const surface *s, const surface_material *m, uint32_t leve
                        .out_count = out_count};
   for (int c = 0; c < 3; c++) {
     batch.point[c] = texels.point[c];
-    batch.normal[c] = texels.normal[c];
+    batch.normal[c] = flat ? upwards[c] : texels.normal[c];
   }
   int32_t result = shape->seamless ? blend_evaluate(&shape->repeat, m, &batch)
                                    : m->textures->evaluate(m->texture, &batch);

@@ -48,9 +48,37 @@ void halves(void **) {
   }
 }
 
+// Side by side, whatever the count; and nothing past them is written.
+void woven(void **) {
+  const std::vector<float> all = numbers();
+  for (size_t count = 0; count < 80; count++) {
+    const float *rgb[3] = {&all[count * 7], &all[count * 77 + 5000000], &all[count * 13 + 100000]};
+    std::vector<uint16_t> three(3 * count + 1, 0x5555);
+    half_from_rgb(three.data(), rgb, count);
+    for (size_t i = 0; i < 3 * count; i++) assert_int_equal(three[i], wanted(rgb[i % 3][i / 3]));
+    assert_int_equal(three[3 * count], 0x5555);
+
+    std::vector<uint16_t> arrays[4];
+    const uint16_t *from[4];
+    for (size_t c = 0; c < 4; c++) {
+      for (size_t i = 0; i < count; i++) arrays[c].push_back(uint16_t(1000 * c + i));
+      from[c] = arrays[c].data();
+    }
+    for (size_t stride : {8, 9, 14}) { // bytes
+      std::vector<char> four(stride * count + 8, 'x');
+      half_weave(four.data(), ptrdiff_t(stride), from, count);
+      for (size_t i = 0; i < count; i++)
+        for (size_t c = 0; c < 4; c++)
+          assert_memory_equal(&four[i * stride + 2 * c], &arrays[c][i], 2);
+      for (size_t i = 0; i < four.size(); i++)
+        if (i >= stride * count || i % stride >= 8) assert_int_equal(four[i], 'x');
+    }
+  }
+}
+
 } // namespace
 
 int main() {
-  const CMUnitTest tests[] = {cmocka_unit_test(halves)};
+  const CMUnitTest tests[] = {cmocka_unit_test(halves), cmocka_unit_test(woven)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

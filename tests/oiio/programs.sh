@@ -89,6 +89,20 @@ holds "an EXR of the layers" 'name: "normal"' "normal.x" 'name: "height"' "R, G,
 tool oiiotool --cache 64 --autotile 64 "$file?res=65536&outputs=albedo&format=half" \
   --crop 96x64+40000+30000 -o "$scratch/far.exr"
 
+# ---- all of a look in one subimage: as an EXR that was baked of it
+readonly look="$file?outputs=albedo,normal,roughness,height,fiber&subimages=single"
+tool iinfo -v "$look&format=auto"
+holds "iinfo of one subimage" "11 channel, half/half/half/float" \
+  "channel list: R (half), G (half), B (half), height (float), roughness (float), fiber.x (float)," \
+  'oiio:ColorSpace: "scene_linear"'
+check "there is one" test "${out/ subimages/}" = "$out"
+tool oiiotool "$look" --selectmip 0 -o "$scratch/look.exr"
+tool oiiotool "$look" --selectmip 0 "$scratch/look.exr" --diff
+works bake "$file" -o "$scratch/baked.exr" --outputs albedo,normal,roughness,height,fiber --bits 32
+tool oiiotool "$look" --selectmip 0 "$scratch/baked.exr" --diff
+channels() { iinfo -v "$1" | sed -n 's/ *channel list: //p'; }
+check "a baked file has the same channels" test "$(channels "$look")" = "$(channels "$scratch/baked.exr")"
+
 # ---- maketx, which wants a name that is a file's
 cat >"$scratch/albedo.sozai" <<'YAML'
 include: keyaki.sozai
@@ -98,9 +112,14 @@ tool maketx --format exr -d half "$scratch/albedo.sozai" -o "$scratch/made.exr"
 tool iinfo -v "$scratch/made.exr"
 holds "maketx" "MIP-map levels: 512x512 256x256" "half openexr"
 tool oiiotool "$scratch/whole.exr" "$scratch/made.exr" --selectmip 0 --fail 0.00026 --diff
+sed -i 's/image:.*/image: {outputs: [albedo, normal, roughness, height, fiber], subimages: single}/' \
+  "$scratch/albedo.sozai"
+tool maketx "$scratch/albedo.sozai" -o "$scratch/made-look.exr"
+tool oiiotool "$look" --selectmip 0 "$scratch/made-look.exr" --selectmip 0 --diff
+check "maketx keeps the channels" test "$(channels "$look")" = "$(channels "$scratch/made-look.exr")"
 
 # ---- what is wrong is said
-for query in res=1e9 nothing=1 wrap=periodic outputs=none; do
+for query in res=1e9 nothing=1 wrap=periodic outputs=none subimages=one; do
   checks=$((checks + 1))
   if iinfo "$file?$query" >"$scratch/out" 2>&1; then failed "iinfo took $query"; fi
   checks=$((checks + 1))

@@ -79,6 +79,17 @@ void files(void **) {
   refuse_text("material: wood\nimage: {resolution: [8, 8, 8], outputs: specular}\n",
               {"specular", "normal"});
   refuse_text("material: wood\nimage: {resolution: [8, 8, 8], normals: tangent}\n", {"volume"});
+  refuse_text("material: wood\nimage: {subimages: both}\n",
+              {":2:", "subimages", "'both'", "separate", "single"});
+  refuse_text("material: wood\nimage: {subimages: 1}\n", {":2:", "subimages", "'1'", "single"});
+  refuse_text("material: wood\nimage: {subimages: [single, separate]}\n", {":2:", "subimages"});
+  refuse_text("material: wood\nimage: {subimages: .nan}\n", {":2:", "subimages", "single"});
+  refuse_text("material: wood\nimage: {subimages: {a: b}}\n", {":2:", "single value"});
+  refuse_text("material: wood\nimage: {subimages: single, outputs: [albedo, albedo]}\n",
+              {"outputs", "twice"});
+  refuse_text("material: wood\nimage: {resolution: [8, 8, 8], subimages: single, outputs: [albedo, "
+              "specular]}\n",
+              {"specular", "normal"});
   refuse_text("material: wood\nimage: {udim: 1001}\n", {"udim", "mesh"});
   refuse_text("material: wood\nimage: {udim: 12}\n", {"udim", "1001"});
   refuse_text("material: wood\nsurface: {shape: ball}\n", {":2:", "'ball'", "plane"});
@@ -144,6 +155,12 @@ void queries(void **) {
   refuse(good + "a=" + std::string(100000, 'x'), {"a"});
   refuse(good + "grain=%ff%fe", {"grain"});
   refuse(good + "udim=1001", {"udim"});
+  refuse(good + "subimages=", {"subimages", "separate, single"});
+  refuse(good + "subimages=Single", {"subimages", "'Single'"});
+  refuse(good + "subimages=single,single", {"subimages", "single,single"});
+  refuse(good + "subimages=1e30", {"subimages", "'1e30'"});
+  refuse(good + "subimages=%ff%00", {"subimages"});
+  refuse(good + "subimages=" + std::string(3000, 's'), {"subimages"});
 }
 
 void hostile(void **) {
@@ -195,6 +212,16 @@ void afterwards(void **) {
   assert_false(in->seek_subimage(1, 0));
   assert_false(in->seek_subimage(0, 7));
   assert_true(in->read_tile(0, 64, 0, TypeFloat, tile.data()));
+  assert_true(in->open(good + "?subimages=single&outputs=albedo,normal", spec));
+  assert_int_equal(spec.nchannels, 6);
+  tile.resize(64 * 64 * 6);
+  assert_true(in->read_tiles(0, 0, 0, 64, 0, 64, 0, 1, 5, 6, TypeFloat, tile.data()));
+  assert_false(in->read_tiles(0, 0, 0, 64, 0, 64, 0, 1, 6, 7, TypeFloat, tile.data()));
+  assert_false(in->read_tiles(0, 0, 0, 64, 0, 64, 0, 1, 4, 4, TypeFloat, tile.data()));
+  assert_false(in->read_tiles(0, 0, 0, 64, 0, 64, 0, 1, -1, 3, TypeFloat, tile.data()));
+  assert_false(in->read_tiles(1, 0, 0, 64, 0, 64, 0, 1, 0, 3, TypeFloat, tile.data()));
+  assert_false(in->seek_subimage(1, 0));
+  assert_false(in->geterror().empty());
   assert_true(in->close());
   assert_true(in->close());
   std::printf("%d refused\n", count);
