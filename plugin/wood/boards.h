@@ -20,11 +20,11 @@ typedef struct {
   vf tone;       /* factor of the albedo */
 
   /* of plies; see plies/ply.h */
-  vf filler[3];           /* colour of what is no wood: glue, gaps and joints */
-  vf ending;              /* share of end grain's colour */
-  vf down[3], squeeze;    /* log space: down the surface; how much shorter the footprint is there */
-  vf wide;                /* mm: the footprint, where rings curve under it, else 0 */
-  vf tilt[3], step;       /* slope of the glue's step, object space, and its height */
+  vf filler[3];        /* colour of what is no wood: glue, gaps and joints */
+  vf ending;           /* share of end grain's colour */
+  vf down[3], squeeze; /* log space: down the surface; how much shorter the footprint is there */
+  vf wide;             /* mm: the footprint, where rings curve under it, else 0 */
+  vf tilt[3], step;    /* slope of the glue's step, object space, and its height */
   vf number, place[2], to_glue;
 } wood_board;
 

@@ -31,11 +31,20 @@ static void as_many_as_the_trade_has(void **state) {
     double thick;
     int plies;
   } sheets[] = {
-      {"birch_plywood", "", 4, 3},    {"birch_plywood", "", 6.5, 5}, {"birch_plywood", "", 9, 7},
-      {"birch_plywood", "", 12, 9},   {"birch_plywood", "", 15, 11}, {"birch_plywood", "", 18, 13},
-      {"birch_plywood", "", 21, 15},  {"birch_plywood", "", 24, 17}, {"birch_plywood", "", 27, 19},
-      {"birch_plywood", "", 30, 21},  {"lauan_plywood", "", 12, 5},  {"sugi_plywood", "", 12, 5},
-      {"larch_lvl", "", 45, 15},      {"pine_blockboard", "", 19, 5},
+      {"birch_plywood", "", 4, 3},
+      {"birch_plywood", "", 6.5, 5},
+      {"birch_plywood", "", 9, 7},
+      {"birch_plywood", "", 12, 9},
+      {"birch_plywood", "", 15, 11},
+      {"birch_plywood", "", 18, 13},
+      {"birch_plywood", "", 21, 15},
+      {"birch_plywood", "", 24, 17},
+      {"birch_plywood", "", 27, 19},
+      {"birch_plywood", "", 30, 21},
+      {"lauan_plywood", "", 12, 5},
+      {"sugi_plywood", "", 12, 5},
+      {"larch_lvl", "", 45, 15},
+      {"pine_blockboard", "", 19, 5},
       {"birch_plywood", "plies=9; ", 18, 9},
       {"birch_plywood", "sheets=3; ", 18, 39},
   };
@@ -50,8 +59,9 @@ static void as_many_as_the_trade_has(void **state) {
     add(&p, 3, 5, -stack * sheets[i].thick, under, 0.1);
     points_ask(&p, t);
     int front = (int)p.out[BOARD_ID][0], back = (int)p.out[BOARD_ID][1];
-    CHECK(front == 1 && back == sheets[i].plies, "%-16s %-11s %4.3g mm: plies %d to %d, expected %d\n",
-          sheets[i].preset, sheets[i].values, sheets[i].thick, front, back, sheets[i].plies);
+    CHECK(front == 1 && back == sheets[i].plies,
+          "%-16s %-11s %4.3g mm: plies %d to %d, expected %d\n", sheets[i].preset, sheets[i].values,
+          sheets[i].thick, front, back, sheets[i].plies);
     textures->destroy(t);
   }
   points_free(&p);
@@ -86,11 +96,12 @@ static void lay_up(const char *values, double thick, double face, double core, i
     found = ply;
   }
   double share = (double)glued / STEPS, asked = (plies - 1) * 0.09 / thick;
-  CHECK(found == plies && off < 2 * step && aslant < 1e-6 && edge_worst < 2 * step &&
-            fabs(share - asked) < 2.0 * plies / STEPS,
-        "%-22s %2d plies (of %d), thicknesses off by %.4f mm, fibres by %.1e, glue %.4f of the edge "
-        "(asked %.4f), its middle off by %.4f mm\n",
-        values, found, plies, off, aslant, share, asked, edge_worst);
+  CHECK(
+      found == plies && off < 2 * step && aslant < 1e-6 && edge_worst < 2 * step &&
+          fabs(share - asked) < 2.0 * plies / STEPS,
+      "%-22s %2d plies (of %d), thicknesses off by %.4f mm, fibres by %.1e, glue %.4f of the edge "
+      "(asked %.4f), its middle off by %.4f mm\n",
+      values, found, plies, off, aslant, share, asked, edge_worst);
   points_free(&p);
   textures->destroy(t);
 }
@@ -139,6 +150,7 @@ static void averages_what_lies_under_it(void **state) {
                 {"larch_lvl", ""},
                 {"pine_blockboard", "core_gap=0.6"}};
   points p = {0};
+  int failed = 0;
   for (unsigned k = 0; k < sizeof sheets / sizeof *sheets; k++) {
     sozai_texture *t = wood_make(sheets[k].preset, sheets[k].values);
     points_clear(&p);
@@ -167,12 +179,13 @@ static void averages_what_lies_under_it(void **state) {
       worst_mean = fmax(worst_mean, mean);
     }
     print_message("\n");
-    CHECK(worst <= 0.01 && worst_mean <= 0.002,
-          "%-16s %-36s worst RMS %.4f at %g mm (goal 0.01), worst mean %.4f (goal 0.002)\n",
-          sheets[k].preset, sheets[k].values, worst, worst_size, worst_mean);
+    failed += worst > 0.01 || worst_mean > 0.002;
+    print_message("%-16s %-36s worst RMS %.4f at %g mm (goal 0.01), worst mean %.4f (goal 0.002)\n",
+                  sheets[k].preset, sheets[k].values, worst, worst_size, worst_mean);
     textures->destroy(t);
   }
   points_free(&p);
+  assert_int_equal(failed, 0);
 }
 
 /* Across the joints of three leaves. Two that were opened like a book show the two
@@ -243,8 +256,8 @@ static void glue_stands_above(void **state) {
   }
   CHECK(sqrt(off) < 0.12 * sqrt(slopes) && slopes > 1e-4 && high > 0.0199 && high < 0.0201 &&
             flat < 1e-6,
-        "slopes off by %.4f RMS of %.4f, highest %.4f mm (asked 0.02), the face's %.1e\n", sqrt(off),
-        sqrt(slopes), high, flat);
+        "slopes off by %.4f RMS of %.4f, highest %.4f mm (asked 0.02), the face's %.1e\n",
+        sqrt(off), sqrt(slopes), high, flat);
   points_free(&p);
   textures->destroy(t);
 }

@@ -57,9 +57,8 @@ static int32_t check_count(const settings *s, int construction, int32_t count) {
 /* Thicknesses from the face down. */
 static int32_t lay(wood_plies *p, const settings *s, int construction) {
   double thick = number_at(s, P_SHEET_THICKNESS), face = number_at(s, P_FACE_VENEER);
-  double band = construction == CONSTRUCTION_BLOCKBOARD && p->count == 5
-                    ? number_at(s, P_CORE_VENEER)
-                    : 0.0;
+  double band =
+      construction == CONSTRUCTION_BLOCKBOARD && p->count == 5 ? number_at(s, P_CORE_VENEER) : 0.0;
   int all_alike = construction == CONSTRUCTION_LVL;
   double outer = all_alike ? 0.0 : 2.0 * face + 2.0 * band;
   double rest = (thick - outer) / (all_alike ? p->count : band > 0.0 ? 1 : p->count - 2);

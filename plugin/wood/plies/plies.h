@@ -38,11 +38,11 @@ typedef struct {
   int32_t kind[PLIES_MOST];
   int32_t crossed[PLIES_MOST]; /* 1: its grain runs across the faces' */
 
-  float radius;                /* mm: of the log, where the knife begins; the mean */
-  float tone;                  /* sd of a ply's shade, relative */
-  float end_shade;             /* share of end_colour where fibres end at the surface */
+  float radius;    /* mm: of the log, where the knife begins; the mean */
+  float tone;      /* sd of a ply's shade, relative */
+  float end_shade; /* share of end_colour where fibres end at the surface */
   float end_colour[3];
-  float width[2];              /* mm, of the pieces: the core's, the faces' */
+  float width[2]; /* mm, of the pieces: the core's, the faces' */
   int32_t face_cut, match;
   float gap;                   /* mm, of the widest joint in the core */
   float check_depth;           /* of the thickness, the deepest; 0: none */

@@ -120,8 +120,8 @@ INLINE void ply_at(const wood_constants *w, const ply_taps *taps, uint32_t i, ui
   vf x = sel(crossed, u, zero - v), y = sel(crossed, v, u);
   vf yx = sel(crossed, zero - su, cu), yy = sel(crossed, cu, su);
 
-  vu ply = hash_mix((vu)number * splatu(HASH_Y) + sheet * splatu(HASH_Z) +
-                    splatu(w->seeds[SEED_PLIES]));
+  vu ply =
+      hash_mix((vu)number * splatu(HASH_Y) + sheet * splatu(HASH_Z) + splatu(w->seeds[SEED_PLIES]));
   vu h = ply;
   /* either way up the stem; a core's veneer either way over, faces with the side
    * that lay outwards in the log to the outside */
@@ -223,8 +223,8 @@ INLINE void ply_at(const wood_constants *w, const ply_taps *taps, uint32_t i, ui
   vf wood = (one - glue) * (one - hollow) * (one - joint), filled = one - wood;
   vf inverse = one / vmax(filled, splat(1e-6f));
   for (int c = 0; c < 3; c++) {
-    vf filler = glue * splat(q->glue_colour[c]) +
-                (one - glue) * hollow * splat(q->hollow_colour[c]);
+    vf filler =
+        glue * splat(q->glue_colour[c]) + (one - glue) * hollow * splat(q->hollow_colour[c]);
     filler = mix(filler, splat(w->boards.joint_colour[c]), joint);
     out->filler[c] = filler * inverse;
   }

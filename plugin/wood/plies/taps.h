@@ -229,8 +229,7 @@ static void taps_add(const wood_constants *w, const kernel_io *io, const wood_wa
   q->told[TAP_KIND][k] = (float)p->kind[kind];
   q->told[TAP_CROSSED][k] = (float)p->crossed[kind];
   q->told[TAP_THICK][k] = p->deep[kind];
-  q->told[TAP_DEPTH][k] =
-      middle - (float)sheet * p->thick - p->top[kind] - 0.5f * p->deep[kind];
+  q->told[TAP_DEPTH][k] = middle - (float)sheet * p->thick - p->top[kind] - 0.5f * p->deep[kind];
   q->told[TAP_SHARE][k] = share < 1.0f ? share : 1.0f;
   q->told[TAP_GLUE][k] = 1.0f - wood / (b - a);
   q->told[TAP_EDGE][k] = edge < 1e6f ? edge : 1e6f;
@@ -254,9 +253,10 @@ static void taps_of(const wood_constants *w, const kernel_io *io, const wood_wan
       glue_line below = taps_line(p, pt->at, k + 1);
       float a = k == first ? from : above.at, b = k == last ? to : below.at;
       if (!(b > a)) b = a + 1e-6f;
-      int flags = (k == here ? OF_OWN : 0) | (k == first ? OF_FIRST : 0) | (k == last ? OF_LAST : 0);
-      taps_add(w, io, want, q, pt, k, above, below, a, b,
-               first == last ? 1.0f : (b - a) / reach, flags);
+      int flags =
+          (k == here ? OF_OWN : 0) | (k == first ? OF_FIRST : 0) | (k == last ? OF_LAST : 0);
+      taps_add(w, io, want, q, pt, k, above, below, a, b, first == last ? 1.0f : (b - a) / reach,
+               flags);
       above = below;
     }
     return;
@@ -273,8 +273,7 @@ static void taps_of(const wood_constants *w, const kernel_io *io, const wood_wan
     if (t & 1) k += k + 1 < plies_of_all(p) ? 1 : -1;
     int32_t sheet = k / p->count, ply = k % p->count;
     float top = (float)sheet * p->thick + p->top[ply];
-    int flags =
-        (own ? OF_OWN : 0) | (t == 0 ? OF_FIRST : 0) | (t == PLIES_TAPS - 1 ? OF_LAST : 0);
+    int flags = (own ? OF_OWN : 0) | (t == 0 ? OF_FIRST : 0) | (t == PLIES_TAPS - 1 ? OF_LAST : 0);
     taps_add(w, io, want, q, pt, k, taps_line(p, pt->at, k), taps_line(p, pt->at, k + 1), top,
              top + p->deep[ply], 1.0f / PLIES_TAPS, flags);
   }

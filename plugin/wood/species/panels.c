@@ -19,11 +19,12 @@
 #define PHENOLIC(thick) NUMBER("glue_line", thick), SRGB("glue_colour", 92, 60, 42)
 #define UREA(thick) NUMBER("glue_line", thick), SRGB("glue_colour", 168, 138, 100)
 
-static const sozai_value values_birch_plywood[] = {
-    BIRCH, LAID("plywood", 18.0, 1.2, 1.4), VENEER_LOG(105.0, 0.03), PHENOLIC(0.09)};
-SPECIES(birch_plywood, "Birch plywood (Betula pendula)",
-        "18 mm of 13 plies of birch, crosswise: pale faces, the edge in fine dark and light stripes.",
-        FINNISH "; " SCHOCH);
+static const sozai_value values_birch_plywood[] = {BIRCH, LAID("plywood", 18.0, 1.2, 1.4),
+                                                   VENEER_LOG(105.0, 0.03), PHENOLIC(0.09)};
+SPECIES(
+    birch_plywood, "Birch plywood (Betula pendula)",
+    "18 mm of 13 plies of birch, crosswise: pale faces, the edge in fine dark and light stripes.",
+    FINNISH "; " SCHOCH);
 
 static const sozai_value values_lauan_plywood[] = {
     RINGS(5.0, 0.3, 1.0),
@@ -35,7 +36,7 @@ static const sozai_value values_lauan_plywood[] = {
     NUMBER("fibre_brightness", 0.1),
     SRGB("earlywood_colour", 198, 148, 116),
     SRGB("latewood_colour", 178, 126, 96),
-    SRGB("vessel_colour", 164, 114, 86),
+    SRGB("vessel_colour", 177, 127, 97),
     SRGB("sapwood_earlywood_colour", 214, 186, 154),
     SRGB("sapwood_latewood_colour", 196, 164, 132),
     NUMBER("heartwood_years", 150.0),
@@ -53,9 +54,9 @@ SPECIES(lauan_plywood, "Lauan plywood (Shorea spp.)",
         "12 mm of five plies, pink to brown: open vessels, thick core plies, a gap now and then.",
         JAS_PLYWOOD "; " RICHTER);
 
-static const sozai_value values_sugi_plywood[] = {
-    SUGI, LAID("plywood", 12.0, 2.2, 2.6), VENEER_LOG(120.0, 0.05), PHENOLIC(0.08),
-    NUMBER("core_gap", 1.0)};
+static const sozai_value values_sugi_plywood[] = {SUGI, LAID("plywood", 12.0, 2.2, 2.6),
+                                                  VENEER_LOG(120.0, 0.05), PHENOLIC(0.08),
+                                                  NUMBER("core_gap", 1.0)};
 SPECIES(sugi_plywood, "Sugi plywood (Cryptomeria japonica)",
         "Structural: five thick plies, peeled, whose rings spread into broad flames on the face.",
         JAS_PLYWOOD "; " FFPRI);
@@ -69,9 +70,10 @@ static const sozai_value values_walnut_plywood[] = {
     CHOICE("leaf_match", "book"),
     NUMBER("leaf_width", 190.0),
 };
-SPECIES(walnut_plywood, "Walnut plywood, book-matched (Juglans regia)",
-        "Sliced leaves of 0.6 mm, every other one turned over so that neighbours mirror each other.",
-        EN_PLYWOOD "; " WAGENFUEHR);
+SPECIES(
+    walnut_plywood, "Walnut plywood, book-matched (Juglans regia)",
+    "Sliced leaves of 0.6 mm, every other one turned over so that neighbours mirror each other.",
+    EN_PLYWOOD "; " WAGENFUEHR);
 
 static const sozai_value values_larch_lvl[] = {LARCH, LAID("lvl", 45.0, 3.0, 3.0),
                                                VENEER_LOG(140.0, 0.06), PHENOLIC(0.1)};
@@ -79,7 +81,7 @@ SPECIES(larch_lvl, "Larch laminated veneer lumber (Larix decidua)",
         "45 mm of fifteen plies, all along the length: one long edge of stripes, one of end grain.",
         EN_LVL "; " SCHOCH);
 
-static const sozai_value values_pine_blockboard[] = {
-    SCOTS_PINE, LAID("blockboard", 19.0, 0.9, 2.0), VENEER_LOG(110.0, 0.05), UREA(0.07)};
+static const sozai_value values_pine_blockboard[] = {SCOTS_PINE, LAID("blockboard", 19.0, 0.9, 2.0),
+                                                     VENEER_LOG(110.0, 0.05), UREA(0.07)};
 SPECIES(pine_blockboard, "Pine blockboard (Pinus sylvestris)",
         "A core of sawn strips between crossbands and peeled faces.", EN_PLYWOOD "; " SCHOCH);
