@@ -227,6 +227,38 @@ static void leaves_mirror_each_other(void **state) {
         apart[0], apart[1], apart[2]);
 }
 
+/* At the ends of plies and of glue, under squares of all sizes, on faces of any
+ * slope: numbers, and colours of something. */
+static void no_place_has_no_answer(void **state) {
+  (void)state;
+  enum { N = 20000, TIMES = 12 };
+  points p = {0};
+  sozai_texture *t = wood_make("birch_plywood", "face_height=36; sheets=4; core_gap=2");
+  unsigned none = 0;
+  uniform_seed(3);
+  for (int k = 0; k < TIMES; k++) {
+    points_clear(&p);
+    for (int i = 0; i < N; i++) {
+      double a = 2 * PI * uniform(), nz = uniform() < 0.7 ? 0 : 2 * uniform() - 1;
+      double n[3] = {cos(a) * sqrt(1 - nz * nz), sin(a) * sqrt(1 - nz * nz), nz};
+      /* every other one where a ply begins, as nearly as floats have it */
+      double z = 36 - (i & 1 ? 72 * uniform() : 18 * (i % 5) + 1.2 + 1.41818185 * (i % 12));
+      add(&p, 100 * (uniform() - 0.5), 100 * (uniform() - 0.5), z, n,
+          pow(10, -2.5 + 3 * uniform()));
+    }
+    points_ask(&p, t);
+    for (int i = 0; i < N; i++) {
+      int lacks = 0;
+      for (int c = 0; c < 33; c++) lacks |= !(fabsf(p.out[c][i]) < 1e6f);
+      for (int c = 0; c < 3; c++) lacks |= !(p.out[ALBEDO + c][i] > 0.005f);
+      none += (unsigned)lacks;
+    }
+  }
+  CHECK(none == 0, "%u of %d places have no answer\n", none, N * TIMES);
+  points_free(&p);
+  textures->destroy(t);
+}
+
 /* Height and normal on an edge agree, and a smooth face has neither. */
 static void glue_stands_above(void **state) {
   (void)state;
@@ -314,6 +346,7 @@ int main(void) {
       cmocka_unit_test(as_many_as_the_trade_has),    cmocka_unit_test(plies_are_as_asked),
       cmocka_unit_test(uneven_glue_keeps_its_share), cmocka_unit_test(leaves_mirror_each_other),
       cmocka_unit_test(glue_stands_above),           cmocka_unit_test(floors_may_be_of_plies),
-      cmocka_unit_test(what_cannot_be_is_refused),   cmocka_unit_test(averages_what_lies_under_it)};
+      cmocka_unit_test(no_place_has_no_answer),      cmocka_unit_test(what_cannot_be_is_refused),
+      cmocka_unit_test(averages_what_lies_under_it)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

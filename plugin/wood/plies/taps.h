@@ -17,7 +17,8 @@
 #include "../../core/hash1.h"
 
 #define TAPS_ROOM (BLOCKS * LANES)
-#define PLY_LEAST 1e-3f /* mm: a point's own blur */
+#define PLY_LEAST 1e-3f    /* mm: a point's own blur */
+#define PLY_THINNEST 0.02f /* of a footprint, down the surface: its area is never rounded away */
 
 enum { IN_POINT, IN_NORMAL = 3, IN_LIGHT = 6, IN_VIEW = 9, IN_COLOUR = 12, IN_COLUMNS = 15 };
 
@@ -223,6 +224,7 @@ static void taps_add(const wood_constants *w, const kernel_io *io, const wood_wa
   }
   q->footprint[k] = pt->s;
   float share = pt->reach > PLY_LEAST ? wood / pt->reach : 1.0f;
+  if (share < PLY_THINNEST) share = PLY_THINNEST;
   float to_above = pt->depth - above.at - above.half, to_below = below.at - below.half - pt->depth;
   float edge = to_above < to_below ? to_above : to_below;
   q->told[TAP_NUMBER][k] = (float)ply;
@@ -231,7 +233,7 @@ static void taps_add(const wood_constants *w, const kernel_io *io, const wood_wa
   q->told[TAP_THICK][k] = p->deep[kind];
   q->told[TAP_DEPTH][k] = middle - (float)sheet * p->thick - p->top[kind] - 0.5f * p->deep[kind];
   q->told[TAP_SHARE][k] = share < 1.0f ? share : 1.0f;
-  q->told[TAP_GLUE][k] = 1.0f - wood / (b - a);
+  q->told[TAP_GLUE][k] = b > a ? 1.0f - wood / (b - a) : 0.0f;
   q->told[TAP_EDGE][k] = edge < 1e6f ? edge : 1e6f;
   q->told[TAP_STEP][k] = pt->step;
   q->told[TAP_TILT][k] = pt->tilt;
@@ -252,7 +254,7 @@ static void taps_of(const wood_constants *w, const kernel_io *io, const wood_wan
     for (int32_t k = first; k <= last; k++) {
       glue_line below = taps_line(p, pt->at, k + 1);
       float a = k == first ? from : above.at, b = k == last ? to : below.at;
-      if (!(b > a)) b = a + 1e-6f;
+      if (!(b > a)) b = a;
       int flags =
           (k == here ? OF_OWN : 0) | (k == first ? OF_FIRST : 0) | (k == last ? OF_LAST : 0);
       taps_add(w, io, want, q, pt, k, above, below, a, b, first == last ? 1.0f : (b - a) / reach,
