@@ -188,6 +188,97 @@ static void averages_what_lies_under_it(void **state) {
   assert_int_equal(failed, 0);
 }
 
+/* The faces likewise. On a peeled one rings stray from the sheet by more than a
+ * straight line says where a square is wide: it is held to where it is. */
+static void faces_average_too(void **state) {
+  (void)state;
+  static const double sizes[] = {0.01, 0.1, 0.3, 1, 3, 10, 30, 100};
+  enum { SIZES = sizeof sizes / sizeof *sizes, PLACES = 120 };
+  points p = {0};
+  double worst = 0, worst_mean = 0, wide = 0, wide_mean = 0;
+  for (unsigned k = 0; k < wood_presets(); k++) {
+    if (!wood_is_panel(wood_preset(k))) continue;
+    sozai_texture *t = wood_make(wood_preset(k), "");
+    print_message("%-16s", wood_preset(k));
+    uniform_seed(51);
+    for (int f = 0; f < SIZES; f++) {
+      truth_errors errors = {0};
+      for (int place = 0; place < PLACES; place++) {
+        double x = 900 * (uniform() - 0.5), y = 1200 * (uniform() - 0.5);
+        truth_ask(&p, t, x, y, 2 * PI * uniform(), sizes[f]);
+        truth_add(&errors, &p);
+      }
+      double rms = truth_rms(&errors), mean = truth_mean(&errors);
+      print_message("  %g: %.4f/%+.4f", sizes[f], rms, mean);
+      double *most = sizes[f] > 3 ? &wide : &worst;
+      double *most_mean = sizes[f] > 3 ? &wide_mean : &worst_mean;
+      *most = fmax(*most, rms);
+      *most_mean = fmax(*most_mean, fabs(mean));
+    }
+    print_message("\n");
+    textures->destroy(t);
+  }
+  points_free(&p);
+  CHECK(worst <= 0.01 && worst_mean <= 0.002,
+        "faces to 3 mm: worst RMS %.4f (goal 0.01), worst mean %.4f (goal 0.002)\n", worst,
+        worst_mean);
+  CHECK(wide <= 0.03 && wide_mean <= 0.006,
+        "faces beyond: worst RMS %.4f (goal 0.01), worst mean %.4f (goal 0.002)\n", wide,
+        wide_mean);
+}
+
+/* A fibre of a ply is one fibre of its log, but for the bending of the veneer. It
+ * is followed until it leaves the ply. */
+static void a_walk_stays_on_its_fibre(void **state) {
+  (void)state;
+  enum { WALKERS = 200, STEPS = 200 };
+  static const char *const presets[] = {"birch_plywood", "walnut_plywood", "larch_lvl"};
+  points p = {0};
+  for (unsigned k = 0; k < sizeof presets / sizeof *presets; k++) {
+    sozai_texture *t = wood_make(presets[k], "leaf_width=400");
+    double at[WALKERS][3], half[WALKERS][3], begin[WALKERS][2], worst = 0, longest = 0;
+    int out[WALKERS] = {0};
+    uniform_seed(6);
+    for (int i = 0; i < WALKERS; i++) {
+      at[i][0] = 400 * (uniform() - 0.5);
+      at[i][1] = 300 * (uniform() - 0.5);
+      at[i][2] = -0.1 - 0.4 * uniform();
+    }
+    for (int step = 0; step < 2 * STEPS; step++) {
+      int to_half = step % 2 == 0;
+      points_clear(&p);
+      for (int i = 0; i < WALKERS; i++) {
+        const double *q = to_half ? at[i] : half[i];
+        points_add(&p, q[0], q[1], q[2], 0);
+      }
+      points_ask(&p, t);
+      for (int i = 0; i < WALKERS; i++) {
+        double x = (double)p.out[REFERENCE][i], z = (double)p.out[REFERENCE + 1][i];
+        if (step == 0) {
+          begin[i][0] = x;
+          begin[i][1] = z;
+        }
+        float v = p.out[BOARD_V][i]; /* not across a joint either */
+        out[i] |= p.out[BOARD_ID][i] > 1.5f || at[i][2] > 0 || v < 20 || v > 380 ||
+                  p.out[BOARD_EDGE][i] < 0.01f;
+        double way = 0.25 * step;
+        if (to_half && !out[i] && way >= 5) {
+          worst = fmax(worst, hypot(x - begin[i][0], z - begin[i][1]) / way);
+          longest = fmax(longest, way);
+        }
+        double *to = to_half ? half[i] : at[i];
+        for (int c = 0; c < 3; c++) {
+          to[c] = at[i][c] + (to_half ? 0.25 : 0.5) * (double)p.out[FIBER + c][i];
+        }
+      }
+    }
+    CHECK(worst < (k == 1 ? 5e-5 : 5e-4) && longest > 30,
+          "%-16s drift %.5f of the way, up to %.0f mm\n", presets[k], worst, longest);
+    textures->destroy(t);
+  }
+  points_free(&p);
+}
+
 /* Across the joints of three leaves. Two that were opened like a book show the two
  * sides of one cut; the next is of the cuts beyond. */
 static void leaves_mirror_each_other(void **state) {
@@ -347,6 +438,7 @@ int main(void) {
       cmocka_unit_test(uneven_glue_keeps_its_share), cmocka_unit_test(leaves_mirror_each_other),
       cmocka_unit_test(glue_stands_above),           cmocka_unit_test(floors_may_be_of_plies),
       cmocka_unit_test(no_place_has_no_answer),      cmocka_unit_test(what_cannot_be_is_refused),
-      cmocka_unit_test(averages_what_lies_under_it)};
+      cmocka_unit_test(averages_what_lies_under_it), cmocka_unit_test(faces_average_too),
+      cmocka_unit_test(a_walk_stays_on_its_fibre)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

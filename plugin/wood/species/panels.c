@@ -50,7 +50,7 @@ static const sozai_value values_lauan_plywood[] = {
     UREA(0.06),
     NUMBER("core_gap", 1.5),
 };
-SPECIES(lauan_plywood, "Lauan plywood (Shorea spp.)",
+SPECIES(lauan_plywood, "Lauan plywood (Shorea negrosensis)",
         "12 mm of five plies, pink to brown: open vessels, thick core plies, a gap now and then.",
         JAS_PLYWOOD "; " RICHTER);
 
