@@ -92,6 +92,11 @@ const entry entries[] = {
     LAYOUT("strip"),
     LAYOUT("herringbone"),
     LAYOUT("versailles"),
+    /* plies: of one at a time, then of more and more under a footprint */
+    ALONE("plies_face", .wood = {.plied = true}),
+    ALONE("plies_edge", .wood = {.plied = true, .edge = true}),
+    ALONE("plies_edge_1", .footprint = 1, .wood = {.plied = true, .edge = true}),
+    ALONE("plies_edge_10", .footprint = 10, .wood = {.plied = true, .edge = true}),
     STONE("full.batch1024", 1024, NULL),
     STONE("full.batch1", 1, NULL),
 #if defined(__x86_64__)

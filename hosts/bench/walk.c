@@ -37,6 +37,13 @@ static void set_inputs(walk *w) {
                            .light = {w->light[0], w->light[1], w->light[2]},
                            .footprint = w->footprint,
                            .out = w->out};
+  if (!w->plan.edge) return;
+  for (int c = 0; c < 2; c++) {
+    const float *swap = c ? w->batch.normal[1] : w->batch.point[1];
+    const float **of = c ? w->batch.normal : w->batch.point;
+    of[1] = of[2];
+    of[2] = swap;
+  }
 }
 
 walk *walk_open(const walk_plan *plan, failure *why) {

@@ -28,11 +28,16 @@ static void fill_knots(float (*rows)[KNOT_COLUMNS], int count, int metre) {
 
 bool wood_create(const wood *w, const char *picture, const plugin *p, sozai_texture **out,
                  failure *why) {
-  sozai_value values[16] = {choice("cut", w->cut ? w->cut : "flat"),
+  sozai_value values[20] = {choice("cut", w->cut ? w->cut : "flat"),
                             choice("grain", w->grain ? w->grain : "compound")};
   uint32_t count = 2;
   if (w->porosity) values[count++] = choice("porosity", w->porosity);
   if (w->layout) values[count++] = choice("layout", w->layout);
+  if (w->plied) {
+    values[count++] = choice("construction", "plywood");
+    values[count++] = (sozai_value){.id = "sheets", .kind = SOZAI_KIND_INT, .number = {1000}};
+    values[count++] = number("face_height", w->edge ? 9000 : 0);
+  }
   if (w->surface) values[count++] = choice("surface", w->surface);
   if (w->no_rays) values[count++] = number("ray_density", 0);
   static float rows[KNOTS_MOST][KNOT_COLUMNS];

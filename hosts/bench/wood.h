@@ -14,6 +14,8 @@ typedef struct wood {
   const char *reflection; /* NULL: the default */
   const char *layout;     /* NULL: one piece */
   const char *surface;    /* NULL: smooth, and height and normal are not asked for */
+  bool plied;             /* plywood, a deep stack of sheets */
+  bool edge;              /* seen from the side: the plane x, z */
   bool pictured;          /* its section is the yardstick's picture */
   int knots;              /* how many, */
   int knots_metre;        /* so many to a metre of the stem */

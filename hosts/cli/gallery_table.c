@@ -28,11 +28,16 @@
       WORKED_(id, "Sugi, " label, "sugi", "far", "320x220", "cut=flat", a, b)
 
 const shot_sheet gallery_sheets[GALLERY_SHEETS] = {
-    {"gallery", 15},                                        /* five species, three cuts of each */
-    {"stones", 5},         {"layouts", 6}, {"finishes", 4}, /* two species, near and far */
-    {"macro", 3},                                           /* of a species its three faces */
-    {"figured", 4},        {"fibers", 6},  {"knots", 4},
+    {"gallery", 15}, /* five species, three cuts of each */
+    {"stones", 5},
+    {"layouts", 6},
+    {"finishes", 4}, /* two species, near and far */
+    {"macro", 3},    /* of a species its three faces */
+    {"figured", 4},
+    {"fibers", 6},
+    {"knots", 4},
     {"stone-finishes", 6}, /* two stones in a row, three finishes of each */
+    {"plies", 3},
 };
 
 /* A finish of every stone, under light from the side. */
@@ -86,6 +91,20 @@ const shot_sheet gallery_sheets[GALLERY_SHEETS] = {
     .name = "knots-" id, .title = words, .preset = wood, .sheet = "knots",                         \
     .params = {__VA_ARGS__}, .shape = "plane", .size = area, .camera = "front", .width = 480,      \
     .height = 400                                                                                  \
+  }
+
+/* A sample of a panel, its face up, and its edge near. */
+#define PANEL(id, panel, words, mm, middle)                                                        \
+  {                                                                                                \
+    .name = "plies-" id, .title = words, .preset = panel, .sheet = "plies",                        \
+    .params = {"face_height=" middle, "reflection=fibre_cone"}, .size = "90x120x" mm,              \
+    .camera = "-52,26,20", .zoom = 1.3, .width = 600, .height = 400                                \
+  }
+#define PANEL_EDGE(id, panel, words, mm, middle, from, closer)                                     \
+  {                                                                                                \
+    .name = "plies-" id "-edge", .title = words, .preset = panel, .sheet = "plies",                \
+    .params = {"face_height=" middle}, .size = "80x80x" mm, .camera = from, .light = "-60,40",     \
+    .zoom = closer, .width = 600, .height = 400                                                    \
   }
 
 const shot gallery_shots[] = {
@@ -268,6 +287,43 @@ const shot gallery_shots[] = {
            "cut_rotation=114.2", "cut_height=80"),
     KNOTTY("veneer", "knotty_pine", "Pine peeled off the log, 1.2 m of the sheet", "1200x1000",
            "cut=rotary", "cut_distance=110"),
+    PANEL("birch", "birch_plywood", "Birch plywood, 18 mm of 13 plies", "18", "9"),
+    PANEL("lauan", "lauan_plywood", "Lauan plywood, 12 mm of five", "12", "6"),
+    PANEL("walnut", "walnut_plywood", "Walnut plywood, sliced face", "19", "9.5"),
+    PANEL("sugi", "sugi_plywood", "Sugi plywood, structural", "12", "6"),
+    PANEL("larch", "larch_lvl", "Larch laminated veneer lumber", "45", "22.5"),
+    PANEL("pine", "pine_blockboard", "Pine blockboard", "19", "9.5"),
+    PANEL_EDGE("birch", "birch_plywood", "Birch plywood's edge, 22 mm across", "18", "9",
+               "-90,3,10", 4),
+    PANEL_EDGE("lauan", "lauan_plywood", "Lauan plywood's edge", "12", "6", "-90,3,10", 4),
+    PANEL_EDGE("larch", "larch_lvl", "The lumber's end", "45", "22.5", "-90,3,10", 1.8),
+    {.name = "plies-face",
+     .title = "A birch plywood face, 0.9 m across",
+     .preset = "birch_plywood",
+     .sheet = "plies",
+     .shape = "plane",
+     .size = "900x600",
+     .camera = "front",
+     .width = 600,
+     .height = 400},
+    {.name = "plies-book",
+     .title = "Book-matched walnut, 0.9 m across",
+     .preset = "walnut_plywood",
+     .sheet = "plies",
+     .shape = "plane",
+     .size = "900x600",
+     .camera = "front",
+     .width = 600,
+     .height = 400},
+    {.name = "plies-stack",
+     .title = "Four sheets glued up, a block",
+     .preset = "birch_plywood",
+     .sheet = "plies",
+     .params = {"sheets=4", "face_height=36"},
+     .size = "90x110x72",
+     .camera = "-40,28,20",
+     .width = 600,
+     .height = 400},
     {.name = "stone",
      .more = true,
      .title = "300 mm across",

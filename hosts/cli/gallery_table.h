@@ -30,7 +30,7 @@ typedef struct shot_sheet {
   uint32_t columns;
 } shot_sheet;
 
-#define GALLERY_SHEETS 9
+#define GALLERY_SHEETS 10
 extern const shot_sheet gallery_sheets[GALLERY_SHEETS];
 extern const shot gallery_shots[];
 extern const uint32_t gallery_shot_count;

@@ -18,6 +18,14 @@ typedef struct {
   vu own;        /* added to the seeds */
   vf turn[3][3]; /* object to log, rows */
   vf tone;       /* factor of the albedo */
+
+  /* of plies; see plies/ply.h */
+  vf filler[3];        /* colour of what is no wood: glue, gaps and joints */
+  vf ending;           /* share of end grain's colour */
+  vf down[3], squeeze; /* log space: down the surface; how much shorter the footprint is there */
+  vf wide;             /* mm: the footprint, where rings curve under it, else 0 */
+  vf tilt[3], step;    /* slope of the glue's step, object space, and its height */
+  vf number, place[2], to_glue;
 } wood_board;
 
 /* The next of a board's random numbers, 0..1. */
@@ -51,6 +59,7 @@ INLINE void veneer_at(const wood_constants *w, const vf p[3], wood_board *out, v
   memset(&out->unit, 0, sizeof out->unit);
   out->own = splatu(0);
   out->tone = one;
+  out->wide = zero; /* rings that curved about the log were laid flat with it */
   r = r + p[2];
   log[0] = r * c + splat(w->shift[0]);
   log[1] = p[1] + splat(w->shift[1]);
@@ -136,9 +145,15 @@ INLINE void board_at(const wood_constants *w, const vf p[3], vf e, wood_board *o
   log[2] = sa * q[0] + ca * q[2];
 }
 
+/* A channel of the colour of what lies in the joint. */
+INLINE vf board_filler(const wood_constants *w, const wood_board *board, int c) {
+  return w->plies.count ? board->filler[c] : splat(w->boards.joint_colour[c]);
+}
+
 /* What the joint and the board's shade make of a channel of the albedo. */
 INLINE vf board_albedo(const wood_constants *w, const wood_board *board, int c, vf albedo) {
-  return mix(albedo * board->tone, splat(w->boards.joint_colour[c]), board->unit.joint);
+  if (w->plies.count) albedo = mix(albedo, splat(w->plies.end_colour[c]), board->ending);
+  return mix(albedo * board->tone, board_filler(w, board, c), board->unit.joint);
 }
 
 #endif

@@ -13,6 +13,8 @@
 #include "age.h"
 #include "cone_table.h"
 #include "parameters.h"
+#include "plies/build.h"
+#include "plies/parameters.h"
 #include "section.h"
 #include "surface/build.h"
 
@@ -72,6 +74,7 @@ static int32_t build_veneer(wood_constants *w, const settings *s) {
 
 static int32_t build_cut(wood_constants *w, const settings *s) {
   int cut = choice_at(s, P_CUT);
+  if (choice_at(s, P_CONSTRUCTION) != CONSTRUCTION_SOLID) return SOZAI_OK; /* each ply its own */
   if (cut == CUT_ROTARY) {
     for (int i = 0; i < 3; i++) w->shift[i] = (float)s->list[P_CUT_OFFSET].number[i];
     return build_veneer(w, s);
@@ -719,6 +722,7 @@ int32_t wood_build(wood_constants *w, const sozai_host *host, const settings *s,
   build_spalt(w, s);
   build_cone(w, s);
   r = wood_build_boards(w, s, colours);
+  if (!r) r = plies_build(w, s, colours);
   if (r) return r;
   return images->service && images->list[P_SECTION]
              ? section_build(w, host, s, images->service, images->list[P_SECTION])

@@ -13,6 +13,7 @@
 #include "heart.h"
 #include "knots.h"
 #include "picture.h"
+#include "plies/ply.h"
 #include "rays.h"
 #include "surface/relief.h"
 #include "spalt.h"
@@ -24,10 +25,12 @@ extern const wood_kernel KERNEL_NAME(wood_kernel_);
 typedef struct {
   int radiance, colour, fibre, dive;
   int late, vessel, lobe, direction, section, picture, cone, board, relief;
+  const ply_taps *taps; /* what the plies are told, if the wood is of plies */
 } wood_wants;
 
 static wood_wants wants_of(const wood_constants *w, const kernel_io *io) {
   wood_wants q;
+  q.taps = NULL;
   q.radiance = kernel_wants(io, WOOD_RADIANCE, 3);
   q.colour = kernel_wants(io, WOOD_ALBEDO, 3) || q.radiance;
   q.fibre = kernel_wants(io, WOOD_FIBER, 3);
@@ -183,7 +186,14 @@ INLINE void to_log(const wood_constants *w, int boards, const block *k, const vf
 INLINE void stage_board(const wood_constants *w, int boards, const kernel_io *io, block *k,
                         vf normal[3]) {
   vf zero = splat(0.0f), id = zero, u = zero, v = zero, edge = zero, height = zero;
-  if (boards && !w->peeled) {
+  if (boards && w->boards.layout.kind == LAYOUT_NONE) {
+    if (w->plies.count) {
+      id = k->board.number;
+      u = k->board.place[0];
+      v = k->board.place[1];
+      edge = k->board.to_glue;
+    }
+  } else if (boards) {
     const layout_unit *unit = &k->board.unit;
     layout_height h = layout_relief(&w->boards.layout, &w->boards.profile, unit, k->s);
     id = layout_number(unit->id);
@@ -196,6 +206,13 @@ INLINE void stage_board(const wood_constants *w, int boards, const kernel_io *io
       vf face = vmax(normal[2], zero);
       normal[0] = normal[0] - face * h.slope_x;
       normal[1] = normal[1] - face * h.slope_y;
+      unit_direction(normal);
+    }
+  }
+  if (boards && w->plies.count) {
+    height = height + k->board.step;
+    if (io->in->normal[0]) {
+      for (int c = 0; c < 3; c++) normal[c] = normal[c] - k->board.tilt[c];
       unit_direction(normal);
     }
   }
@@ -215,18 +232,20 @@ INLINE void stage_load(const wood_constants *w, int boards, const kernel_io *io,
   if (io->in->footprint) {
     k->s = clamp(load_lanes(io->in->footprint, k->i, k->n), splat(0.0f), splat(1e4f));
   }
-  if (boards) {
+  vf normal[3] = {splat(0.0f), splat(0.0f), splat(1.0f)};
+  if (io->in->normal[0]) {
+    for (int c = 0; c < 3; c++) normal[c] = load_lanes(io->in->normal[c], k->i, k->n);
+    unit_direction(normal);
+  }
+  if (boards && want->taps) {
+    ply_at(w, want->taps, k->i, k->n, p, normal, !io->in->normal[0], k->s, &k->board, k->p);
+  } else if (boards) {
     board_at(w, p, k->s, &k->board, k->p);
   } else {
     to_log(w, boards, k, p, k->p);
     for (int c = 0; c < 3; c++) k->p[c] = k->p[c] + splat(w->shift[c]);
   }
   k->up2 = splat(1.0f);
-  vf normal[3] = {splat(0.0f), splat(0.0f), splat(1.0f)};
-  if (io->in->normal[0]) {
-    for (int c = 0; c < 3; c++) normal[c] = load_lanes(io->in->normal[c], k->i, k->n);
-    unit_direction(normal);
-  }
   if (want->board || boards) stage_board(w, boards, io, k, normal);
   to_log(w, boards, k, normal, k->nrm);
   if (io->in->normal[0]) k->up2 = vmax(splat(1.0f) - k->nrm[1] * k->nrm[1], splat(0.0f));
@@ -400,14 +419,21 @@ INLINE void stem_row(block *k) {
   k->b[2] = stem->rho_z;
 }
 
-INLINE void stage_reach(const kernel_io *io, block *k) {
+INLINE void stage_reach(const wood_constants *w, int boards, const kernel_io *io, block *k) {
   stem_row(k);
-  k->reach = rings_extent(&k->stem, k->b, k->nrm, !io->in->normal[0], k->s);
+  vf b[3] = {k->b[0], k->b[1], k->b[2]};
+  if (boards && w->plies.count) ply_squeeze(&k->board, b);
+  k->reach = rings_extent(&k->stem, b, k->nrm, !io->in->normal[0], k->s);
 }
 
-INLINE void stage_rings(const wood_constants *w, const kernel_io *io, block *k) {
-  k->late = rings_across(w, MEAN_LATE, &k->stem, &k->ring, k->b, k->nrm, !io->in->normal[0], k->s,
-                         k->reach);
+/* mm: the footprint that rings may curve under. */
+INLINE vf curved_footprint(const wood_constants *w, int boards, const block *k) {
+  return boards && (w->plies.count || w->peeled) ? k->board.wide : k->s;
+}
+
+INLINE void stage_rings(const wood_constants *w, int boards, const kernel_io *io, block *k) {
+  k->late = rings_across(w, MEAN_LATE, &k->stem, &k->ring, k->b, k->nrm, !io->in->normal[0],
+                         curved_footprint(w, boards, k), k->reach);
   store_lanes(io, WOOD_LATEWOOD, k, k->late);
 }
 
@@ -445,9 +471,14 @@ INLINE void section_rows(const block *k, vf a[3], vf b[3]) {
 }
 
 /* The footprint over them. */
-INLINE footprint2 footprint_in_section(const kernel_io *io, const block *k) {
+INLINE footprint2 footprint_in_section(const wood_constants *w, int boards, const kernel_io *io,
+                                       const block *k) {
   vf a[3], b[3];
   section_rows(k, a, b);
+  if (boards && w->plies.count) {
+    ply_squeeze(&k->board, a);
+    ply_squeeze(&k->board, b);
+  }
   return footprint_through(a, b, k->nrm, !io->in->normal[0], k->s);
 }
 
@@ -459,7 +490,7 @@ INLINE vessel_place vessel_place_of(int boards, const block *k) {
  * after this one. */
 INLINE void stage_vessel_parts(const wood_constants *w, int boards, const kernel_io *io, block *k) {
   vf zero = splat(0.0f);
-  k->f = footprint_in_section(io, k);
+  k->f = footprint_in_section(w, boards, io, k);
   k->vessels = (vessel_cover_t){zero, zero, zero, zero};
   vm cut = vessels_cut(w, &k->f);
   k->parts = (w->has_pores || w->rows) && any(cut);
@@ -489,23 +520,23 @@ INLINE void stage_rows(const wood_constants *w, int boards, block *k) {
 }
 
 /* Where the vessels could not be looked up, what is to be expected. */
-INLINE void stage_cover(const wood_constants *w, const kernel_io *io, block *k) {
+INLINE void stage_cover(const wood_constants *w, int boards, const kernel_io *io, block *k) {
   const stem_place *stem = &k->stem;
   const vessel_cover_t *v = &k->vessels;
   vf one = splat(1.0f), zero = splat(0.0f);
   int ball = !io->in->normal[0];
-  vf pores = v->pores, rows = v->rows;
+  vf pores = v->pores, rows = v->rows, curved = curved_footprint(w, boards, k);
   k->over_late = v->pores;
   if (w->has_pores && any(gt(v->pores_faded, zero))) {
     vf expected = one;
     if (w->pore_growth != 0.0f) {
-      expected = rings_across(w, MEAN_PORE, stem, &k->ring, k->b, k->nrm, ball, k->s, k->reach);
+      expected = rings_across(w, MEAN_PORE, stem, &k->ring, k->b, k->nrm, ball, curved, k->reach);
     }
     pores = mix(pores, splat(w->pores.coverage) * expected, v->pores_faded);
     k->over_late = mix(k->over_late, splat(w->late_vessel), v->pores_faded);
   }
   if (w->rows && any(gt(v->rows_faded, zero))) {
-    vf expected = rings_across(w, MEAN_ROW, stem, &k->ring, k->b, k->nrm, ball, k->s, k->reach);
+    vf expected = rings_across(w, MEAN_ROW, stem, &k->ring, k->b, k->nrm, ball, curved, k->reach);
     rows = mix(rows, splat(w->row.coverage) * expected, v->rows_faded);
   }
   if (k->knot) rows = rows * (one - k->knot->cover); /* branches have no wide earlywood vessels */
@@ -642,7 +673,7 @@ INLINE void stage_colour(const wood_constants *w, int boards, const kernel_io *i
 INLINE void stage_picture(const wood_constants *w, int boards, const kernel_io *io, block *k) {
   const stem_place *stem = &k->stem;
   stem_row(k);
-  footprint2 f = footprint_in_section(io, k);
+  footprint2 f = footprint_in_section(w, boards, io, k);
   vf unused, widen = splat(1.0f) + outline_at(w, k->c, k->sn, &unused);
   picture_place p = picture_fold(w, k->x, k->z, k->c, k->sn, stem->rho);
   picture_albedo(w, &p, k->c, k->sn, widen, &f, k->n, k->albedo);
@@ -764,7 +795,7 @@ INLINE void stage_cone_radiance(const wood_constants *w, int boards, const kerne
     /* what lies in the joint has no fibres */
     vf lit = splat(w->diffuse) * vmax(k->incident, splat(0.0f));
     for (int c = 0; c < 3; c++) {
-      r[c] = mix(r[c], lit * splat(w->boards.joint_colour[c]), k->board.unit.joint);
+      r[c] = mix(r[c], lit * board_filler(w, &k->board, c), k->board.unit.joint);
     }
   }
   for (int c = 0; c < 3; c++) store_lit(io, k, c, r[c]);
@@ -823,15 +854,15 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const kern
     EACH(stage_direction(w, boards, io, want, &blocks[k]));
   }
   if (want->late) {
-    EACH(stage_reach(io, &blocks[k]));
-    EACH(stage_rings(w, io, &blocks[k]));
+    EACH(stage_reach(w, boards, io, &blocks[k]));
+    EACH(stage_rings(w, boards, io, &blocks[k]));
   }
   if (want->vessel) {
     EACH(stage_vessel_parts(w, boards, io, &blocks[k]));
     EACH(stage_disc(w, boards, &blocks[k]));
     EACH(stage_pores(w, boards, &blocks[k]));
     EACH(stage_rows(w, boards, &blocks[k]));
-    EACH(stage_cover(w, io, &blocks[k]));
+    EACH(stage_cover(w, boards, io, &blocks[k]));
     if (w->has_rays) {
       EACH(stage_ray_place(w, boards, &blocks[k]));
       EACH(stage_ray_cells(w, &blocks[k]));
@@ -887,9 +918,9 @@ static __attribute__((noinline)) void evaluate_boards(const wood_constants *rest
   evaluate_as(1, w, io, want, blocks, reliefs, count);
 }
 
-static void evaluate(const void *constants, const kernel_io *io, uint32_t from, uint32_t to) {
-  const wood_constants *w = constants;
-  wood_wants want = wants_of(w, io);
+/* Points from..to, those of plies as wood in a layout is. */
+INLINE void evaluate_points(const wood_constants *w, const kernel_io *io, const wood_wants *want,
+                            int boards, uint32_t from, uint32_t to) {
   block blocks[BLOCKS];
   surface_relief reliefs[BLOCKS];
   knot_place knots[BLOCKS];
@@ -902,12 +933,24 @@ static void evaluate(const void *constants, const kernel_io *io, uint32_t from, 
       k->whole = k->n == LANES && !io->in->active;
       k->knot = w->knots ? &knots[count] : NULL;
     }
-    if (w->boards.layout.kind != LAYOUT_NONE || w->peeled) {
-      evaluate_boards(w, io, &want, blocks, reliefs, count);
+    if (boards) {
+      evaluate_boards(w, io, want, blocks, reliefs, count);
     } else {
-      evaluate_piece(w, io, &want, blocks, reliefs, count);
+      evaluate_piece(w, io, want, blocks, reliefs, count);
     }
   }
+}
+
+#include "plies/taps.h"
+
+static void evaluate(const void *constants, const kernel_io *io, uint32_t from, uint32_t to) {
+  const wood_constants *w = constants;
+  wood_wants want = wants_of(w, io);
+  if (w->plies.count) {
+    evaluate_plies(w, io, &want, from, to);
+    return;
+  }
+  evaluate_points(w, io, &want, w->boards.layout.kind != LAYOUT_NONE || w->peeled, from, to);
 }
 
 /* R(t, theta, y): rho of the year from the table, then the radius whose rho it

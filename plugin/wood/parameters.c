@@ -4,6 +4,7 @@
  */
 #include "parameters.h"
 
+#include "plies/parameters.h"
 #include "wood.h"
 
 #define COUNT(a) (sizeof(a) / sizeof((a)[0]))
@@ -995,7 +996,7 @@ static const sozai_parameter bevel_angle = {
 static const sozai_parameter tone_spread = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "tone_spread", .label = "Tone spread", .group = "layout", .unit = "",
-   .doc = "Standard deviation of brightness from board to board, relative.",
+   .doc = "Standard deviation of brightness from board to board, or from ply to ply, relative.",
    .hard_min = 0, .hard_max = 0.5, .soft_min = 0, .soft_max = 0.2, .default_number = {0.06}};
 
 static const sozai_parameter cupping = {
@@ -1186,7 +1187,25 @@ const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_FLIP] = &flip,
    [P_CUT_FLAT] = &cut_flat,
    [P_CUT_RIFT] = &cut_rift,
-   [P_CUT_QUARTER] = &cut_quarter};
+   [P_CUT_QUARTER] = &cut_quarter,
+   [P_CONSTRUCTION] = &plies_construction,
+   [P_SHEET_THICKNESS] = &plies_sheet_thickness,
+   [P_SHEETS] = &plies_sheets,
+   [P_FACE_HEIGHT] = &plies_face_height,
+   [P_PLIES] = &plies_count,
+   [P_FACE_VENEER] = &plies_face_veneer,
+   [P_CORE_VENEER] = &plies_core_veneer,
+   [P_FACE_CUT] = &plies_face_cut,
+   [P_LEAF_WIDTH] = &plies_leaf_width,
+   [P_LEAF_MATCH] = &plies_leaf_match,
+   [P_CORE_WIDTH] = &plies_core_width,
+   [P_CORE_GAP] = &plies_core_gap,
+   [P_LATHE_CHECKS] = &plies_lathe_checks,
+   [P_GLUE_LINE] = &plies_glue_line,
+   [P_GLUE_UNEVENNESS] = &plies_glue_unevenness,
+   [P_GLUE_COLOUR] = &plies_glue_colour,
+   [P_GLUE_STEP] = &plies_glue_step,
+   [P_END_SHADE] = &plies_end_shade};
 
 static const sozai_channel channel_albedo = {
    .size = sizeof(sozai_channel), .first = WOOD_ALBEDO, .components = 3,
@@ -1297,28 +1316,28 @@ static const sozai_channel channel_board_id = {
    .needs = SOZAI_INPUT_POINT,
    .uses = 0,
    .id = "board_id", .unit = "", .suffixes = "",
-   .doc = "A whole number below 2^24, another for each board of the layout; 0 without one."};
+   .doc = "A whole number below 2^24, another for each board of the layout; without one the ply's, 1 for the face; 0 of one piece."};
 
 static const sozai_channel channel_board_u = {
    .size = sizeof(sozai_channel), .first = WOOD_BOARD_U, .components = 1,
    .needs = SOZAI_INPUT_POINT,
    .uses = 0,
    .id = "board_u", .unit = "mm", .suffixes = "",
-   .doc = "Place along the board, from its corner, joint's middle to joint's middle; 0 without a layout."};
+   .doc = "Place along the board, from its corner, joint's middle to joint's middle; without a layout along the ply's grain, from the origin; 0 of one piece."};
 
 static const sozai_channel channel_board_v = {
    .size = sizeof(sozai_channel), .first = WOOD_BOARD_V, .components = 1,
    .needs = SOZAI_INPUT_POINT,
    .uses = 0,
    .id = "board_v", .unit = "mm", .suffixes = "",
-   .doc = "Place across the board, likewise."};
+   .doc = "Place across the board, likewise; without a layout across the ply's piece of veneer."};
 
 static const sozai_channel channel_board_edge = {
    .size = sizeof(sozai_channel), .first = WOOD_BOARD_EDGE, .components = 1,
    .needs = SOZAI_INPUT_POINT,
    .uses = 0,
    .id = "board_edge", .unit = "mm", .suffixes = "",
-   .doc = "Distance to the board's edge: positive within the board, negative in the joint; 0 without a layout."};
+   .doc = "Distance to the board's edge: positive within the board, negative in the joint; without a layout to the ply's glue; 0 of one piece."};
 
 static const sozai_channel channel_normal = {
    .size = sizeof(sozai_channel), .first = WOOD_NORMAL, .components = 3,

@@ -22,6 +22,7 @@
 #include "../core/kernel.h"
 #include "../layout/layout.h"
 #include "knot_table.h"
+#include "plies/plies.h"
 #include "surface/surface.h"
 
 #define WOOD_RINGS 256      /* rings before the table repeats */
@@ -63,6 +64,7 @@ enum {
   SEED_RIMS,
   SEED_SPALT,
   SEED_KNOTS = SEED_SPALT + 2,
+  SEED_PLIES,
   WOOD_SEEDS
 };
 
@@ -243,6 +245,7 @@ typedef struct {
   float cone_scale[WOOD_CONE_DIVE];                 /* of the lobe */
 
   wood_boards boards;
+  wood_plies plies;
   wood_surface surface;
 
   uint32_t seed;

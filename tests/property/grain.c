@@ -110,7 +110,8 @@ static void reference_is_the_place_at_y_0(void **state) {
   uniform_seed(12);
   for (unsigned k = 0; k < wood_presets(); k++) {
     /* without knots: for those see knots.c */
-    sozai_texture *t = wood_make(wood_preset(k), "grain=compound; section_wobble=0.15; tree=");
+    sozai_texture *t =
+        wood_make(wood_preset(k), "grain=compound; section_wobble=0.15; tree=; construction=solid");
     points p = {0};
     for (int i = 0; i < 3000; i++) {
       points_add(&p, 400 * (uniform() - 0.5), 0, 400 * (uniform() - 0.5), 0);
@@ -192,7 +193,7 @@ static void a_walk_stays_on_its_fibre(void **state) {
     double worst = 0;
     for (unsigned k = 0; k < wood_presets(); k++) {
       char text[64];
-      snprintf(text, sizeof text, "grain=%s; tree=", grains[g]);
+      snprintf(text, sizeof text, "grain=%s; tree=; construction=solid", grains[g]);
       sozai_texture *t = wood_make(wood_preset(k), text);
       double one = walk(t, has_small_figure(k) ? 0.04 : 0.5);
       if (one >= 1e-3)

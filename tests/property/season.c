@@ -66,7 +66,7 @@ static void fraction_and_abruptness(void **state) {
 static void every_species_has_seasons(void **state) {
   (void)state;
   for (unsigned k = 0; k < wood_presets(); k++) {
-    sozai_texture *t = wood_make(wood_preset(k), "");
+    sozai_texture *t = wood_make(wood_preset(k), "construction=solid");
     points p = {0};
     for (int i = 0; i < 20000; i++) points_add(&p, 40 + 0.005 * i, 0, 0, 0);
     points_ask(&p, t);

@@ -88,6 +88,10 @@ static float **array_of(points *p, unsigned k) {
   if (k < 12) return &p->view[k - 9];
   return k == 12 ? &p->footprint : &p->out[k - 13];
 }
+
+int wood_is_panel(const char *preset) {
+  return strstr(preset, "plywood") || strstr(preset, "_lvl") || strstr(preset, "blockboard");
+}
 #define OUTS 33
 #define ARRAYS (13 + OUTS)
 

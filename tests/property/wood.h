@@ -30,6 +30,8 @@ const char *stone_refused(const char *parameters);
 /* How many presets there are, and the id of one. */
 unsigned wood_presets(void);
 const char *wood_preset(unsigned i);
+/* Whether it is a sheet of plies. */
+int wood_is_panel(const char *preset);
 
 /* Points to ask about. Arrays grow as needed; outputs are by component. */
 typedef struct {

@@ -1,25 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0
  * Conifers: no vessels, and rays too fine to see. */
-#include "entry.h"
-
-/* clang-format off */
-#define SUGI \
-    RINGS(3.4, 0.32, 0.9), \
-    LATEWOOD(0.2, 0.72), \
-    NUMBER("latewood_variation", 0.35), \
-    NUMBER("slope_noise", 0.012), \
-    CONIFER, \
-    NUMBER("fibre_brightness", 0.09), \
-    NUMBER("fibre_width", 0.05), \
-    SRGB("earlywood_colour", 226, 176, 138), \
-    SRGB("latewood_colour", 152, 86, 56), \
-    SRGB("sapwood_earlywood_colour", 238, 220, 190), \
-    SRGB("sapwood_latewood_colour", 198, 158, 116), \
-    NUMBER("heartwood_years", 110.0), \
-    NUMBER("specular", 0.05), \
-    AGED(184, 128, 86, 3.0), \
-    TRACHEIDS(32.0, 38.0, 12.0, 320.0)
-/* clang-format on */
+#include "tissues.h"
 
 static const sozai_value values_sugi[] = {SUGI};
 SPECIES(sugi, "Sugi, Japanese cedar (Cryptomeria japonica)",
@@ -95,25 +76,7 @@ static const sozai_value values_akamatsu[] = {AKAMATSU};
 SPECIES(akamatsu, "Akamatsu, Japanese red pine (Pinus densiflora)",
         "A conifer: yellowish, with a broad resinous latewood.", FFPRI "; " GYMNOSPERMS);
 
-static const sozai_value values_scots_pine[] = {
-    RINGS(2.0, 0.3, 0.8),
-    LATEWOOD(0.26, 0.62),
-    NUMBER("latewood_variation", 0.3),
-    NUMBER("slope_noise", 0.018),
-    CONIFER,
-    NUMBER("fibre_brightness", 0.08),
-    NUMBER("fibre_width", 0.05),
-    SRGB("earlywood_colour", 224, 180, 128),
-    SRGB("latewood_colour", 172, 112, 66),
-    SRGB("sapwood_earlywood_colour", 238, 214, 168),
-    SRGB("sapwood_latewood_colour", 200, 156, 104),
-    NUMBER("heartwood_years", 90.0),
-    NUMBER("specular", 0.06),
-    AGED(192, 132, 74, 2.0),
-    TRACHEIDS(32.0, 40.0, 15.0, 420.0),
-    CANALS(0.6, 130.0),
-    SRGB("canal_colour", 204, 152, 98),
-};
+static const sozai_value values_scots_pine[] = {SCOTS_PINE};
 SPECIES(scots_pine, "Scots pine (Pinus sylvestris)",
         "A conifer: reddish heart, pale sapwood, latewood clear and brown.",
         SCHOCH "; " GYMNOSPERMS);
@@ -226,25 +189,7 @@ SPECIES(western_red_cedar, "Western red cedar (Thuja plicata)",
         "A conifer: from pinkish to chocolate brown, drifting; thin dark latewood.",
         HANDBOOK "; " GYMNOSPERMS);
 
-static const sozai_value values_larch[] = {
-    RINGS(1.7, 0.3, 0.6),
-    LATEWOOD(0.32, 0.85),
-    NUMBER("latewood_variation", 0.25),
-    NUMBER("slope_noise", 0.02),
-    CONIFER,
-    NUMBER("fibre_brightness", 0.08),
-    NUMBER("fibre_width", 0.05),
-    SRGB("earlywood_colour", 208, 152, 104),
-    SRGB("latewood_colour", 148, 90, 54),
-    SRGB("sapwood_earlywood_colour", 234, 208, 164),
-    SRGB("sapwood_latewood_colour", 192, 148, 100),
-    NUMBER("heartwood_years", 100.0),
-    NUMBER("specular", 0.06),
-    AGED(160, 100, 56, 2.5),
-    TRACHEIDS(38.0, 48.0, 16.0, 480.0),
-    CANALS(0.4, 80.0),
-    SRGB("canal_colour", 188, 132, 86),
-};
+static const sozai_value values_larch[] = {LARCH};
 SPECIES(larch, "European larch (Larix decidua)",
         "A conifer: reddish brown heart; sharp dark latewood in narrow rings.",
         SCHOCH "; " GYMNOSPERMS);

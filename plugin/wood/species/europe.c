@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0
  * Broadleaved trees of Europe. */
-#include "entry.h"
+#include "tissues.h"
 
 static const sozai_value values_beech[] = {
     RINGS(2.2, 0.24, 0.8),
@@ -150,25 +150,7 @@ SPECIES(robinia, "Black locust, robinia (Robinia pseudoacacia)",
         "Greenish gold, hard and glossy, its vessels stopped; bold flames.",
         SCHOCH "; " WAGENFUEHR);
 
-static const sozai_value values_walnut[] = {
-    RINGS(2.8, 0.3, 1.3),
-    LATEWOOD(0.28, 0.2),
-    NUMBER("slope_noise", 0.05),
-    NUMBER("slope_noise_length", 45.0),
-    SEMI_RING_POROUS(6.0, 180.0, 100.0, 0.2),
-    NUMBER("fibre_brightness", 0.22),
-    SRGB("earlywood_colour", 154, 122, 90),
-    SRGB("latewood_colour", 110, 82, 58),
-    SRGB("vessel_colour", 112, 86, 62),
-    SRGB("sapwood_earlywood_colour", 206, 188, 158),
-    SRGB("sapwood_latewood_colour", 184, 162, 130),
-    NUMBER("heartwood_years", 100.0),
-    NUMBER("specular", 0.08),
-    RAYS(4.0, 0.4, 35.0, 28.0),
-    SRGB("ray_colour", 158, 126, 94),
-    AGED(164, 130, 90, 6.0),
-    FIBRES(22.0, 540.0),
-};
+static const sozai_value values_walnut[] = {WALNUT};
 SPECIES(walnut, "European walnut (Juglans regia)",
         "Grey-brown with dark drifting streaks; vessels show as fine dark lines.",
         SCHOCH "; " WAGENFUEHR);
@@ -224,27 +206,7 @@ SPECIES(sycamore, "Sycamore maple, fiddleback (Acer pseudoplatanus)",
         "Creamy white; regular waves of the grain give the fiddleback's bars.",
         SCHOCH "; " WAGENFUEHR);
 
-static const sozai_value values_birch[] = {
-    RINGS(2.2, 0.25, 0.8),
-    LATEWOOD(0.08, 0.5),
-    NUMBER("slope_noise", 0.03),
-    NUMBER("slope_noise_length", 45.0),
-    DIFFUSE_POROUS(55.0, 78.0, 0.2),
-    NUMBER("fibre_brightness", 0.07),
-    SRGB("earlywood_colour", 230, 202, 164),
-    SRGB("latewood_colour", 206, 170, 130),
-    SRGB("vessel_colour", 219, 190, 150),
-    SRGB("sapwood_earlywood_colour", 234, 210, 174),
-    SRGB("sapwood_latewood_colour", 212, 182, 142),
-    NUMBER("heartwood_years", 90.0),
-    NUMBER("specular", 0.1),
-    RAYS(5.0, 0.35, 26.0, 25.0),
-    SRGB("ray_colour", 222, 192, 152),
-    AGED(202, 158, 108, 4.0),
-    MINERAL_STREAKS(0.006, 1.6, 60.0),
-    SRGB("streak_colour", 158, 118, 84),
-    FIBRES(20.0, 510.0),
-};
+static const sozai_value values_birch[] = {BIRCH};
 SPECIES(birch, "Silver birch (Betula pendula)",
         "Whitish to pale yellow, silky, with a faint line at each ring.", SCHOCH "; " WAGENFUEHR);
 

@@ -115,7 +115,15 @@
   X(pommele_sapele) \
   X(spalted_beech)
 
-#define SPECIES_ALL(X) SPECIES_JAPAN(X) SPECIES_EUROPE(X) SPECIES_AMERICA(X) SPECIES_TROPICS(X) SPECIES_CONIFERS(X) SPECIES_FIGURED(X)
+#define SPECIES_PANELS(X) \
+  X(birch_plywood) \
+  X(lauan_plywood) \
+  X(sugi_plywood) \
+  X(walnut_plywood) \
+  X(larch_lvl) \
+  X(pine_blockboard)
+
+#define SPECIES_ALL(X) SPECIES_JAPAN(X) SPECIES_EUROPE(X) SPECIES_AMERICA(X) SPECIES_TROPICS(X) SPECIES_CONIFERS(X) SPECIES_FIGURED(X) SPECIES_PANELS(X)
 /* clang-format on */
 
 #endif

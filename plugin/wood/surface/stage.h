@@ -29,7 +29,7 @@ INLINE void surface_feed(const wood_constants *w, int boards, const kernel_io *i
                          vf along[3], vf across[3]) {
   vf one = splat(1.0f), zero = splat(0.0f);
   along[2] = across[2] = zero;
-  if (boards) {
+  if (boards && w->boards.layout.kind != LAYOUT_NONE) {
     const layout_unit *unit = &k->board.unit;
     along[0] = across[1] = unit->c;
     along[1] = unit->s;
@@ -53,7 +53,9 @@ INLINE void surface_marks(const wood_constants *w, int boards, const kernel_io *
                           surface_relief *r) {
   vf along[3], across[3], a = splat(0.0f), b = a, g[3], turned[3];
   surface_feed(w, boards, io, k, along, across);
-  if (boards) {
+  /* tools go over plies and veneers as over one piece */
+  int laid = boards && w->boards.layout.kind != LAYOUT_NONE;
+  if (laid) {
     a = k->board.unit.u;
     b = k->board.unit.v;
   } else {
@@ -63,7 +65,7 @@ INLINE void surface_marks(const wood_constants *w, int boards, const kernel_io *
       b = b + across[c] * p;
     }
   }
-  marks_relief m = marks_at(&w->surface, wood_seed(w, own_of(boards, k), SEED_MARKS), a, b, k->s);
+  marks_relief m = marks_at(&w->surface, wood_seed(w, own_of(laid, k), SEED_MARKS), a, b, k->s);
   for (int c = 0; c < 3; c++) g[c] = along[c] * m.a + across[c] * m.b;
   to_log(w, boards, k, g, turned);
   r->height = r->height + m.height;
@@ -78,7 +80,7 @@ INLINE void surface_place_of(const wood_constants *w, int boards, const kernel_i
   vf slope, one = splat(1.0f), widen = one + outline_at(w, k->c, k->sn, &slope);
   vf rho2 = splat(0.0f), along_normal = rho2, b[3];
   section_rows(k, p->arc, b);
-  k->f = footprint_through(p->arc, b, k->nrm, !io->in->normal[0], k->s);
+  k->f = footprint_in_section(w, boards, io, k);
   if (k->knot) {
     /* a branch's section is round */
     vm in = gt(k->knot->inside, splat(0.0f));
@@ -97,7 +99,8 @@ INLINE void surface_place_of(const wood_constants *w, int boards, const kernel_i
   p->place = vessel_place_of(boards, k);
   p->y = k->p[1];
   p->s = k->s;
-  p->reach = rings_extent(&k->stem, k->b, k->nrm, !io->in->normal[0], k->s);
+  stage_reach(w, boards, io, k);
+  p->reach = k->reach;
   if (io->in->normal[0]) rho2 = vmax(rho2 - along_normal * along_normal, splat(0.0f));
   p->across_rho2 = rho2;
 }
@@ -138,7 +141,8 @@ static __attribute__((noinline)) void stage_bump(const wood_constants *w, int bo
     for (int c = 0; c < 3; c++) store_lanes(io, WOOD_NORMAL + c, k, out[c]);
   }
   vf height = r->height;
-  if (boards) {
+  if (boards && w->plies.count) height = height + k->board.step;
+  if (boards && w->boards.layout.kind != LAYOUT_NONE) {
     height =
         height + layout_relief(&w->boards.layout, &w->boards.profile, &k->board.unit, k->s).height;
   }
