@@ -104,7 +104,9 @@ typedef struct {
   float warp_share;                 /* of what is yarn */
   float solid;                      /* share that is yarn */
 
-  float colour[FIBERTEX_COLOURS][3]; /* working space */
+  /* working space: the palette; of light that went on through strands; of light that is
+   * scattered often */
+  float colour[FIBERTEX_COLOURS][3], glow[FIBERTEX_COLOURS][3], bulk[FIBERTEX_COLOURS][3];
   float second_share, variation;
   int32_t second_chance; /* of 256 */
 
@@ -112,9 +114,10 @@ typedef struct {
   float gloss[3], tilt[3], sharp[3]; /* of R, TT and TRT; the last over R's */
   float beta2;                       /* R's variance */
   float single, multiple;            /* diffuse: of light met once, and often */
-  float pale;                        /* of what goes through: white over tinted */
-  float grazing; /* 1 over the sine of light's elevation that it begins to fade at */
-  float graze;   /* loss of what is met often, of light or view at a slant */
+  float chain;                       /* of what goes on through strand after strand */
+  /* what is met often: the shell's optical depth for it, half; over how deep shells are; and
+   * its loss where light or view is at a slant, and where both are */
+  float slab, slab_linear, slab_square, graze, graze_both;
   /* how much less is shaded of what is seen along the light; how soon that ends as the
    * two part: over 1 - their cosine */
   float opposition, opposition_sharp;
