@@ -106,7 +106,8 @@ INLINE void ground_hull(const fibertex_constants *w, block *k, vf inverse_in, vf
   vf slab = most / (most + splat(w->slab_linear) * deep + splat(w->slab_square));
   vf x = one - in, y = one - out;
   g->around = in * slab * (one - splat(w->graze) * (x + y) + splat(w->graze_both) * x * y);
-  g->onward = in * splat(w->chain);
+  /* what goes on through fades where light grazes */
+  g->onward = in * in * splat(w->chain) / (in + splat(0.25f));
   g->place[0] = g->place[1] = zero;
   g->h = splatu(0);
 }
@@ -308,7 +309,7 @@ STAGE void looks_of(const fibertex_constants *w, int woven, const block *k, int 
   q->glow[0] = q->glow[0] * inverse;
   q->bulk[0] = q->bulk[0] * inverse;
   q->white[0] = q->white[0] * inverse;
-  q->onward = q->onward * inverse * k->ground.onward;
+  q->onward = q->onward * inverse;
 }
 
 /* Adds a density of strands: cover, with its ambient and its straight light. */
@@ -364,7 +365,8 @@ typedef struct {
 } shown;
 
 /* From afar: by the means of all directions. */
-INLINE void show_far(const fibertex_constants *w, const sums *s, const looks *q, shown *o) {
+INLINE void show_far(const fibertex_constants *w, const block *k, const sums *s, const looks *q,
+                     shown *o) {
   o->cover = splat(1.0f) - s->left;
   o->depth = s->depth;
   o->white = s->bare * (q->white[0] + q->white[1]);
@@ -373,9 +375,10 @@ INLINE void show_far(const fibertex_constants *w, const sums *s, const looks *q,
   o->albedo[COLOUR_FIRST] = s->albedo[0] * q->albedo[0];
   o->albedo[COLOUR_WEFT] = s->albedo[0] * q->albedo[1];
   o->albedo[COLOUR_SECOND] = s->albedo[1] * (q->albedo[0] + q->albedo[1]);
-  o->glow[COLOUR_FIRST] = s->direct[0] * q->glow[0] + s->albedo[0] * q->onward;
+  vf onward = q->onward * k->ground.onward;
+  o->glow[COLOUR_FIRST] = s->direct[0] * q->glow[0] + s->albedo[0] * onward;
   o->glow[COLOUR_WEFT] = s->direct[0] * q->glow[1];
-  o->glow[COLOUR_SECOND] = s->direct[1] * (q->glow[0] + q->glow[1]) + s->albedo[1] * q->onward;
+  o->glow[COLOUR_SECOND] = s->direct[1] * (q->glow[0] + q->glow[1]) + s->albedo[1] * onward;
   o->bulk[COLOUR_FIRST] = s->direct[0] * q->bulk[0] + s->albedo[0] * often[0];
   o->bulk[COLOUR_WEFT] = s->direct[0] * q->bulk[1] + s->albedo[0] * often[1];
   o->bulk[COLOUR_SECOND] =
@@ -401,6 +404,10 @@ INLINE void best_axes(const fibertex_constants *w, const block *k, strand_axes *
   t->across2 = lost * splat(w->scatter);
   t->up2 = lost * splat(w->scatter_up);
 }
+
+/* How much of what has gone on through many strands keeps the last one's lobe: the less, the
+ * better a footprint's mean stands for its strands. */
+#define ONWARD_LAST 0.5f
 
 /* What one strand shows beyond its means, given to the colours. */
 INLINE void share_out(const block *k, vf mean, vf change, const vf often[2], vf out[]) {
@@ -440,11 +447,14 @@ INLINE void show_near(const fibertex_constants *w, int woven, const block *k, co
   strand_lit r;
   strand_light(w, k->f.light, k->f.view, k->f.between, t, &r);
   /* a strand is brighter on the side that the light is on */
-  vf side = one + splat(0.6f) * k->best.across * dot3(t->across, k->f.light);
+  vf facing = k->best.across * dot3(t->across, k->f.light), side = one + splat(0.6f) * facing;
   vf part = k->most - k->next, bright = part * k->best.bright;
   vf around = splat(w->multiple) * g->around * g->ambient;
+  if (!woven) around = around * (one + splat(0.25f) * part * facing);
   const vf often[2] = {s->albedo[0] * around, s->albedo[1] * around};
-  const vf onward[2] = {s->albedo[0] * q->onward, s->albedo[1] * q->onward};
+  /* the last of the strands that it went through is the one that is seen */
+  vf last = (q->onward + splat(ONWARD_LAST) * part * (r.onward - q->onward)) * g->onward;
+  const vf onward[2] = {s->albedo[0] * last, s->albedo[1] * last};
   share_out(k, glow, bright * (r.glow * side - glow), onward, o->glow);
   share_out(k, bulk, bright * (r.bulk * side - bulk), often, o->bulk);
   o->white =
@@ -557,7 +567,7 @@ INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io 
     if (any(gt(far, zero))) {
       sums sum;
       stage_far(w, &k, light, deep_lit, &sum);
-      show_far(w, &sum, &q, &mean);
+      show_far(w, &k, &sum, &q, &mean);
       blend(&near, &mean, far, light);
     }
     stage_put(w, io, &k, &near, &t, far, light);

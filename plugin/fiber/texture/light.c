@@ -37,7 +37,7 @@ static double mean_ambient(const fibertex_constants *w) {
  * light meets before it has turned. */
 static double slow_depth(double clear, double depth) {
   double dull = most(1.0 - clear, 0.15) / (1.0 - CLEAR);
-  return depth * scalar_exp(2.05 * scalar_log(dull));
+  return depth * scalar_exp(2.07 * scalar_log(dull));
 }
 
 /* What part of TT goes on at each strand. */
@@ -46,16 +46,16 @@ static double passed(double clear) { return clear / (clear + 0.25) * (CLEAR + 0.
 static void amounts_of_bulk(fibertex_constants *w, const settings *s, double depth) {
   double clear = number_at(s, P_TRANSMISSION);
   double slow = slow_depth(clear, depth), ambient = mean_ambient(w);
-  w->gloss[0] *= 0.89f;
+  w->gloss[0] *= 0.91f;
   w->gloss[1] = (float)(0.8 * passed(clear));
   w->single = 0.12f;
-  w->multiple = (float)(1.2 / ambient);
-  w->chain = (float)(4.37 * passed(clear) * depth / (depth + 1.33) / ambient);
+  w->multiple = (float)(1.155 / ambient);
+  w->chain = (float)(6.94 * passed(clear) * depth / (depth + 0.92) / ambient);
   w->slab = (float)(0.5 * slow);
-  w->slab_linear = 7.46f;
-  w->slab_square = 11.45f;
-  w->graze = 0.745f;
-  w->graze_both = 1.12f;
+  w->slab_linear = 5.53f;
+  w->slab_square = 14.7f;
+  w->graze = 0.816f;
+  w->graze_both = 1.174f;
   /* strands shade what is behind them within an angle of their thickness over the way
    * between two */
   double angle = most(4.0 / PI * number_at(s, P_PACKING), 0.05);
@@ -102,8 +102,8 @@ static crossings crossings_of(double clear, double depth) {
   double b = least(most((1.0 - (clear - 0.08) / 0.55) / 0.8, 0.0), 1.0), b2 = b * b;
   return (crossings){.fit = 5.969 - 0.215 * b + 2.532 * b2 - 10.73 * b2 * b + 5.574 * b2 * b2 +
                             0.245 * b2 * b2 * b,
-                     .more = 4.39 * depth / (depth + 3.85),
-                     .slab = 0.307 * slow_depth(clear, depth)};
+                     .more = 4.2 * depth / (depth + 2.19),
+                     .slab = 0.297 * slow_depth(clear, depth)};
 }
 
 /* A strand lets through T, by the absorption that Chiang et al. (2016) fitted to colours in
