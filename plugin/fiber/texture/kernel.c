@@ -461,16 +461,17 @@ INLINE void show_near(const fibertex_constants *w, int woven, const block *k, co
       vmax((s->bare * white + part * k->best.bare * (r.white - white)) * g->straight, zero);
 }
 
-INLINE void blend(shown *a, const shown *b, vf far, int light) {
+INLINE void blend(shown *a, const shown *b, vf far, int woven, int light) {
   vm some = gt(far, splat(0.0f)), all = le(splat(1.0f), far);
   vf near = splat(1.0f) - far;
 #define BLEND_(x) a->x = sel(some, sel(all, b->x, a->x * near + b->x * far), a->x)
   BLEND_(cover);
   BLEND_(depth);
-  for (int i = 0; i < FIBERTEX_COLOURS; i++) BLEND_(albedo[i]);
+  const int colours = woven ? FIBERTEX_COLOURS : COLOUR_WEFT;
+  for (int i = 0; i < colours; i++) BLEND_(albedo[i]);
   if (!light) return;
   BLEND_(white);
-  for (int i = 0; i < FIBERTEX_COLOURS; i++) {
+  for (int i = 0; i < colours; i++) {
     BLEND_(glow[i]);
     BLEND_(bulk[i]);
   }
@@ -490,16 +491,17 @@ INLINE void put_vector(const kernel_io *io, const block *k, int channel, const v
   }
 }
 
-INLINE void stage_put(const fibertex_constants *w, const kernel_io *io, const block *k,
+INLINE void stage_put(const fibertex_constants *w, int woven, const kernel_io *io, const block *k,
                       const shown *o, const strand_axes *t, vf far, int light) {
   const vf zero = splat(0.0f), one = splat(1.0f);
+  const int colours = woven ? FIBERTEX_COLOURS : COLOUR_WEFT;
   vf cover = clamp01(o->cover), some = one / vmax(cover, splat(1e-6f));
   for (int c = 0; c < 3; c++) {
     vf a = zero, r = o->white;
-    for (int i = 0; i < FIBERTEX_COLOURS; i++) a = a + o->albedo[i] * splat(w->colour[i][c]);
+    for (int i = 0; i < colours; i++) a = a + o->albedo[i] * splat(w->colour[i][c]);
     put(io, k, FIBERTEX_ALBEDO + c, a);
     if (!light) continue;
-    for (int i = 0; i < FIBERTEX_COLOURS; i++) {
+    for (int i = 0; i < colours; i++) {
       r = r + o->glow[i] * splat(w->glow[i][c]) + o->bulk[i] * splat(w->bulk[i][c]);
     }
     if (io->in->light_colour[c]) {
@@ -539,6 +541,7 @@ INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io 
   for (uint32_t i = from; i < to; i += LANES) {
     block k = {.i = i, .n = to - i < LANES ? to - i : LANES};
     looks q;
+    sums sum;
     shown near, mean;
     strand_axes t;
     stage_load(w, woven, io, &k);
@@ -560,17 +563,21 @@ INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io 
     add_mean(w, &k.sum, under, shaded * splat(w->deep_ambient), shaded * deep_lit,
              under * (splat(w->deep_depth) + k.ground.level));
     best_axes(w, &k, &t);
-    show_near(w, woven, &k, &q, &t, light, &near);
+    if (any(lt(far, one))) {
+      show_near(w, woven, &k, &q, &t, light, &near);
+      if (any(gt(far, zero))) {
+        stage_far(w, &k, light, deep_lit, &sum);
+        show_far(w, &k, &sum, &q, &mean);
+        blend(&near, &mean, far, woven, light);
+      }
+    } else { /* nothing near is left of it */
+      stage_far(w, &k, light, deep_lit, &sum);
+      show_far(w, &k, &sum, &q, &near);
+    }
     vm nothing = le(one, far);
     for (int c = 0; c < 3; c++) t.along[c] = sel(nothing, zero, t.along[c]);
     k.best.id = (vu)seli(nothing, splati(0), (vi)k.best.id);
-    if (any(gt(far, zero))) {
-      sums sum;
-      stage_far(w, &k, light, deep_lit, &sum);
-      show_far(w, &k, &sum, &q, &mean);
-      blend(&near, &mean, far, light);
-    }
-    stage_put(w, io, &k, &near, &t, far, light);
+    stage_put(w, woven, io, &k, &near, &t, far, light);
   }
 }
 
