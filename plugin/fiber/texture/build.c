@@ -103,11 +103,15 @@ static double closest(int k, int count) { return 8.0 - 4.6 * k / (count - 1); }
 static void measure_layers(fibertex_constants *w, const settings *s, const fibertex_kernel *kernel,
                            const double wanted[FIBERTEX_LAYERS]) {
   fibertex_means full, m;
-  for (int l = 0; l < w->layers; l++) w->layer[l].presence = FULL;
+  for (int l = 0; l < w->layers; l++) {
+    w->layer[l].presence = FULL;
+    w->layer[l].lift = 1.0f;
+  }
   set_formulas(w);
   kernel->measure(w, MEASURED, &full);
   for (int l = 0; l < w->layers; l++) {
     fibertex_layer *c = &w->layer[l];
+    if (full.bright[l] > 0.1) c->lift = (float)(1.0 / full.bright[l]);
     if (full.point[l] > 1e-9) c->presence = (float)least(FULL * wanted[l] / full.point[l], FULL);
   }
   set_formulas(w);

@@ -457,8 +457,7 @@ INLINE void show_near(const fibertex_constants *w, int woven, const block *k, co
   const vf onward[2] = {s->albedo[0] * last, s->albedo[1] * last};
   share_out(k, glow, bright * (r.glow * side - glow), onward, o->glow);
   share_out(k, bulk, bright * (r.bulk * side - bulk), often, o->bulk);
-  o->white =
-      vmax((s->bare * white + part * k->best.bare * (r.white - white)) * g->straight, zero);
+  o->white = vmax((s->bare * white + part * k->best.bare * (r.white - white)) * g->straight, zero);
 }
 
 INLINE void blend(shown *a, const shown *b, vf far, int woven, int light) {
@@ -668,9 +667,11 @@ static void measure(const fibertex_constants *w, uint32_t count, fibertex_means 
       }
       measure_add(&out->point[l], q.cover);
       measure_add(&out->soft[l], q.soft * (one - q.cover));
+      measure_add(&out->bright[l], q.cover * q.bright);
       measure_add(&out->formula[l], lane_expected(c, c->ends, &p));
     }
     out->soft[l] /= count - out->point[l];
+    if (out->point[l] > 0.0) out->bright[l] /= out->point[l];
     out->point[l] /= count;
     out->formula[l] /= count;
   }

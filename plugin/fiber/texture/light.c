@@ -46,10 +46,10 @@ static double passed(double clear) { return clear / (clear + 0.25) * (CLEAR + 0.
 static void amounts_of_bulk(fibertex_constants *w, const settings *s, double depth) {
   double clear = number_at(s, P_TRANSMISSION);
   double slow = slow_depth(clear, depth), ambient = mean_ambient(w);
-  w->gloss[0] *= 0.91f;
+  w->gloss[0] *= 0.87f;
   w->gloss[1] = (float)(0.8 * passed(clear));
   w->single = 0.12f;
-  w->multiple = (float)(1.155 / ambient);
+  w->multiple = (float)(1.183 / ambient);
   w->chain = (float)(6.94 * passed(clear) * depth / (depth + 0.92) / ambient);
   w->slab = (float)(0.5 * slow);
   w->slab_linear = 5.53f;

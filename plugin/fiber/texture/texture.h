@@ -46,6 +46,7 @@ typedef struct {
   float mean;        /* share that its strands cover, seen squarely */
   float formula;     /* a bundle's mean, at its middle */
   float soft;        /* mean nearness of strands where they do not cover */
+  float lift;        /* 1 over the mean brightness of its strands, which is to be 1 */
   float slope2;      /* variance of the strands' slope within their bundle */
   float twist[2];    /* on a yarn: cosine and sine of the strands' angle */
   float presence;    /* chance of a lane to have a strand, of 65536 */
@@ -140,11 +141,12 @@ enum {
 };
 
 /* Means over `count` points: of each layer's coverage at a point, of its bundles'
- * formula, and of its strands' nearness where they do not cover; and of a cloth
- * what share its warp and its weft show, those in the shade of furrows, and what they
+ * formula, of what covers its brightness, and of its strands' nearness where they do not cover; and
+ * of a cloth what share its warp and its weft show, those in the shade of furrows, and what they
  * take of light from right above after being scattered, and straight. */
 typedef struct {
-  double point[FIBERTEX_LAYERS], formula[FIBERTEX_LAYERS], soft[FIBERTEX_LAYERS];
+  double point[FIBERTEX_LAYERS], formula[FIBERTEX_LAYERS], soft[FIBERTEX_LAYERS],
+      bright[FIBERTEX_LAYERS];
   double yarn[2], shaded[2], around[2], straight[2];
 } fibertex_means;
 typedef void fibertex_measure(const fibertex_constants *w, uint32_t count, fibertex_means *out);
