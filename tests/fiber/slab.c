@@ -170,7 +170,8 @@ static void follow(const slab *b, strand_hit h, vec direction, vec absorption, d
     direction = fiber_lobe_sample(&b->lobe, &f, u, &weight);
     through = vec_mul(through, weight);
     if (bounce >= 8) {
-      float keep = fminf(0.97f, fmaxf(through.x, fmaxf(through.y, through.z)));
+      /* never less than what is left, or long ways would weigh more and more */
+      float keep = fminf(1, fmaxf(through.x, fmaxf(through.y, through.z)));
       if (!(sample_next(d) < keep)) return;
       through = vec_scale(1 / keep, through);
     }
@@ -208,6 +209,11 @@ static void look_part(void *context, uint32_t part) {
         out->square[l][k] += got[l][k] * got[l][k];
       }
     }
+    for (int k = 0; k < 3; k++) {
+      double all = 0;
+      for (int l = 0; l < LIGHTS; l++) all += got[l][k];
+      out->square_of_all[k] += all * all;
+    }
   }
 }
 
@@ -225,6 +231,7 @@ seen look_at_curves(const slab *b, int view, uint32_t rays) {
         s.square[l][k] += t.part[p].square[l][k] / rays;
       }
     }
+    for (int k = 0; k < 3; k++) s.square_of_all[k] += t.part[p].square_of_all[k] / rays;
   }
   return s;
 }

@@ -42,6 +42,7 @@ typedef struct {
 /* Under light of irradiance pi: means over the rays, and of the squares. */
 typedef struct {
   double sum[LIGHTS][3], square[LIGHTS][3];
+  double square_of_all[3]; /* of what all lights give one ray */
 } seen;
 
 vec aim(double elevation, double azimuth);

@@ -8,6 +8,7 @@
 
 #include "../../core/hash1.h"
 #include "../../core/scalar.h"
+#include "light.h"
 #include "parameters.h"
 
 #define PI 3.14159265358979324
@@ -17,8 +18,6 @@
 #define FILL 0.55       /* of space by bundles, less the ends of their strands; about */
 #define ON_YARN 4       /* layers */
 #define HULL_LOOKS 4
-#define BULK 0.97           /* of an endless depth over its colour, lit and seen squarely */
-#define THROUGH 3.1         /* strand after strand, over what one of them lets through */
 #define WAVE_SLOPE2 21.3333 /* mean square of the wave's slope: of +-8, evenly */
 
 static uint32_t seed_of(const settings *s) {
@@ -104,11 +103,15 @@ static double closest(int k, int count) { return 8.0 - 4.6 * k / (count - 1); }
 static void measure_layers(fibertex_constants *w, const settings *s, const fibertex_kernel *kernel,
                            const double wanted[FIBERTEX_LAYERS]) {
   fibertex_means full, m;
-  for (int l = 0; l < w->layers; l++) w->layer[l].presence = FULL;
+  for (int l = 0; l < w->layers; l++) {
+    w->layer[l].presence = FULL;
+    w->layer[l].lift = 1.0f;
+  }
   set_formulas(w);
   kernel->measure(w, MEASURED, &full);
   for (int l = 0; l < w->layers; l++) {
     fibertex_layer *c = &w->layer[l];
+    if (full.bright[l] > 0.1) c->lift = (float)(1.0 / full.bright[l]);
     if (full.point[l] > 1e-9) c->presence = (float)least(FULL * wanted[l] / full.point[l], FULL);
   }
   set_formulas(w);
@@ -352,71 +355,8 @@ static void build_directions(fibertex_constants *w, const settings *s) {
   }
 }
 
-/* ---- light ------------------------------------------------------------- */
-
-/* What of the light from around reaches what is seen squarely, the mean. */
-static double mean_ambient(const fibertex_constants *w) {
-  double left = 1.0, sum = 0.0;
-  for (int l = 0; l < w->layers; l++) {
-    double share = left * (double)w->layer[l].mean;
-    sum += share * (double)w->layer[l].ambient;
-    left -= share;
-  }
-  double under = left * (double)w->deep;
-  return (sum + under * (double)w->deep_ambient) / most(1.0 - left + under, 1e-3);
-}
-
-/* Light that many strands of an aggregate pass on, as rays followed through grown ones
- * have it (fiber.radiance; docs/fiber-texture.md says what was fitted, and how well):
- * what comes back evenly, near to the colour where the shell is thick; what goes on through
- * strand after strand to an eye that looks towards the light, less and less tinted the
- * darker they are; and no shade on what is seen along the light. */
-static void build_bulk(fibertex_constants *w, const settings *s, double depth) {
-  double clear = number_at(s, P_TRANSMISSION), packing = number_at(s, P_PACKING);
-  /* two streams: a slab over one without end */
-  double x = scalar_exp(-0.24 * depth), slab = (1.0 - x) / (1.0 - 0.168 * x);
-  double ambient = mean_ambient(w);
-  w->multiple = (float)most((BULK * slab - 0.5 * (double)w->single) / ambient, 0.0);
-  /* a slanting eye sees more of what is on top, which is less in the shade */
-  w->graze = (float)(0.46 + most(0.65 - ambient, 0.0));
-  w->gloss[1] = (float)(THROUGH * clear / (clear + 0.25));
-  w->pale = 0.6f;
-  w->grazing = 2.5f;
-  /* strands shade what is behind them within an angle of their thickness over the way
-   * between two */
-  double angle = most(4.0 / PI * packing, 0.05);
-  w->opposition = 0.6f;
-  w->opposition_sharp = (float)(2.0 / (angle * angle));
-}
-
-/* Amounts: docs/fiber-texture.md. property.fiber_light prints what all of it
- * reflects, which is to stay below what comes in. */
-static void build_light(fibertex_constants *w, const settings *s, double depth) {
-  double n = number_at(s, P_IOR), f = (n - 1.0) / (n + 1.0);
-  double beta = 2.0 * number_at(s, P_ROUGHNESS) * RADIANS, tilt = number_at(s, P_TILT) * RADIANS;
-  double clear = number_at(s, P_TRANSMISSION);
-  double reflected =
-      1.9 * f * f; /* a cylinder's mean over its width, about twice that at its crest */
-  static const double width[3] = {1.0, 1.2, 1.7}, shift[3] = {-2.0, 1.0, 3.0};
-  const double amount[3] = {reflected, 0.55 * clear * (1.0 - reflected),
-                            0.12 * clear * (1.0 - reflected)};
-  for (int i = 0; i < 3; i++) {
-    double b = most(beta * width[i], 0.05);
-    w->gloss[i] = (float)amount[i];
-    w->sharp[i] = (float)(1.0 / width[i]);
-    if (i == 0) w->beta2 = (float)(b * b);
-    w->tilt[i] = (float)(shift[i] * tilt);
-  }
-  w->single = (float)(0.52 * (1.0 - 0.45 * clear));
-  w->multiple = (float)(0.42 + 0.1 * clear);
-  double alpha = least(most(2.0 * number_at(s, P_ROUGHNESS) * RADIANS, 0.08), 1.0);
-  w->strand_alpha2 = (float)(alpha * alpha);
-  w->grazing = 1e6f;
-  if (w->structure != STRUCTURE_WOVEN) build_bulk(w, s, depth);
-}
-
-int32_t fibertex_build(fibertex_constants *w, const settings *s, const float (*colours)[3],
-                       const fibertex_kernel *kernel) {
+int32_t fibertex_build(fibertex_constants *w, const sozai_host *host, const settings *s,
+                       const float (*colours)[3], const fibertex_kernel *kernel) {
   w->seed = seed_of(s);
   for (int c = 0; c < 3; c++) w->offset[c] = (float)s->list[P_OFFSET].number[c];
   w->axis[choice_at(s, P_AXIS)] = 1.0f;
@@ -443,6 +383,5 @@ int32_t fibertex_build(fibertex_constants *w, const settings *s, const float (*c
   } else {
     build_directions(w, s);
   }
-  build_light(w, s, depth);
-  return SOZAI_OK;
+  return fibertex_build_light(w, host, s, depth);
 }

@@ -7,7 +7,7 @@
 
 /* From settings to what the kernel reads. colours: in the working space.
  * kernel: any, since all measure the same. */
-int32_t fibertex_build(fibertex_constants *w, const settings *s, const float (*colours)[3],
-                       const fibertex_kernel *kernel);
+int32_t fibertex_build(fibertex_constants *w, const sozai_host *host, const settings *s,
+                       const float (*colours)[3], const fibertex_kernel *kernel);
 
 #endif

@@ -22,7 +22,7 @@ typedef struct {
 /* What a cloth's yarn does to its strands, and what is the hull's of an aggregate. */
 typedef struct {
   vf along[3], across[3], up[3]; /* in the hull's frame */
-  vf weft, ambient, around, straight;
+  vf weft, ambient, around, onward, straight;
   vf place[2]; /* along and round the yarn, mm */
   vf level, solid;
   vu h;
@@ -88,7 +88,8 @@ INLINE void into_frame(const hull_frame *f, const vf v[3], vf out[3]) {
   out[2] = dot3(v, f->n);
 }
 
-INLINE void ground_hull(const fibertex_constants *w, block *k) {
+/* inverse_in, inverse_out: 1 over the cosines of light and view, none too great. */
+INLINE void ground_hull(const fibertex_constants *w, block *k, vf inverse_in, vf inverse_out) {
   const vf zero = splat(0.0f), one = splat(1.0f);
   ground *g = &k->ground;
   for (int c = 0; c < 3; c++) {
@@ -98,9 +99,15 @@ INLINE void ground_hull(const fibertex_constants *w, block *k) {
   }
   g->weft = g->level = zero;
   g->ambient = g->straight = g->solid = one;
-  /* what comes back after many strands: less of light that grazes, and to an eye that does */
-  vf in = vmax(k->f.light[2], zero), out = vmax(k->f.view[2], zero), bend = splat(w->graze);
-  g->around = in * (one + bend * (in - one)) * (one + bend * (out - one));
+  /* what comes back after many strands: less of light that grazes, and to an eye that does,
+   * but more of a thin shell, which is deeper at a slant */
+  vf in = vmax(k->f.light[2], zero), out = vmax(k->f.view[2], zero);
+  vf deep = splat(w->slab) * (inverse_in + inverse_out), most = deep * deep;
+  vf slab = most / (most + splat(w->slab_linear) * deep + splat(w->slab_square));
+  vf x = one - in, y = one - out;
+  g->around = in * slab * (one - splat(w->graze) * (x + y) + splat(w->graze_both) * x * y);
+  /* what goes on through fades where light grazes */
+  g->onward = in * in * splat(w->chain) / (in + splat(0.25f));
   g->place[0] = g->place[1] = zero;
   g->h = splatu(0);
 }
@@ -119,6 +126,7 @@ STAGE void ground_cloth(const fibertex_constants *w, block *k, vf u, vf v, vf si
   g->ambient = q.ambient;
   vf up = dot3(k->f.light, g->up);
   g->around = vmax(up, zero) * k->front;
+  g->onward = zero;
   g->straight = flank(up);
   g->place[0] = q.along;
   /* the way round an ellipse from its crest: nearly */
@@ -164,11 +172,12 @@ INLINE void stage_load(const fibertex_constants *w, int woven, const kernel_io *
   k->front = smooth_step(splat(-0.02f), splat(0.22f), k->f.light[2]);
   /* where the eye looks along the light, what it sees is lit: the way in is the way out */
   vf apart = one + (one - k->f.between) * splat(w->opposition_sharp);
-  k->inverse_up = (one - splat(w->opposition) / (apart * apart)) / vmax(k->f.light[2], splat(0.1f));
+  vf inverse = one / vmax(k->f.light[2], splat(0.1f));
+  k->inverse_up = (one - splat(w->opposition) / (apart * apart)) * inverse;
   if (woven)
     ground_cloth(w, k, cloth.u, cloth.v, sel(lt(dot3(other, k->f.e2), zero), zero - one, one));
   else
-    ground_hull(w, k);
+    ground_hull(w, k, inverse, slant);
 
   k->sum.left = k->shade = one;
   for (int c = 0; c < 2; c++) {
@@ -257,19 +266,21 @@ STAGE void layer_of_yarn(const fibertex_constants *w, const fibertex_layer *c, b
 /* Of warp and weft (of an aggregate the first is all): what all directions together
  * show, and what reaches them. */
 typedef struct {
-  vf white[2], tinted[2], around[2], albedo[2], straight;
+  vf white[2], glow[2], bulk[2], around[2], albedo[2], straight, onward;
 } looks;
 
 STAGE void looks_of(const fibertex_constants *w, int woven, const block *k, int light, looks *q) {
   const vf zero = splat(0.0f);
-  for (int i = 0; i < 2; i++) q->white[i] = q->tinted[i] = q->around[i] = q->albedo[i] = zero;
-  q->straight = zero;
+  for (int i = 0; i < 2; i++) {
+    q->white[i] = q->glow[i] = q->bulk[i] = q->around[i] = q->albedo[i] = zero;
+  }
+  q->straight = q->onward = zero;
   for (int m = 0; m < w->looks; m++) {
     const fibertex_look *o = &w->look[m];
     int i = woven ? o->weft : 0;
     q->albedo[i] = q->albedo[i] + splat(o->lit);
     if (!light) continue;
-    vf white, tinted;
+    strand_lit r;
     strand_axes t;
     for (int c = 0; c < 3; c++) {
       t.along[c] = splat(o->along[c]);
@@ -279,7 +290,7 @@ STAGE void looks_of(const fibertex_constants *w, int woven, const block *k, int 
     t.across2 = splat(o->across2);
     t.up2 = splat(o->up2);
     vf up = dot3(t.up, k->f.light), share = splat(o->straight);
-    strand_light(w, k->f.light, k->f.view, k->f.between, &t, &white, &tinted);
+    strand_light(w, k->f.light, k->f.view, k->f.between, &t, &r);
     q->around[i] =
         q->around[i] + splat(o->around) * (woven ? vmax(up, zero) * k->front : k->ground.around);
     if (woven) /* else strands across the view's slant look broader, and are more of what is seen */
@@ -287,14 +298,18 @@ STAGE void looks_of(const fibertex_constants *w, int woven, const block *k, int 
     else
       share = share * widening(k->f.lean2[0] * t.across[0] + k->f.lean2[1] * t.across[1],
                                w->layer[w->layers - 1].widen_most);
-    q->tinted[i] = q->tinted[i] + share * tinted;
-    q->white[i] = q->white[i] + share * white;
+    q->glow[i] = q->glow[i] + share * r.glow;
+    q->bulk[i] = q->bulk[i] + share * r.bulk;
+    q->white[i] = q->white[i] + share * r.white;
     q->straight = q->straight + share;
+    if (!woven) q->onward = q->onward + share * r.onward;
   }
   if (woven || !light) return;
   vf inverse = splat(1.0f) / q->straight;
-  q->tinted[0] = q->tinted[0] * inverse;
+  q->glow[0] = q->glow[0] * inverse;
+  q->bulk[0] = q->bulk[0] * inverse;
   q->white[0] = q->white[0] * inverse;
+  q->onward = q->onward * inverse;
 }
 
 /* Adds a density of strands: cover, with its ambient and its straight light. */
@@ -346,11 +361,12 @@ STAGE void stage_far(const fibertex_constants *w, const block *k, int light, vf 
 /* What a point's sums come to, of each of the palette. */
 typedef struct {
   vf cover, depth, white;
-  vf albedo[FIBERTEX_COLOURS], tinted[FIBERTEX_COLOURS];
+  vf albedo[FIBERTEX_COLOURS], glow[FIBERTEX_COLOURS], bulk[FIBERTEX_COLOURS];
 } shown;
 
 /* From afar: by the means of all directions. */
-INLINE void show_far(const fibertex_constants *w, const sums *s, const looks *q, shown *o) {
+INLINE void show_far(const fibertex_constants *w, const block *k, const sums *s, const looks *q,
+                     shown *o) {
   o->cover = splat(1.0f) - s->left;
   o->depth = s->depth;
   o->white = s->bare * (q->white[0] + q->white[1]);
@@ -359,10 +375,14 @@ INLINE void show_far(const fibertex_constants *w, const sums *s, const looks *q,
   o->albedo[COLOUR_FIRST] = s->albedo[0] * q->albedo[0];
   o->albedo[COLOUR_WEFT] = s->albedo[0] * q->albedo[1];
   o->albedo[COLOUR_SECOND] = s->albedo[1] * (q->albedo[0] + q->albedo[1]);
-  o->tinted[COLOUR_FIRST] = s->direct[0] * q->tinted[0] + s->albedo[0] * often[0];
-  o->tinted[COLOUR_WEFT] = s->direct[0] * q->tinted[1] + s->albedo[0] * often[1];
-  o->tinted[COLOUR_SECOND] =
-      s->direct[1] * (q->tinted[0] + q->tinted[1]) + s->albedo[1] * (often[0] + often[1]);
+  vf onward = q->onward * k->ground.onward;
+  o->glow[COLOUR_FIRST] = s->direct[0] * q->glow[0] + s->albedo[0] * onward;
+  o->glow[COLOUR_WEFT] = s->direct[0] * q->glow[1];
+  o->glow[COLOUR_SECOND] = s->direct[1] * (q->glow[0] + q->glow[1]) + s->albedo[1] * onward;
+  o->bulk[COLOUR_FIRST] = s->direct[0] * q->bulk[0] + s->albedo[0] * often[0];
+  o->bulk[COLOUR_WEFT] = s->direct[0] * q->bulk[1] + s->albedo[0] * often[1];
+  o->bulk[COLOUR_SECOND] =
+      s->direct[1] * (q->bulk[0] + q->bulk[1]) + s->albedo[1] * (often[0] + often[1]);
 }
 
 /* The strand that is seen: its axes in the hull's frame. */
@@ -385,6 +405,23 @@ INLINE void best_axes(const fibertex_constants *w, const block *k, strand_axes *
   t->up2 = lost * splat(w->scatter_up);
 }
 
+/* How much of what has gone on through many strands keeps the last one's lobe: the less, the
+ * better a footprint's mean stands for its strands. */
+#define ONWARD_LAST 0.5f
+
+/* What one strand shows beyond its means, given to the colours. */
+INLINE void share_out(const block *k, vf mean, vf change, const vf often[2], vf out[]) {
+  const vf zero = splat(0.0f), one = splat(1.0f);
+  const sums *s = &k->sum;
+  vf straight = k->ground.straight, weft = k->ground.weft;
+  vf second = change * k->best.second, first = change - second;
+  vf a = vmax((s->direct[0] * mean + first) * straight + often[0], zero);
+  vf b = vmax((s->direct[1] * mean + second) * straight + often[1], zero);
+  out[COLOUR_FIRST] = a * (one - weft);
+  out[COLOUR_WEFT] = a * weft;
+  out[COLOUR_SECOND] = b;
+}
+
 /* Near: by the strand that is seen; what else is there by the means. */
 INLINE void show_near(const fibertex_constants *w, int woven, const block *k, const looks *q,
                       const strand_axes *t, int light, shown *o) {
@@ -398,43 +435,45 @@ INLINE void show_near(const fibertex_constants *w, int woven, const block *k, co
   o->albedo[COLOUR_WEFT] = s->albedo[0] * g->ambient * weft;
   o->albedo[COLOUR_SECOND] = s->albedo[1] * g->ambient;
   o->white = zero;
-  for (int i = 0; i < FIBERTEX_COLOURS; i++) o->tinted[i] = zero;
+  for (int i = 0; i < FIBERTEX_COLOURS; i++) o->glow[i] = o->bulk[i] = zero;
   if (!light) return;
-  vf mean_white, mean_tinted, white, tinted;
+  vf white = q->white[0], glow = q->glow[0], bulk = q->bulk[0];
   if (woven) {
     vf inverse = one / vmax(q->straight, splat(0.05f));
-    mean_white = (q->white[0] + q->white[1]) * inverse;
-    mean_tinted = (q->tinted[0] + q->tinted[1]) * inverse;
-  } else {
-    mean_white = q->white[0];
-    mean_tinted = q->tinted[0];
+    white = (white + q->white[1]) * inverse;
+    glow = (glow + q->glow[1]) * inverse;
+    bulk = (bulk + q->bulk[1]) * inverse;
   }
-  strand_light(w, k->f.light, k->f.view, k->f.between, t, &white, &tinted);
+  strand_lit r;
+  strand_light(w, k->f.light, k->f.view, k->f.between, t, &r);
   /* a strand is brighter on the side that the light is on */
-  tinted = tinted * (one + splat(0.6f) * k->best.across * dot3(t->across, k->f.light));
-  vf part = k->most - k->next, bright = part * k->best.bright, change = tinted - mean_tinted;
-  vf straight = g->straight, often = splat(w->multiple) * g->around * g->ambient;
-  vf a = (s->direct[0] * mean_tinted + bright * (one - k->best.second) * change) * straight +
-         s->albedo[0] * often;
-  vf b = (s->direct[1] * mean_tinted + bright * k->best.second * change) * straight +
-         s->albedo[1] * often;
-  o->tinted[COLOUR_FIRST] = vmax(a, zero) * warp;
-  o->tinted[COLOUR_WEFT] = vmax(a, zero) * weft;
-  o->tinted[COLOUR_SECOND] = vmax(b, zero);
-  o->white =
-      vmax((s->bare * mean_white + part * k->best.bare * (white - mean_white)) * straight, zero);
+  vf facing = k->best.across * dot3(t->across, k->f.light), side = one + splat(0.6f) * facing;
+  vf part = k->most - k->next, bright = part * k->best.bright;
+  vf around = splat(w->multiple) * g->around * g->ambient;
+  if (!woven) around = around * (one + splat(0.25f) * part * facing);
+  const vf often[2] = {s->albedo[0] * around, s->albedo[1] * around};
+  /* the last of the strands that it went through is the one that is seen */
+  vf last = (q->onward + splat(ONWARD_LAST) * part * (r.onward - q->onward)) * g->onward;
+  const vf onward[2] = {s->albedo[0] * last, s->albedo[1] * last};
+  share_out(k, glow, bright * (r.glow * side - glow), onward, o->glow);
+  share_out(k, bulk, bright * (r.bulk * side - bulk), often, o->bulk);
+  o->white = vmax((s->bare * white + part * k->best.bare * (r.white - white)) * g->straight, zero);
 }
 
-INLINE void blend(shown *a, const shown *b, vf far, int light) {
+INLINE void blend(shown *a, const shown *b, vf far, int woven, int light) {
   vm some = gt(far, splat(0.0f)), all = le(splat(1.0f), far);
   vf near = splat(1.0f) - far;
 #define BLEND_(x) a->x = sel(some, sel(all, b->x, a->x * near + b->x * far), a->x)
   BLEND_(cover);
   BLEND_(depth);
-  for (int i = 0; i < FIBERTEX_COLOURS; i++) BLEND_(albedo[i]);
+  const int colours = woven ? FIBERTEX_COLOURS : COLOUR_WEFT;
+  for (int i = 0; i < colours; i++) BLEND_(albedo[i]);
   if (!light) return;
   BLEND_(white);
-  for (int i = 0; i < FIBERTEX_COLOURS; i++) BLEND_(tinted[i]);
+  for (int i = 0; i < colours; i++) {
+    BLEND_(glow[i]);
+    BLEND_(bulk[i]);
+  }
 #undef BLEND_
 }
 
@@ -451,16 +490,19 @@ INLINE void put_vector(const kernel_io *io, const block *k, int channel, const v
   }
 }
 
-INLINE void stage_put(const fibertex_constants *w, const kernel_io *io, const block *k,
+INLINE void stage_put(const fibertex_constants *w, int woven, const kernel_io *io, const block *k,
                       const shown *o, const strand_axes *t, vf far, int light) {
   const vf zero = splat(0.0f), one = splat(1.0f);
+  const int colours = woven ? FIBERTEX_COLOURS : COLOUR_WEFT;
   vf cover = clamp01(o->cover), some = one / vmax(cover, splat(1e-6f));
   for (int c = 0; c < 3; c++) {
     vf a = zero, r = o->white;
-    for (int i = 0; i < FIBERTEX_COLOURS; i++) a = a + o->albedo[i] * splat(w->colour[i][c]);
+    for (int i = 0; i < colours; i++) a = a + o->albedo[i] * splat(w->colour[i][c]);
     put(io, k, FIBERTEX_ALBEDO + c, a);
     if (!light) continue;
-    for (int i = 0; i < FIBERTEX_COLOURS; i++) r = r + o->tinted[i] * splat(w->colour[i][c]);
+    for (int i = 0; i < colours; i++) {
+      r = r + o->glow[i] * splat(w->glow[i][c]) + o->bulk[i] * splat(w->bulk[i][c]);
+    }
     if (io->in->light_colour[c]) {
       vf e = load_lanes(io->in->light_colour[c], k->i, k->n);
       r = r * sel(lt(vabs(e), splat(1e30f)), e, zero);
@@ -498,6 +540,7 @@ INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io 
   for (uint32_t i = from; i < to; i += LANES) {
     block k = {.i = i, .n = to - i < LANES ? to - i : LANES};
     looks q;
+    sums sum;
     shown near, mean;
     strand_axes t;
     stage_load(w, woven, io, &k);
@@ -519,17 +562,21 @@ INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io 
     add_mean(w, &k.sum, under, shaded * splat(w->deep_ambient), shaded * deep_lit,
              under * (splat(w->deep_depth) + k.ground.level));
     best_axes(w, &k, &t);
-    show_near(w, woven, &k, &q, &t, light, &near);
+    if (any(lt(far, one))) {
+      show_near(w, woven, &k, &q, &t, light, &near);
+      if (any(gt(far, zero))) {
+        stage_far(w, &k, light, deep_lit, &sum);
+        show_far(w, &k, &sum, &q, &mean);
+        blend(&near, &mean, far, woven, light);
+      }
+    } else { /* nothing near is left of it */
+      stage_far(w, &k, light, deep_lit, &sum);
+      show_far(w, &k, &sum, &q, &near);
+    }
     vm nothing = le(one, far);
     for (int c = 0; c < 3; c++) t.along[c] = sel(nothing, zero, t.along[c]);
     k.best.id = (vu)seli(nothing, splati(0), (vi)k.best.id);
-    if (any(gt(far, zero))) {
-      sums sum;
-      stage_far(w, &k, light, deep_lit, &sum);
-      show_far(w, &sum, &q, &mean);
-      blend(&near, &mean, far, light);
-    }
-    stage_put(w, io, &k, &near, &t, far, light);
+    stage_put(w, woven, io, &k, &near, &t, far, light);
   }
 }
 
@@ -620,9 +667,11 @@ static void measure(const fibertex_constants *w, uint32_t count, fibertex_means 
       }
       measure_add(&out->point[l], q.cover);
       measure_add(&out->soft[l], q.soft * (one - q.cover));
+      measure_add(&out->bright[l], q.cover * q.bright);
       measure_add(&out->formula[l], lane_expected(c, c->ends, &p));
     }
     out->soft[l] /= count - out->point[l];
+    if (out->point[l] > 0.0) out->bright[l] /= out->point[l];
     out->point[l] /= count;
     out->formula[l] /= count;
   }

@@ -159,7 +159,7 @@ INLINE void lanes_at(const fibertex_constants *w, const fibertex_layer *c, int e
       bright = bright * (splat(1.0f / (1.0f - LANE_DIVE / 3.0f)) -
                          splat(LANE_DIVE / (1.0f - LANE_DIVE / 3.0f)) * v * v);
     }
-    q->bright = bright;
+    q->bright = bright * splat(c->lift);
   }
   if (!any(some)) return;
   vf near = one - far, expected = lane_expected(c, ends, p);

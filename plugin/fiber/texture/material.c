@@ -19,7 +19,7 @@ typedef struct {
 static const sozai_texture_info *describe(void) {
   static sozai_texture_info info = {
       .size = sizeof(sozai_texture_info),
-      .revision = 2,
+      .revision = 3,
       .id = "fiber",
       .label = "Fibre",
       .doc = "Aggregates of fibres as a surface shows them: every strand near, and from afar a "
@@ -41,11 +41,10 @@ static const sozai_texture_info *describe(void) {
 static int32_t build(void *state, const sozai_host *host, const settings *s,
                      const float (*colours)[3], const image_set *images) {
   fibertex_state *w = state;
-  (void)host;
   (void)images;
   int32_t r = kernel_choose(kernels, &w->use);
   if (r) return r;
-  return fibertex_build(&w->constants, s, colours, (const fibertex_kernel *)w->use.wide);
+  return fibertex_build(&w->constants, host, s, colours, (const fibertex_kernel *)w->use.wide);
 }
 
 static void evaluate(const void *state, const sozai_batch *b, float *const *out, uint64_t wanted) {

@@ -38,9 +38,14 @@ INLINE vf strand_dot(const vf a[3], const vf b[3]) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Radiance of a strand under light of irradiance pi, of white and of colour. */
+/* Radiance of a strand under light of irradiance pi: white; of what went through; of what
+ * was scattered within. And the lobe of what goes on through. */
+typedef struct {
+  vf white, glow, bulk, onward;
+} strand_lit;
+
 INLINE void strand_light(const fibertex_constants *w, const vf light[3], const vf view[3],
-                         vf between, const strand_axes *t, vf *white, vf *tinted) {
+                         vf between, const strand_axes *t, strand_lit *r) {
   const vf one = splat(1.0f), zero = splat(0.0f);
   vf shrink = one - splat(0.5f) * (t->across2 + t->up2);
   vf sl = strand_dot(t->along, light) * shrink, sv = strand_dot(t->along, view) * shrink;
@@ -60,14 +65,14 @@ INLINE void strand_light(const fibertex_constants *w, const vf light[3], const v
   vf sharp = inverse_root(splat(w->beta2) + spread);
   vf lobe[3];
   for (int i = 0; i < 3; i++) {
-    lobe[i] = splat(w->gloss[i]) * bell(sum - splat(w->tilt[i]), sharp * splat(w->sharp[i]));
+    lobe[i] = bell(sum - splat(w->tilt[i]), sharp * splat(w->sharp[i]));
   }
   /* azimuthal parts: over all round each is 1 / 2 pi; times pi for the irradiance */
-  /* dim where light only grazes the ground */
-  vf through = lobe[1] * ahead * ahead * splat(2.82986f) * cosine;
-  through = through * vmin(vmax(light[2], zero) * splat(w->grazing), one);
-  *white = lobe[0] * back * splat(0.5f) * cosine + splat(w->pale) * through;
-  *tinted = through + lobe[2] * back * splat(0.5f) * cosine + splat(w->single) * cosine;
+  vf reflected = back * splat(0.5f) * cosine;
+  r->onward = lobe[1] * ahead * ahead * splat(2.82986f) * cosine;
+  r->white = splat(w->gloss[0]) * lobe[0] * reflected;
+  r->glow = splat(w->gloss[1]) * r->onward + splat(w->gloss[2]) * lobe[2] * reflected;
+  r->bulk = splat(w->single) * cosine;
 }
 
 #endif

@@ -46,6 +46,7 @@ typedef struct {
   float mean;        /* share that its strands cover, seen squarely */
   float formula;     /* a bundle's mean, at its middle */
   float soft;        /* mean nearness of strands where they do not cover */
+  float lift;        /* 1 over the mean brightness of its strands, which is to be 1 */
   float slope2;      /* variance of the strands' slope within their bundle */
   float twist[2];    /* on a yarn: cosine and sine of the strands' angle */
   float presence;    /* chance of a lane to have a strand, of 65536 */
@@ -104,7 +105,9 @@ typedef struct {
   float warp_share;                 /* of what is yarn */
   float solid;                      /* share that is yarn */
 
-  float colour[FIBERTEX_COLOURS][3]; /* working space */
+  /* working space: the palette; of light that went on through strands; of light that is
+   * scattered often */
+  float colour[FIBERTEX_COLOURS][3], glow[FIBERTEX_COLOURS][3], bulk[FIBERTEX_COLOURS][3];
   float second_share, variation;
   int32_t second_chance; /* of 256 */
 
@@ -112,9 +115,10 @@ typedef struct {
   float gloss[3], tilt[3], sharp[3]; /* of R, TT and TRT; the last over R's */
   float beta2;                       /* R's variance */
   float single, multiple;            /* diffuse: of light met once, and often */
-  float pale;                        /* of what goes through: white over tinted */
-  float grazing; /* 1 over the sine of light's elevation that it begins to fade at */
-  float graze;   /* loss of what is met often, of light or view at a slant */
+  float chain;                       /* of what goes on through strand after strand */
+  /* what is met often: the shell's optical depth for it, half; over how deep shells are; and
+   * its loss where light or view is at a slant, and where both are */
+  float slab, slab_linear, slab_square, graze, graze_both;
   /* how much less is shaded of what is seen along the light; how soon that ends as the
    * two part: over 1 - their cosine */
   float opposition, opposition_sharp;
@@ -137,11 +141,12 @@ enum {
 };
 
 /* Means over `count` points: of each layer's coverage at a point, of its bundles'
- * formula, and of its strands' nearness where they do not cover; and of a cloth
- * what share its warp and its weft show, those in the shade of furrows, and what they
+ * formula, of what covers its brightness, and of its strands' nearness where they do not cover; and
+ * of a cloth what share its warp and its weft show, those in the shade of furrows, and what they
  * take of light from right above after being scattered, and straight. */
 typedef struct {
-  double point[FIBERTEX_LAYERS], formula[FIBERTEX_LAYERS], soft[FIBERTEX_LAYERS];
+  double point[FIBERTEX_LAYERS], formula[FIBERTEX_LAYERS], soft[FIBERTEX_LAYERS],
+      bright[FIBERTEX_LAYERS];
   double yarn[2], shaded[2], around[2], straight[2];
 } fibertex_means;
 typedef void fibertex_measure(const fibertex_constants *w, uint32_t count, fibertex_means *out);

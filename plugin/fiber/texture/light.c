@@ -1,0 +1,183 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Light among strands: what one of them does, and what many do together. Of the latter the
+ * shape is physics, the amounts are fitted to rays followed through grown strands
+ * (fiber.radiance; docs/fiber-texture.md says what was fitted, and how well).
+ */
+#include "light.h"
+
+#include <string.h>
+
+#include "../../core/colour.h"
+#include "../../core/scalar.h"
+#include "parameters.h"
+
+#define PI 3.14159265358979324
+#define RADIANS (PI / 180.0)
+#define CLEAR 0.454 /* transmission of the fibre that amounts are given for */
+
+static double least(double a, double b) { return a < b ? a : b; }
+static double most(double a, double b) { return a > b ? a : b; }
+
+/* ---- amounts ----------------------------------------------------------- */
+
+/* What of the light from around reaches what is seen squarely, the mean. */
+static double mean_ambient(const fibertex_constants *w) {
+  double left = 1.0, sum = 0.0;
+  for (int l = 0; l < w->layers; l++) {
+    double share = left * (double)w->layer[l].mean;
+    sum += share * (double)w->layer[l].ambient;
+    left -= share;
+  }
+  double under = left * (double)w->deep;
+  return (sum + under * (double)w->deep_ambient) / most(1.0 - left + under, 1e-3);
+}
+
+/* Optical depth for what is scattered often: the clearer strands are, the more of them
+ * light meets before it has turned. */
+static double slow_depth(double clear, double depth) {
+  double dull = most(1.0 - clear, 0.15) / (1.0 - CLEAR);
+  return depth * scalar_exp(2.07 * scalar_log(dull));
+}
+
+/* What part of TT goes on at each strand. */
+static double passed(double clear) { return clear / (clear + 0.25) * (CLEAR + 0.25) / CLEAR; }
+
+static void amounts_of_bulk(fibertex_constants *w, const settings *s, double depth) {
+  double clear = number_at(s, P_TRANSMISSION);
+  double slow = slow_depth(clear, depth), ambient = mean_ambient(w);
+  w->gloss[0] *= 0.87f;
+  w->gloss[1] = (float)(0.8 * passed(clear));
+  w->single = 0.12f;
+  w->multiple = (float)(1.183 / ambient);
+  w->chain = (float)(6.94 * passed(clear) * depth / (depth + 0.92) / ambient);
+  w->slab = (float)(0.5 * slow);
+  w->slab_linear = 5.53f;
+  w->slab_square = 14.7f;
+  w->graze = 0.816f;
+  w->graze_both = 1.174f;
+  /* strands shade what is behind them within an angle of their thickness over the way
+   * between two */
+  double angle = most(4.0 / PI * number_at(s, P_PACKING), 0.05);
+  w->opposition = 0.9f;
+  w->opposition_sharp = (float)(2.0 / (angle * angle));
+}
+
+/* Amounts: docs/fiber-texture.md. property.fiber_light prints what all of it
+ * reflects, which is to stay below what comes in. */
+static void amounts(fibertex_constants *w, const settings *s, double depth) {
+  double n = number_at(s, P_IOR), f = (n - 1.0) / (n + 1.0);
+  double beta = 2.0 * number_at(s, P_ROUGHNESS) * RADIANS, tilt = number_at(s, P_TILT) * RADIANS;
+  double clear = number_at(s, P_TRANSMISSION);
+  double reflected =
+      1.9 * f * f; /* a cylinder's mean over its width, about twice that at its crest */
+  static const double width[3] = {1.0, 1.2, 1.7}, shift[3] = {-2.0, 1.0, 3.0};
+  const double amount[3] = {reflected, 0.55 * clear * (1.0 - reflected),
+                            0.12 * clear * (1.0 - reflected)};
+  for (int i = 0; i < 3; i++) {
+    double b = most(beta * width[i], 0.05);
+    w->gloss[i] = (float)amount[i];
+    w->sharp[i] = (float)(1.0 / width[i]);
+    if (i == 0) w->beta2 = (float)(b * b);
+    w->tilt[i] = (float)(shift[i] * tilt);
+  }
+  w->single = (float)(0.52 * (1.0 - 0.45 * clear));
+  w->multiple = (float)(0.42 + 0.1 * clear);
+  double alpha = least(most(2.0 * number_at(s, P_ROUGHNESS) * RADIANS, 0.08), 1.0);
+  w->strand_alpha2 = (float)(alpha * alpha);
+  if (w->structure != STRUCTURE_WOVEN) amounts_of_bulk(w, s, depth);
+}
+
+/* ---- colours ----------------------------------------------------------- */
+
+/* How a colour looks by light that has met several strands. */
+typedef struct {
+  double fit;  /* of absorption to colour */
+  double more; /* strands that light goes on through beyond the first, the mean */
+  double slab; /* Kubelka and Munk's S X */
+} crossings;
+
+static crossings crossings_of(double clear, double depth) {
+  /* how rough a fibre is around, as presets make their transmission of it */
+  double b = least(most((1.0 - (clear - 0.08) / 0.55) / 0.8, 0.0), 1.0), b2 = b * b;
+  return (crossings){.fit = 5.969 - 0.215 * b + 2.532 * b2 - 10.73 * b2 * b + 5.574 * b2 * b2 +
+                            0.245 * b2 * b2 * b,
+                     .more = 4.2 * depth / (depth + 2.19),
+                     .slab = 0.297 * slow_depth(clear, depth)};
+}
+
+/* A strand lets through T, by the absorption that Chiang et al. (2016) fitted to colours in
+ * bulk; one after the other the sum of a geometric series. */
+static double onward(const crossings *n, double c) {
+  double ln = scalar_log(most(c, 1e-8)) / n->fit, t = scalar_exp(-2.0 * ln * ln);
+  return t / (1.0 + n->more * (1.0 - t));
+}
+
+/* A slab over black, after Kubelka and Munk (1931), of what is without end of that colour. */
+static double slab_of(const crossings *n, double c) {
+  double k = (1.0 - c) * (1.0 - c) / (2.0 * c), a = 1.0 + k, b = scalar_root(k * (k + 2.0));
+  if (b * n->slab < 1e-4) return n->slab / (1.0 + a * n->slab);
+  double e = scalar_exp(-2.0 * b * n->slab);
+  return (1.0 - e) / (a * (1.0 - e) + b * (1.0 + e));
+}
+
+static double often(const crossings *n, double c) {
+  return slab_of(n, most(c, 1e-8)) / slab_of(n, 1.0);
+}
+
+/* 3x3, columns; false where it has no inverse to speak of. */
+static int invert(const double m[3][3], double out[3][3]) {
+  for (int i = 0; i < 3; i++) {
+    const double *p = m[(i + 1) % 3], *q = m[(i + 2) % 3];
+    for (int k = 0; k < 3; k++) {
+      out[k][i] = p[(k + 1) % 3] * q[(k + 2) % 3] - p[(k + 2) % 3] * q[(k + 1) % 3];
+    }
+  }
+  double det = m[0][0] * out[0][0] + m[0][1] * out[1][0] + m[0][2] * out[2][0];
+  if (!(det > 1e-6 || det < -1e-6)) return 0;
+  for (int i = 0; i < 9; i++) out[i / 3][i % 3] /= det;
+  return 1;
+}
+
+static void transform(const double m[3][3], const double v[3], double out[3]) {
+  for (int i = 0; i < 3; i++) out[i] = m[0][i] * v[0] + m[1][i] * v[1] + m[2][i] * v[2];
+}
+
+/* What is not linear in the colour is done in linear Rec.709, whatever the working space is:
+ * else another working space would be another fibre. What lies outside stays outside. */
+static int32_t colours(fibertex_constants *w, const sozai_host *host, const settings *s,
+                       double depth) {
+  memcpy(w->glow, w->colour, sizeof w->glow);
+  memcpy(w->bulk, w->colour, sizeof w->bulk);
+  if (w->structure == STRUCTURE_WOVEN) return SOZAI_OK;
+  float primaries[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  int32_t r = colour_list(host, "sRGB", primaries, 3);
+  if (r) return r;
+  double to[3][3], from[3][3];
+  for (int i = 0; i < 9; i++) to[i / 3][i % 3] = (double)primaries[i / 3][i % 3];
+  if (!invert((const double(*)[3])to, from)) return SOZAI_OK;
+  const crossings n = crossings_of(number_at(s, P_TRANSMISSION), depth);
+  for (int i = 0; i < FIBERTEX_COLOURS; i++) {
+    double c[3], glow[3], bulk[3], out[2][3];
+    for (int k = 0; k < 3; k++) c[k] = (double)w->colour[i][k];
+    transform((const double(*)[3])from, c, out[0]);
+    for (int k = 0; k < 3; k++) {
+      double x = least(most(out[0][k], 0.0), 1.0), outside = out[0][k] - x;
+      glow[k] = onward(&n, x) + outside;
+      bulk[k] = often(&n, x) + outside;
+    }
+    transform((const double(*)[3])to, glow, out[0]);
+    transform((const double(*)[3])to, bulk, out[1]);
+    for (int k = 0; k < 3; k++) {
+      w->glow[i][k] = (float)out[0][k];
+      w->bulk[i][k] = (float)out[1][k];
+    }
+  }
+  return SOZAI_OK;
+}
+
+int32_t fibertex_build_light(fibertex_constants *w, const sozai_host *host, const settings *s,
+                             double depth) {
+  amounts(w, s, depth);
+  return colours(w, host, s, depth);
+}
