@@ -28,14 +28,10 @@
       WORKED_(id, "Sugi, " label, "sugi", "far", "320x220", "cut=flat", a, b)
 
 const shot_sheet gallery_sheets[GALLERY_SHEETS] = {
-    {"gallery", 15}, /* five species, three cuts of each */
-    {"stones", 5},
-    {"layouts", 6},
-    {"finishes", 4}, /* two species, near and far */
-    {"macro", 3},    /* of a species its three faces */
-    {"figured", 4},
-    {"fibers", 6},
-    {"knots", 4},
+    {"gallery", 15},                                        /* five species, three cuts of each */
+    {"stones", 5},         {"layouts", 6}, {"finishes", 4}, /* two species, near and far */
+    {"macro", 3},                                           /* of a species its three faces */
+    {"figured", 4},        {"fibers", 6},  {"knots", 4},
     {"stone-finishes", 6}, /* two stones in a row, three finishes of each */
     {"plies", 3},
 };
