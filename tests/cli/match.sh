@@ -179,7 +179,16 @@ oiiotool known.png --ch R -o grey.png
 oiiotool known.png --ch R,R,R --chnames R,G,B -o greys.png
 oiiotool known.png --ch R,G,B,=0 --chnames R,G,B,A -o clear.png
 oiiotool --pattern constant:color=nan,nan,nan 64x64 3 known.exr --paste +9+9 -d float -o nan.exr
-oiiotool --pattern constant:color=0.5,0.3,0.2 20000x20000 3 -d uint8 --compression zip -o huge.tif
+python3 - <<'EOF' # a TIFF of 20000x20000 that is all hole
+import struct
+entries = [(256, 4, 1, 20000), (257, 4, 1, 20000), (258, 3, 3, 200), (259, 3, 1, 1), (262, 3, 1, 2), (273, 4, 1, 256),
+           (277, 3, 1, 3), (278, 4, 1, 20000), (279, 4, 1, 1200000000), (284, 3, 1, 1)]
+with open("huge.tif", "wb") as f:
+    f.write(struct.pack("<2sHIH", b"II", 42, 8, len(entries)) + b"".join(struct.pack("<HHII", *e) for e in entries))
+    f.seek(200)
+    f.write(struct.pack("<HHH", 8, 8, 8))
+    f.truncate(1200000256)
+EOF
 oiiotool known.png -o whole.jpg
 head -c 9000 whole.jpg >cut.jpg
 head -c 9000 known.exr >cut.exr

@@ -51,6 +51,22 @@ must_fail() { # what, file that the line names, [argument...]
   mkdir made
 }
 
+# ---- without the library for pictures, and with one that is none -------------------
+mkdir -p alone/bin alone/lib
+cp "$sozai" alone/bin/
+alone() { # words of the line
+  alone/bin/sozai render wood "${tiny[@]}" -o made/x.png >out 2>err
+  same "exit code without $1" 1 $?
+  same "lines of message without $1" 1 "$(grep -c '' err)"
+  check "'$1' in: $(<err)" grep -qF -- "$1" err
+  same "nothing is left without $1" "" "$(find made -mindepth 1)"
+}
+alone "sozai-pictures.so not found in $scratch/alone/bin/../lib"
+cp "$SOZAI_PLUGIN" alone/lib/sozai-pictures.so
+alone "alone/lib/sozai-pictures.so"
+check "what needs no picture goes on" alone/bin/sozai list >out
+
+# ---- what is written ---------------------------------------------------------------
 while IFS='|' read -r ending words; do
   read -ra arguments <<<"$words"
   # as it should be, first: or the rest would prove nothing

@@ -48,6 +48,13 @@ if [[ -x $prefix/bin/sozai ]]; then
   echo "bin/sozai list: $(grep -cw wood "$scratch/list.txt") line(s) with wood"
 fi
 
+# ... and the library that writes its pictures.
+if [[ -x $prefix/bin/sozai ]]; then
+  (cd / && env -u SOZAI_PLUGIN "$prefix/bin/sozai" render wood --res 16x16 --spp 1 -o "$scratch/wood.png")
+  [[ $(head -c 4 "$scratch/wood.png") == $'\x89PNG' ]]
+  echo "bin/sozai render: a PNG of $(stat -c %s "$scratch/wood.png") bytes"
+fi
+
 # And so does the reader for OpenImageIO.
 if command -v iinfo >/dev/null && [[ -e $prefix/$libdir/sozai/sozai.imageio.so ]]; then
   printf 'material: wood\n' >"$scratch/oak.sozai"

@@ -33,7 +33,7 @@ while read -r name _ expected _; do
   only=.
   if [[ ! $long ]]; then
     # those that others need come first: of a plugin that fails them the others say nothing
-    only="$first|^($(tr ',?' '\n\n' <<<"$expected" | sed -n 's/\..*//p' | sort -u | paste -sd '|'))\\."
+    only="$first|^($(tr ',?' '\n' <<<"$expected" | sed -n 's/\..*//p' | sort -u | paste -sd '|'))\\."
   fi
   "$program" "$folder/$name.so" --only "$only" --seed 1 --time-limit "$limit" >"$reports/$name.txt" 2>&1
   code=$?
