@@ -94,7 +94,7 @@ const shot_sheet gallery_sheets[GALLERY_SHEETS] = {
   {                                                                                                \
     .name = "plies-" id, .title = words, .preset = panel, .sheet = "plies",                        \
     .params = {"face_height=" middle, "reflection=fibre_cone"}, .size = "90x120x" mm,              \
-    .camera = "-52,26,20", .zoom = 1.3, .width = 600, .height = 400                                \
+    .camera = "-52,26,20", .width = 600, .height = 400                                             \
   }
 #define PANEL_EDGE(id, panel, words, mm, middle, from, closer)                                     \
   {                                                                                                \

@@ -13,10 +13,11 @@
 
 /* Earlywood alone: what albedo is then. */
 static void tissue_after(const char *preset, double years, const char *part, double rgb[3]) {
-  char text[240];
+  char text[280];
   snprintf(text, sizeof text,
-           "porosity=none;ray_density=0;streak_share=0;fibre_brightness=0;age_years=%g;%s", years,
-           part);
+           "construction=solid;porosity=none;ray_density=0;streak_share=0;fibre_brightness=0;age_"
+           "years=%g;%s",
+           years, part);
   sozai_texture *t = wood_make(preset, text);
   points p = {0};
   points_add(&p, 40, 10, 3, 0);
