@@ -63,7 +63,7 @@ alone() { # words of the line
 }
 alone "sozai-pictures.so not found in $scratch/alone/bin/../lib"
 cp "$SOZAI_PLUGIN" alone/lib/sozai-pictures.so
-alone "alone/lib/sozai-pictures.so"
+alone "cannot load $scratch/alone/bin/../lib/sozai-pictures.so"
 check "what needs no picture goes on" alone/bin/sozai list >out
 
 # ---- what is written ---------------------------------------------------------------
