@@ -7,6 +7,7 @@
 #include "commands.h"
 #include "job_options.h"
 #include "output_file.h"
+#include "pictures.h"
 #include "session.h"
 #include "ceilings.h"
 
@@ -68,7 +69,8 @@ static bool write_picture(const film *f, const session *s, const request *q, int
 static bool render_to(const render_job *job, const session *s, const request *q, int kind,
                       failure *why) {
   output_file o;
-  if (!output_begin(&o, q->output, why)) return false;
+  /* what cannot be written is told before it is rendered, not after */
+  if (!pictures_load(why) || !output_begin(&o, q->output, why)) return false;
   film f;
   bool ok = render(job, &f, why);
   if (ok) {

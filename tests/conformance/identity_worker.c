@@ -54,8 +54,16 @@ static void give_up(const char *why) {
 
 /* ---- the textures ------------------------------------------------------ */
 
+/* Only those that a block asks: first all are counted, then these are made. */
+static int counting;
+static uint8_t asked[TEXTURES_MAX];
+
 static int make(const char *id, const char *preset, const sozai_value *values, uint32_t count) {
   if (texture_count == TEXTURES_MAX) return 0;
+  if (counting || !asked[texture_count]) {
+    texture_count++;
+    return 0;
+  }
   int32_t r = host.textures->create(NULL, id, preset, values, count, &textures[texture_count]);
   if (r == SOZAI_ERROR_UNSUPPORTED) return 77;
   if (r != SOZAI_OK) {
@@ -195,12 +203,14 @@ static int make_fibers(void) {
 
 /* A block's texture: of 64 blocks 60 are wood's, 3 fibre's and one stone's, since a
  * stone under a wide footprint takes many times as long. */
-static sozai_texture *texture_of(uint64_t block) {
-  if (block % 16 < 15) return textures[(block - block / 16) % wood_count];
-  if (block % 64 == 63) return textures[wood_count + block / 64 % stone_count];
+static uint32_t number_of(uint64_t block) {
   uint32_t others = wood_count + stone_count;
-  return textures[others + (block / 16 - block / 64) % (texture_count - others)];
+  if (block % 16 < 15) return (uint32_t)((block - block / 16) % wood_count);
+  if (block % 64 == 63) return wood_count + (uint32_t)(block / 64 % stone_count);
+  return others + (uint32_t)((block / 16 - block / 64) % (texture_count - others));
 }
+
+static sozai_texture *texture_of(uint64_t block) { return textures[number_of(block)]; }
 
 static const sozai_texture_info *info_of(uint64_t block) {
   return host.textures->info_of(texture_of(block));
@@ -354,9 +364,11 @@ static void *thread(void *one) {
   return NULL;
 }
 
+static uint64_t blocks_of(const char *way) { return (strtoull(way, NULL, 10) + BLOCK - 1) / BLOCK; }
+
 /* One way, and its line. */
 static int go(const char *way) {
-  blocks = (strtoull(way, NULL, 10) + BLOCK - 1) / BLOCK;
+  blocks = blocks_of(way);
   unsigned threads = 0;
   if (sscanf(way, "%*u,%" SCNu32 ",%u", &batch_size, &threads) != 2) return 2;
   if (!batch_size || !threads || threads > THREADS_MOST) return 2;
@@ -377,22 +389,36 @@ static int go(const char *way) {
   return atomic_load(&failed);
 }
 
-int main(int argc, char **argv) {
-  if (argc < 3) return 2;
-  if (plugin_start(&host, argv[1])) return 1;
+static int make_all(void) {
+  texture_count = 0;
   int r = make_woods();
   if (!r) r = make_layouts();
   wood_count = texture_count;
   if (!r) r = make_stones();
   stone_count = texture_count - wood_count;
-  if (!r) r = make_fibers();
+  return r ? r : make_fibers();
+}
+
+int main(int argc, char **argv) {
+  if (argc < 3) return 2;
+  if (plugin_start(&host, argv[1])) return 1;
+  counting = 1;
+  int r = make_all();
+  for (int i = 2; !r && i < argc; i++) {
+    uint64_t count = blocks_of(argv[i]);
+    for (uint64_t block = 0; block < count; block++) asked[number_of(block)] = 1;
+  }
+  counting = 0;
+  if (!r) r = make_all();
   if (r) return r;
   for (uint32_t i = 0; i < texture_count; i++) {
+    if (!textures[i]) continue;
     const sozai_texture_info *info = host.textures->info_of(textures[i]);
     if (info->component_count > COMPONENTS || info->channel_count > 32) return 1;
   }
   for (int i = 2; !r && i < argc; i++) r = go(argv[i]);
-  for (uint32_t i = 0; i < texture_count; i++) host.textures->destroy(textures[i]);
+  for (uint32_t i = 0; i < texture_count; i++)
+    if (textures[i]) host.textures->destroy(textures[i]);
   plugin_stop(&host);
   return r;
 }

@@ -182,7 +182,8 @@ static void the_hosts_own(void **state) {
                                        "aged_colour",
                                        "canal_colour",
                                        "knot_colour",
-                                       "knot_bark_colour"};
+                                       "knot_bark_colour",
+                                       "glue_colour"};
   enum { OTHERS = sizeof others / sizeof *others };
   sozai_value values[PLAIN + OTHERS];
   memcpy(values, plain, sizeof plain);
@@ -194,7 +195,7 @@ static void the_hosts_own(void **state) {
   sozai_texture *t;
   calls = 0;
   assert_int_equal(l.textures->create(&host, "wood", NULL, values, PLAIN + OTHERS, &t), SOZAI_OK);
-  assert_int_equal(calls, 14); /* thirteen colours, and the hue of one */
+  assert_int_equal(calls, 15); /* fourteen colours, and the hue of one */
   const float p[3] = {40, 50, 3};
   float rgb[3], *const channels[3] = {&rgb[0], &rgb[1], &rgb[2]};
   sozai_batch b = {.size = sizeof b,

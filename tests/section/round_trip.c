@@ -82,7 +82,6 @@ static void one(const char *preset, const char *parameters, const char *how, dou
     print_message("%-10s %-5s footprint %-4g mm: rms %.4f, mean %+.5f (the board varies by %.4f)\n",
                   preset, how, footprint[k], l.rms, l.mean, l.deviation);
     assert_true(l.rms < rms_most && fabs(l.mean) < 0.002);
-    if (0) assert_true(l.rms < 0.6 * l.deviation);
   }
   points_free(&p);
   textures->destroy(grown);

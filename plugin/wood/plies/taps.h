@@ -204,9 +204,9 @@ static void taps_add(const wood_constants *w, const kernel_io *io, const wood_wa
   float low = a > wood_top ? a : wood_top, high = b < wood_end ? b : wood_end;
   float wood = high - low;
   if (!(wood > 0.0f)) {
-    /* glue alone: the wood beside it */
+    /* glue alone: the wood beside it; or, where floats are too coarse for a width, a place */
     wood = 0.0f;
-    low = high = b <= wood_top ? wood_top : wood_end;
+    low = high = a <= wood_top ? wood_top : a >= wood_end ? wood_end : a;
   }
   float middle = 0.5f * (low + high), shift = middle - pt->depth;
   q->point[k] = pt->i;
