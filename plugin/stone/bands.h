@@ -61,7 +61,9 @@ INLINE vein_fold vein_folded(const stone_constants *w, const vf p[3]) {
  * the footprint within half a vein's width of its middle. */
 STAGE vf vein_sheet(const stone_constants *w, const vf p[3], const vf n[3], vf s,
                     const vein_fold *fold, int family) {
-  const float finer = family ? 2.4f : 1.0f, *m = w->vein_direction[family];
+  /* one family's way is the other's mirrored; the finer one's in its own spacing */
+  const float finer = family ? 2.4f : 1.0f, side = family ? -1.0f : 1.0f,
+              *m = w->vein_direction[family];
   float frequency = w->vein_frequency * finer;
   uint32_t seed = w->seed_vein + 16u * (uint32_t)family;
   vf q[3], g[3], fine[3], one = splat(1.0f);
@@ -70,15 +72,13 @@ STAGE vf vein_sheet(const stone_constants *w, const vf p[3], const vf n[3], vf s
       noise_gradient3(q[0] * splat(0.7f), q[1] * splat(0.7f), q[2] * splat(0.7f), splatu(seed), g);
   vf shake = noise_gradient3(q[0] * splat(3.9f), q[1] * splat(3.9f), q[2] * splat(3.9f),
                              splatu(seed + 1u), fine);
-  /* one family's way is the other's mirrored; the finer one's in its own spacing */
-  const float turn = family ? -2.4f : 1.0f;
   vf f = splat(m[0]) * q[0] + splat(m[1]) * q[1] + splat(m[2]) * q[2] +
-         splat(w->vein_warp) * (bend + splat(0.12f) * shake) + splat(turn) * fold->v;
+         splat(w->vein_warp) * (bend + splat(0.12f) * shake) + splat(side * finer) * fold->v;
   vi which;
   vf middle = vfloor(f + splat(0.5f), &which);
   for (int k = 0; k < 3; k++) {
     g[k] = splat(m[k]) + splat(w->vein_warp) * (splat(0.7f) * g[k] + splat(0.468f) * fine[k]) +
-           splat(family ? -1.0f : 1.0f) * fold->g[k];
+           splat(side) * fold->g[k];
   }
   vf k = inverse_root(vmax(g[0] * g[0] + g[1] * g[1] + g[2] * g[2], splat(0.09f)));
   vf d = vabs(f - middle) * k * splat(1.0f / frequency);

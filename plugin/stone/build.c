@@ -45,7 +45,6 @@ static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped
   c->depth = (float)(0.6 * b->depth);
   c->cleavage = (float)b->cleavage;
   c->turbidity = (float)b->turbidity;
-  c->textured = c->cleavage > 0.0f || c->turbidity > 0.0f;
   c->seed = hash1(seed);
   c->seed_warp = hash1(seed + 0x51ed270bu);
   c->on = 1;

@@ -16,6 +16,7 @@
 
 #include "../core/filter.h"
 #include "../core/noise.h"
+#include "square.h"
 #include "stone.h"
 
 #define LAMELLAE 13.0f     /* to a cell, of the finest direction's */
@@ -29,18 +30,19 @@ typedef struct {
   vf fine, extent2, keep, cloud;
 } crystal_noise;
 
-/* u, v: the footprint's sides, cells; wide: the longer's length. */
-typedef struct {
-  vf u[3], v[3], wide;
-} crystal_square;
+/* Whether there is anything to be seen. */
+INLINE int crystal_textured(const stone_cells *c) {
+  return c->cleavage > 0.0f || c->turbidity > 0.0f;
+}
 
-/* q: cells, before their faces are bent. cloud: of a size of a third of a cell. */
-INLINE crystal_noise crystal_at(const stone_cells *c, const vf q[3], const crystal_square *s,
+/* q: cells, before their faces are bent. wide: the square's longer side. cloud: of a
+ * size of a third of a cell. */
+INLINE crystal_noise crystal_at(const stone_cells *c, const vf q[3], const cells_square *s, vf wide,
                                 vf cloud) {
   vf one = splat(1.0f), zero = splat(0.0f), g[3], f = splat(CRYSTAL_FINE), t = splat(c->turbidity);
   crystal_noise n = {zero, zero, zero, zero};
-  n.cloud = cloud * t * (one - smooth_step(splat(0.5f), splat(1.5f), s->wide * splat(3.1f)));
-  n.keep = t * (one - smooth_step(splat(0.4f), splat(1.4f), s->wide * f));
+  n.cloud = cloud * t * (one - smooth_step(splat(0.5f), splat(1.5f), wide * splat(3.1f)));
+  n.keep = t * (one - smooth_step(splat(0.4f), splat(1.4f), wide * f));
   if (!any(gt(n.keep, zero))) return n;
   n.fine = noise_gradient3(q[0] * f, q[1] * f, q[2] * f, splatu(c->seed_warp + 2u), g);
   vf a = (g[0] * s->u[0] + g[1] * s->u[1] + g[2] * s->u[2]) * f;
@@ -54,7 +56,7 @@ INLINE vf crystal_blend(vf f) { return f * f * f * (splat(1.0f) - splat(0.5f) * 
 
 /* The mean over the footprint, within +-1; of all places 0. Value noise along the
  * crystal's direction, its integral exact for up to two lamellae. h: the crystal's. */
-INLINE vf crystal_lamellae(vu h, const vf q[3], const crystal_square *s) {
+INLINE vf crystal_lamellae(vu h, const vf q[3], const cells_square *s) {
   const float k = 2.0f * LAMELLAE / 1023.0f;
   vu hash = hash_mix(h ^ splatu(0x3c6ef35fu));
   vf d[3] = {to_float((vi)(hash >> 22)) * splat(k) - splat(LAMELLAE),
@@ -83,7 +85,7 @@ INLINE vf crystal_lamellae(vu h, const vf q[3], const crystal_square *s) {
 /* Of the base's and the third mineral (feldspars), and of the second (quartz).
  * Cracks and flecks are blurred as if the noise were a plane over the footprint. */
 INLINE void crystal_tones(const stone_cells *c, const crystal_noise *n, vu h, const vf q[3],
-                          const crystal_square *s, vf tone[2]) {
+                          const cells_square *s, vf tone[2]) {
   vf zero = splat(0.0f), lamellae = zero;
   if (c->cleavage > 0.0f) lamellae = splat(c->cleavage) * crystal_lamellae(h, q, s);
   vf wide = vsqrt(n->extent2 + splat(0.015625f)),

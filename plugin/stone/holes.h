@@ -5,7 +5,7 @@
 #ifndef SOZAI_STONE_HOLES_H
 #define SOZAI_STONE_HOLES_H
 
-#include "cells.h"
+#include "bodies.h"
 #include "field.h"
 
 /* How deep the nearer of two cells' bodies is below the face at a place: mm, 0 or
@@ -31,7 +31,7 @@ INLINE vf hole_depth_of(const stone_constants *w, const cells_near *a, const cel
 STAGE vf hole_depth_at(const stone_constants *w, const vf p[3]) {
   const stone_cells *c = &w->layer[LAYER_HOLES];
   vf q[3];
-  (void)cells_place(c, p, q);
+  cells_place(c, p, q);
   cells_near a, b;
   cells_find(c, q, &a, &b);
   return hole_depth_of(w, &a, &b);
@@ -53,7 +53,7 @@ INLINE cells_near hole_moved(const cells_near *n, const vf by[3]) {
 STAGE vf hole_depth_by(const stone_constants *w, const vf p[3], const vf q0[3], const cells_near *a,
                        const cells_near *b) {
   vf q[3];
-  (void)cells_place(&w->layer[LAYER_HOLES], p, q);
+  cells_place(&w->layer[LAYER_HOLES], p, q);
   for (int k = 0; k < 3; k++) q[k] = q[k] - q0[k];
   cells_near m = hole_moved(a, q), n = hole_moved(b, q);
   vf own = hole_depth_of(w, &m, &n), other = hole_depth_of(w, &n, &m);
@@ -82,7 +82,7 @@ STAGE field hole_relief(const stone_constants *w, const vf p[3], const vf t1[3],
   vf q0[3];
   cells_near a, b;
   if (!none) {
-    (void)cells_place(c, p, q0);
+    cells_place(c, p, q0);
     cells_find(c, q0, &a, &b);
   }
   vf sum = zero, du = zero, dv = zero, inverse = splat(2.0f / HOLE_PLACES) / step * keep;

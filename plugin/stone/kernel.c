@@ -4,7 +4,7 @@
  */
 #include "../core/lanes.h"
 #include "bands.h"
-#include "cells.h"
+#include "footprint.h"
 #include "gloss.h"
 #include "paper.h"
 #include "surface.h"
@@ -163,7 +163,7 @@ STAGE void stage_grain(const stone_constants *w, const kernel_io *io, block *k) 
   if (!k->crystal_known) {
     vf q[3];
     cells_near near[2];
-    (void)cells_place(c, k->p, q);
+    cells_place(c, k->p, q);
     cells_find(c, q, &near[0], &near[1]);
     k->crystal = near[0].h;
   }

@@ -63,7 +63,6 @@ typedef struct {
   float fade;                  /* footprint, in cells, from which the mean stands in */
   float looks;                 /* parts to a cell that a footprint is looked at in */
   int32_t on, shaped;          /* shaped: eroded, or cut to a ball */
-  int32_t textured;            /* something is to be seen within a crystal */
   uint32_t seed, seed_warp;
 } stone_cells;
 

@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * What lies in a cell: a crystal that fills it, or a body that is smaller; and how
+ * much of a footprint shows it.
+ */
+#ifndef SOZAI_STONE_BODIES_H
+#define SOZAI_STONE_BODIES_H
+
+#include "../core/filter.h"
+#include "cells.h"
+#include "square.h"
+
+#define CELLS_REACH 0.5f /* cells: the width of what shows through a border from behind it */
+
+/* How far a body's faces lie within its cell's. */
+INLINE vf cells_erosion(const stone_cells *c, vu h) {
+  vf u = to_float((vi)(hash_mix(h ^ splatu(0x7feb3c5du)) >> 8)) * splat(1.0f / 16777216.0f);
+  return splat(c->erode) + splat(c->erode_spread) * u;
+}
+
+INLINE vf cells_radius(const stone_cells *c, vu h) {
+  vf u = to_float((vi)(hash_mix(h ^ splatu(0x2545f491u)) >> 8)) * splat(1.0f / 16777216.0f);
+  return splat(c->radius) * (splat(1.0f) - splat(c->radius_spread) * u);
+}
+
+/* How much of the ball about a cell's centre the square shows. */
+INLINE vf cells_ball(const stone_cells *c, const cells_near *n, const cells_square *s) {
+  vf radius = cells_radius(c, n->h);
+  vf r2 = n->x[0] * n->x[0] + n->x[1] * n->x[1] + n->x[2] * n->x[2] + splat(1e-12f);
+  vf k = inverse_root(r2);
+  vf e = vsqrt(cells_extent2(s, n->x, c->blur)) * k;
+  return clamp01(splat(0.5f) + (radius - r2 * k) / e);
+}
+
+/* A square no larger than about a cell: of the nearest two cells, how much each
+ * has of it. Exact for a plane between two. */
+INLINE void cells_shares(const stone_cells *c, const cells_near *a, const cells_near *b,
+                         const cells_square *s, vf *first, vf *second) {
+  vf g[3];
+  for (int k = 0; k < 3; k++) g[k] = splat(2.0f) * (a->x[k] - b->x[k]);
+  vf length2 = g[0] * g[0] + g[1] * g[1] + g[2] * g[2] + splat(1e-12f);
+  vf e = inverse_root(cells_extent2(s, g, c->blur));
+  vf t = (b->d - a->d) * e;
+  if (!c->shaped) {
+    *first = clamp01(splat(0.5f) + t);
+    if (c->depth > 0.0f) {
+      /* light that has gone on behind the border */
+      vf far = inverse_root(cells_extent2(s, g, CELLS_REACH));
+      *first = mix(*first, clamp01(splat(0.5f) + (b->d - a->d) * far), splat(c->depth));
+    }
+    *second = splat(1.0f) - *first;
+    return;
+  }
+  vf shift = length2 * inverse_root(length2) * e;
+  *first = clamp01(splat(0.5f) + t - shift * cells_erosion(c, a->h));
+  *second = clamp01(splat(0.5f) - t - shift * cells_erosion(c, b->h));
+  if (c->radius < 4.0f) {
+    *first = vmin(*first, cells_ball(c, a, s));
+    *second = vmin(*second, cells_ball(c, b, s));
+  }
+}
+
+#endif
