@@ -31,10 +31,19 @@ typedef struct {
   vf second, mx, my;  /* to the next nearest: for rounded corners */
   vf open;            /* share of the footprint that is no joint */
   vf own;             /* share of it within the unit's own sides */
+  int upright;        /* the face is not the plane's everywhere */
+  vf face[2];         /* along the plane, of the face's normal */
 } cover;
 
-INLINE cover cover_begin(void) {
+/* face: along the plane, of the unit normal of the face; NULL where that is the plane. */
+INLINE cover cover_begin(const vf face[2]) {
   cover c;
+  c.upright = 0;
+  c.face[0] = c.face[1] = splat(0.0f);
+  if (face) {
+    for (int k = 0; k < 2; k++) c.face[k] = face[k];
+    c.upright = any(gt(face[0] * face[0] + face[1] * face[1], splat(0.0f)));
+  }
   c.nearest = c.second = splat(1e9f);
   c.nx = c.ny = c.mx = c.my = splat(0.0f);
   c.open = c.own = splat(1.0f);
@@ -57,9 +66,18 @@ INLINE vf cover_share(vf d, vf e, vf low, vf high) {
   return clamp01((vmin(d + half, high) - vmax(d - half, low)) / e);
 }
 
+/* How far the footprint reaches along a direction of the plane, unit: all of its side
+ * e, or less where the face is not the plane. */
+INLINE vf cover_extent(const cover *c, vf nx, vf ny, vf e) {
+  if (!c->upright) return e;
+  vf out = c->face[0] * nx + c->face[1] * ny;
+  return vmax(e * vsqrt(vmax(splat(1.0f) - out * out, splat(0.0f))), splat(COVER_LEAST));
+}
+
 /* Two parallel sides, d0 and d1 away; n is the inward normal of the first. */
 INLINE void cover_pair(cover *c, vf d0, vf d1, vf nx, vf ny, float joint, vf e) {
   vf zero = splat(0.0f), g = splat(joint);
+  e = cover_extent(c, nx, ny, e);
   cover_side(c, d0, nx, ny);
   cover_side(c, d1, zero - nx, zero - ny);
   vf w = vmax(d0 + d1, splat(1e-3f)), half = splat(0.5f) * e;
@@ -74,6 +92,7 @@ INLINE void cover_pair(cover *c, vf d0, vf d1, vf nx, vf ny, float joint, vf e) 
 /* One side on its own. */
 INLINE void cover_one(cover *c, vf d, vf nx, vf ny, float joint, vf e) {
   vf half = splat(0.5f * joint);
+  e = cover_extent(c, nx, ny, e);
   cover_side(c, d, nx, ny);
   c->own = c->own * cover_share(d, e, splat(0.0f), splat(1e9f));
   c->open = c->open * (splat(1.0f) - cover_share(d, e, splat(0.0f) - half, half));

@@ -339,10 +339,14 @@ INLINE void unit_of_fan(const layout *l, vf x, vf y, vf e, layout_unit *p, cover
 
 /* The unit at (x, y) of the plane, mm, under a footprint of side e; below
  * 1e6 mm. What its sides told the cover is in *at. */
-INLINE layout_unit layout_find(const layout *l, vf x, vf y, vf e, cover *at) {
+INLINE layout_unit layout_find(const layout *l, vf x, vf y, const vf face[2], vf e, cover *at) {
   layout_unit p;
-  cover c = cover_begin();
   vf co = splat(l->cosine), si = splat(l->sine);
+  cover c = cover_begin(face);
+  if (face) {
+    c.face[0] = face[0] * co + face[1] * si;
+    c.face[1] = face[1] * co - face[0] * si;
+  }
   vf u = x * co + y * si, v = y * co - x * si;
   e = vmax(e, splat(COVER_LEAST));
   if (l->pieces) {
@@ -374,7 +378,7 @@ INLINE layout_unit layout_find(const layout *l, vf x, vf y, vf e, cover *at) {
 
 INLINE layout_unit layout_at(const layout *l, vf x, vf y, vf e) {
   cover unused;
-  return layout_find(l, x, y, e, &unused);
+  return layout_find(l, x, y, NULL, e, &unused);
 }
 
 #endif

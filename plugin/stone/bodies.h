@@ -32,6 +32,23 @@ INLINE vf cells_ball(const stone_cells *c, const cells_near *n, const cells_squa
   return clamp01(splat(0.5f) + (radius - r2 * k) / e);
 }
 
+/* How much of the flake about a cell's centre, which lies its own way, the square
+ * shows. */
+INLINE vf cells_flake(const stone_cells *c, const cells_near *n, const cells_square *s) {
+  const float o = 511.5f;
+  vu h = hash_mix(n->h ^ splatu(0x1b873593u));
+  vf d[3] = {to_float((vi)(h >> 22)) - splat(o),
+             to_float((vi)((h >> 12) & splatu(1023u))) - splat(o),
+             to_float((vi)((h >> 2) & splatu(1023u))) - splat(o)};
+  vf k = inverse_root(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+  for (int i = 0; i < 3; i++) d[i] = d[i] * k;
+  vf t = vabs(n->x[0] * d[0] + n->x[1] * d[1] + n->x[2] * d[2]);
+  vf e = vsqrt(cells_extent2(s, d, c->blur)), side = splat(0.5f) * e;
+  vf u = to_float((vi)(h & splatu(1023u))) * splat(1.0f / 1023.0f);
+  vf half = splat(c->thick) * (splat(0.5f) + u);
+  return vmax(vmin(t + side, half) - vmax(t - side, splat(0.0f) - half), splat(0.0f)) / e;
+}
+
 /* A square no larger than about a cell: of the nearest two cells, how much each
  * has of it. Exact for a plane between two. */
 INLINE void cells_shares(const stone_cells *c, const cells_near *a, const cells_near *b,
@@ -57,6 +74,10 @@ INLINE void cells_shares(const stone_cells *c, const cells_near *a, const cells_
   if (c->radius < 4.0f) {
     *first = vmin(*first, cells_ball(c, a, s));
     *second = vmin(*second, cells_ball(c, b, s));
+  }
+  if (c->thick < 1.0f) {
+    *first = vmin(*first, cells_flake(c, a, s));
+    *second = vmin(*second, cells_flake(c, b, s));
   }
 }
 

@@ -25,7 +25,7 @@ static uint32_t seed_of(const settings *s) {
 
 typedef struct {
   double size, stretch, grading, interlock, gap, roundness, variation, blur, share[2];
-  double depth, cleavage, turbidity;
+  double depth, cleavage, turbidity, flatness, cluster;
 } body;
 
 static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped) {
@@ -51,8 +51,10 @@ static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped
   c->size = (float)b->size;
   c->shaped = shaped;
   c->fade = 6.0f;
-  c->looks = shaped ? 4.5f : 3.0f;
+  c->looks = 3.0f;
   c->radius = 9.0f;
+  c->thick = 1.0f;
+  c->cluster = (float)b->cluster;
   if (shaped) {
     c->erode = (float)(0.5 * b->gap / b->size);
     c->erode_spread = (float)(0.42 * b->grading * (1.0 - b->roundness));
@@ -60,6 +62,9 @@ static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped
       c->radius = (float)(0.9 - 0.42 * b->roundness);
       c->radius_spread = (float)(b->grading * b->roundness);
     }
+    /* of a ball of a cell's volume, down to a seventh of its thickness */
+    if (b->flatness > 0.0) c->thick = (float)(0.62 * (1.0 - 0.85 * b->flatness));
+    c->looks = (float)(4.5 + 1.5 * b->flatness);
     c->grading = 0.0f;
   }
 }
@@ -75,6 +80,10 @@ static void set_shares(stone_cells *c, const body *b, double fill) {
     c->chance[k] = (float)sum;
     c->mean[k] = (float)(p * fill);
   }
+  /* where there are most there can be no more than all */
+  double most = sum > 0.0 ? 1.0 / sum - 1.0 : 0.0;
+  if (most > 0.95) most = 0.95;
+  if ((double)c->cluster > most) c->cluster = (float)most;
 }
 
 static body grains_of(const settings *s) {
@@ -87,7 +96,8 @@ static body grains_of(const settings *s) {
             .share = {number_at(s, P_SECOND_SHARE), number_at(s, P_THIRD_SHARE)},
             .depth = number_at(s, P_GRAIN_DEPTH),
             .cleavage = number_at(s, P_CLEAVAGE),
-            .turbidity = number_at(s, P_TURBIDITY)};
+            .turbidity = number_at(s, P_TURBIDITY),
+            .cluster = number_at(s, P_GRAIN_CLUSTERING)};
   return b;
 }
 
@@ -114,7 +124,9 @@ static body specks_of(const settings *s) {
             .blur = 0.3 * number_at(s, P_GRAIN_BLUR),
             .share = {number_at(s, P_BLACK_SHARE), number_at(s, P_WHITE_SHARE)},
             .variation = 0.3 * number_at(s, P_CLEAVAGE),
-            .cleavage = 3.0 * number_at(s, P_CLEAVAGE)};
+            .cleavage = 3.0 * number_at(s, P_CLEAVAGE),
+            .flatness = number_at(s, P_SPECK_FLATNESS),
+            .cluster = number_at(s, P_SPECK_CLUSTERING)};
   return b;
 }
 
@@ -134,7 +146,7 @@ static body holes_of(const settings *s) {
 
 /* The contrast that 4.5 looks to a body and 3 to a grain, and means from six
  * cells on, were chosen for: that of white granite's feldspar and quartz. */
-#define CONTRAST 0.3
+#define CONTRAST 0.19
 
 /* Light of a palette's colour, near enough, and the same in whatever space the
  * host renders: from the numbers as they were given, which are encoded. */
@@ -157,7 +169,7 @@ static double layer_contrast(const settings *s, const stone_cells *c, int first,
     }
     square += (double)(c->variation * c->variation) * mean * mean;
     double variance = square - mean * mean;
-    double sd = variance > 0.0 ? __builtin_sqrt(variance) / (mean + 0.02) : 0.0;
+    double sd = variance > 0.0 ? __builtin_sqrt(variance / (mean + 0.01)) : 0.0;
     if (sd > most) most = sd;
   }
   return most;
@@ -200,7 +212,9 @@ static void build_layers(stone_constants *w, const settings *s, stone_measure *m
   w->vein_mean = (float)m.veins;
   for (int l = 0; l < STONE_LAYERS; l++) {
     set_shares(&w->layer[l], &bodies[l], m.fill[l]);
-    w->layer[l].even = m.balls[l] > 1e-6 ? (float)(m.fill[l] / m.balls[l]) : 1.0f;
+    if (m.fill[l] > 1e-6 && m.seen[l] > m.fill[l]) {
+      w->layer[l].swell = (float)(m.seen[l] / m.fill[l] - 1.0);
+    }
   }
   set_looks(w, s);
 }

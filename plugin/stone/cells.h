@@ -87,10 +87,17 @@ STAGE void cells_find(const stone_cells *c, const vf q[3], cells_near *first, ce
   }
 }
 
-/* 0..1, evenly spread over the cells of a block of 4^3. */
+/* The hash of the block of 4^3 that a place on the lattice is in. */
+INLINE vu cells_block(const stone_cells *c, vi x, vi y, vi z) {
+  return hash_mix((vu)(x >> 2) * splatu(HASH_X) + (vu)(y >> 2) * splatu(HASH_Y) +
+                  (vu)(z >> 2) * splatu(HASH_Z) + splatu(c->seed ^ 0x5bd1e995u));
+}
+
+/* What a cell's mineral goes by, below c->chance: 0..1, evenly spread over the
+ * cells of a block of 4^3. Where minerals cluster, a block is rich or poor, and so are
+ * blocks aslant of it, that no rows be seen: a share times 1 - c, 1 or 1 + c. */
 INLINE vf cells_rank(const stone_cells *c, const vi at[3]) {
-  vu b = hash_mix((vu)(at[0] >> 2) * splatu(HASH_X) + (vu)(at[1] >> 2) * splatu(HASH_Y) +
-                  (vu)(at[2] >> 2) * splatu(HASH_Z) + splatu(c->seed ^ 0x5bd1e995u));
+  vu b = cells_block(c, at[0], at[1], at[2]);
   const vi r0 = splati((int32_t)0xd1b54a33u), r1 = splati((int32_t)0xabc98389u),
            r2 = splati((int32_t)0x8cb92ba7u);
   vm turn = eqi((vi)(b & splatu(1u)), splati(1)), swap = eqi((vi)(b & splatu(2u)), splati(2));
@@ -100,7 +107,11 @@ INLINE vf cells_rank(const stone_cells *c, const vi at[3]) {
   y = seli(eqi(flip & splati(1), splati(1)), splati(0) - y, y);
   z = seli(eqi(flip & splati(2), splati(2)), splati(0) - z, z);
   vu rank = (vu)(x * r0) + (vu)(y * r1) + (vu)(z * r2) + (b & splatu(0xfffffff0u));
-  return to_float((vi)(rank >> 8)) * splat(1.0f / 16777216.0f);
+  vf u = to_float((vi)(rank >> 8)) * splat(1.0f / 16777216.0f);
+  if (c->cluster == 0.0f) return u;
+  vu other = cells_block(c, at[0] + at[1], at[1] + at[2], at[2] + at[0]);
+  vu rich = (b >> 31) + (other >> 31);
+  return u / (splat(1.0f - c->cluster) + splat(c->cluster) * to_float((vi)rich));
 }
 
 /* mm to cells. The lattice stands aslant, so that no face shows its rows. */
@@ -111,25 +122,25 @@ INLINE void cells_turn(const stone_cells *c, const vf v[3], vf out[3]) {
   }
 }
 
-/* Bends the cells' faces: moves a point, in cells. The noise that does so is as good for
- * what is uneven within a crystal: within +-1.5 or so, mean 0. */
-STAGE vf cells_bend(const stone_cells *c, vf q[3]) {
+/* Bends the cells' faces: moves a point, in cells, by two noises, of the finer of which
+ * `finer` is left. They are as good for what is uneven within a crystal: their sum, within
+ * +-1.5 or so, mean 0. */
+STAGE vf cells_bend(const stone_cells *c, vf finer, vf q[3]) {
   if (c->warp == 0.0f) return splat(0.0f);
-  vf g[3], fine[3];
-  vf a = noise_gradient3(q[0] * splat(1.15f), q[1] * splat(1.15f), q[2] * splat(1.15f),
-                         splatu(c->seed_warp), g);
-  vf b = noise_gradient3(q[0] * splat(3.1f), q[1] * splat(3.1f), q[2] * splat(3.1f),
-                         splatu(c->seed_warp + 1u), fine);
-  for (int k = 0; k < 3; k++) {
-    q[k] = q[k] + splat(c->warp) * g[k] + splat(c->warp_fine) * fine[k];
-  }
-  return a + b;
+  const vf at[3] = {q[0], q[1], q[2]}, coarse = splat(1.15f), fine = splat(3.1f);
+  vf g[3];
+  vf sum = noise_gradient3(at[0] * coarse, at[1] * coarse, at[2] * coarse, splatu(c->seed_warp), g);
+  for (int k = 0; k < 3; k++) q[k] = q[k] + splat(c->warp) * g[k];
+  if (!any(gt(finer, splat(0.0f)))) return sum;
+  vf b = noise_gradient3(at[0] * fine, at[1] * fine, at[2] * fine, splatu(c->seed_warp + 1u), g);
+  for (int k = 0; k < 3; k++) q[k] = q[k] + finer * splat(c->warp_fine) * g[k];
+  return sum + finer * b;
 }
 
 /* A point in cells, their faces bent. */
 INLINE void cells_place(const stone_cells *c, const vf p[3], vf q[3]) {
   cells_turn(c, p, q);
-  (void)cells_bend(c, q);
+  (void)cells_bend(c, splat(1.0f), q);
 }
 
 #endif

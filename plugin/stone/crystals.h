@@ -67,6 +67,7 @@ INLINE vf crystal_lamellae(vu h, const vf q[3], const cells_square *s) {
   vf b = d[0] * s->v[0] + d[1] * s->v[1] + d[2] * s->v[2];
   vf one = splat(1.0f), zero = splat(0.0f), wide = vsqrt(a * a + b * b + splat(1e-4f));
   vf keep = one - smooth_step(one, splat(2.0f), wide), side = vmin(wide, splat(2.0f));
+  if (!any(gt(keep, zero))) return zero;
   vi first;
   vf from = t - splat(0.5f) * side, f = from - vfloor(from, &first);
   vf value[4];

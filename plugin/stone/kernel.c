@@ -72,7 +72,7 @@ INLINE void stage_load(const stone_constants *w, int paved, const kernel_io *io,
     k->face[c] = k->nrm[c];
   }
   if (paved) {
-    laid_at(w, k->at, k->s, &k->laid);
+    laid_at(w, k->at, io->in->normal[0] ? k->face : NULL, k->s, &k->laid);
     laid_turn(&k->laid, k->p);
     laid_turn(&k->laid, k->nrm);
     for (int c = 0; c < 3; c++) k->p[c] = k->p[c] + k->laid.shift[c];
@@ -374,35 +374,29 @@ INLINE void measure_add(double *sum, vf x) {
   for (uint32_t k = 0; k < LANES; k++) *sum += (double)lane(x, k);
 }
 
-static void measure_layer(const stone_cells *layer, uint32_t count, double *fill, double *balls) {
-  const vf zero = splat(0.0f), one = splat(1.0f);
+static void measure_layer(const stone_cells *c, uint32_t count, double *fill, double *seen) {
+  const vf zero = splat(0.0f), side = splat(CELLS_LOOK_MOST);
   const cells_square point = {{zero, zero, zero}, {zero, zero, zero}};
-  const cells_square cell = {{one, zero, zero}, {zero, one, zero}};
-  stone_cells c = *layer; /* all its bodies of kind 1, space in cells */
-  c.chance[0] = c.chance[1] = 2.0f;
-  c.even = 1.0f;
-  c.variation = 0.0f;
-  for (int a = 0; a < 9; a++) c.turn[a / 3][a % 3] = a % 4 ? 0.0f : 1.0f;
+  const cells_square look = {{side, zero, zero}, {zero, side, zero}};
   for (uint32_t i = 0; i < count; i += LANES) {
     vf q[3], share[2];
     cells_near near[2];
     for (uint32_t a = 0; a < 3; a++) q[a] = measure_place(i, a);
-    cells_find(&c, q, &near[0], &near[1]);
-    cells_shares(&c, &near[0], &near[1], &point, &share[0], &share[1]);
+    cells_find(c, q, &near[0], &near[1]);
+    cells_shares(c, &near[0], &near[1], &point, &share[0], &share[1]);
     measure_add(fill, share[0] + share[1]);
-    cells_cover sum = {{zero, zero}, {zero, zero, zero}};
-    cells_sum(&c, q, &cell, &sum);
-    measure_add(balls, sum.cover[0]);
+    cells_shares(c, &near[0], &near[1], &look, &share[0], &share[1]);
+    measure_add(seen, share[0] + share[1]);
   }
   *fill /= count;
-  *balls /= count;
+  *seen /= count;
 }
 
 static void measure(const stone_constants *w, uint32_t count, stone_means *out) {
   memset(out, 0, sizeof *out);
   for (int l = 0; l < STONE_LAYERS; l++) {
     const stone_cells *c = &w->layer[l];
-    if (c->on && c->shaped) measure_layer(c, count, &out->fill[l], &out->balls[l]);
+    if (c->on && c->shaped) measure_layer(c, count, &out->fill[l], &out->seen[l]);
   }
   const vf zero = splat(0.0f), up[3] = {zero, splat(1.0f), zero};
   for (uint32_t i = 0; w->has_veins && i < count; i += LANES) {
@@ -421,7 +415,7 @@ static void measure_laid(const stone_constants *w, uint32_t count, stone_laid_me
   for (uint32_t i = 0; i < count; i += LANES) {
     vf p[3] = {measure_place(i, 0) * splat(40.0f), measure_place(i, 1) * splat(40.0f), p2};
     laid q;
-    laid_at(w, p, zero, &q);
+    laid_at(w, p, NULL, zero, &q);
     surface f = surface_none();
     surface_lay(w, 1, &q, p, zero, field_of(zero), &f);
     vf lost, slope;

@@ -66,8 +66,8 @@ INLINE void laid_corner(const stone_paving *v, const cover *c, vf *edge, vf *nx,
   *ny = sel(there, y * inverse, *ny);
 }
 
-/* p: object space. */
-STAGE void laid_at(const stone_constants *w, const vf p[3], vf s, laid *q) {
+/* p and n, the face's normal, or NULL for the plane's: object space. */
+STAGE void laid_at(const stone_constants *w, const vf p[3], const vf n[3], vf s, laid *q) {
   const stone_paving *v = &w->paving;
   const layout *l = &v->layout;
   vf one = splat(1.0f), zero = splat(0.0f), at[2] = {p[0], p[1]};
@@ -75,14 +75,15 @@ STAGE void laid_at(const stone_constants *w, const vf p[3], vf s, laid *q) {
   q->row[0][1] = q->row[1][0] = zero;
   if (v->wander.amplitude > 0.0f) layout_wander_at(&v->wander, p[0], p[1], at, q->row);
   cover c;
-  q->unit = layout_find(l, at[0], at[1], s, &c);
+  q->unit = layout_find(l, at[0], at[1], n, s, &c);
   layout_unit *u = &q->unit;
   q->e = vmax(s, splat(LAID_LEAST));
   vf edge = u->edge, nx = c.nx, ny = c.ny;
   q->joint = u->joint;
   if (v->corner > 0.0f) {
     laid_corner(v, &c, &edge, &nx, &ny);
-    vf e = vmax(s, splat(COVER_LEAST)), joint = cover_share(edge, e, splat(-2.0f * v->half), zero);
+    vf e = cover_extent(&c, nx, ny, vmax(s, splat(COVER_LEAST)));
+    vf joint = cover_share(edge, e, splat(-2.0f * v->half), zero);
     vf size = vmin(u->length, u->width);
     vf far = smooth_step(splat(0.5f) * size, size, e);
     q->joint = vmax(q->joint, (one - far) * joint);

@@ -111,6 +111,13 @@ static const sozai_parameter grain_depth = {
    "over some quarter of a grain.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
 
+static const sozai_parameter grain_clustering = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "grain_clustering", .label = "Clustering", .group = "grains", .unit = "",
+   .doc = "How much grains of the second and third mineral keep together: of some four grains' size, "
+   "places have up to this part more or less of them.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 0.8, .default_number = {0}};
+
 static const sozai_parameter cleavage = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "cleavage", .label = "Cleavage", .group = "grains", .unit = "",
@@ -240,6 +247,20 @@ static const sozai_parameter speck_stretch = {
    .id = "speck_stretch", .label = "Speck stretch", .group = "specks", .unit = "",
    .doc = "How much longer they are along the bed than across it.",
    .hard_min = 0.2, .hard_max = 20, .soft_min = 1, .soft_max = 6, .default_number = {1}};
+
+static const sozai_parameter speck_flatness = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "speck_flatness", .label = "Speck flatness", .group = "specks", .unit = "",
+   .doc = "How flat they are: 0 as thick as broad, 1 flakes of a seventh of that, as of mica; each "
+   "lies its own way.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
+
+static const sozai_parameter speck_clustering = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "speck_clustering", .label = "Speck clustering", .group = "specks", .unit = "",
+   .doc = "How much specks keep together: of some four specks' size, places have up to this part "
+   "more or less of them.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
 
 static const sozai_parameter vein_spacing = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -434,6 +455,7 @@ const sozai_parameter *const stone_parameters[STONE_PARAMETERS] = {
    [P_THIRD_SHARE] = &third_share,
    [P_VARIATION] = &grain_variation,
    [P_GRAIN_DEPTH] = &grain_depth,
+   [P_GRAIN_CLUSTERING] = &grain_clustering,
    [P_CLEAVAGE] = &cleavage,
    [P_TURBIDITY] = &turbidity,
    [P_BED_THICKNESS] = &bed_thickness,
@@ -455,6 +477,8 @@ const sozai_parameter *const stone_parameters[STONE_PARAMETERS] = {
    [P_BLACK_SHARE] = &black_share,
    [P_WHITE_SHARE] = &white_share,
    [P_SPECK_STRETCH] = &speck_stretch,
+   [P_SPECK_FLATNESS] = &speck_flatness,
+   [P_SPECK_CLUSTERING] = &speck_clustering,
    [P_VEIN_SPACING] = &vein_spacing,
    [P_VEIN_WIDTH] = &vein_width,
    [P_VEIN_SOFTNESS] = &vein_softness,

@@ -23,11 +23,4 @@ INLINE vf cells_extent2(const cells_square *s, const vf g[3], float blur) {
   return u * u + v * v + all * splat(blur * blur) + splat(1e-12f);
 }
 
-/* How far x lies along a side of the square, in sides, and how much of the side
- * a body of half that width covers. */
-INLINE vf cells_overlap(vf x, vf half) {
-  vf high = vmin(x + half, splat(0.5f)), low = vmax(x - half, splat(-0.5f));
-  return vmax(high - low, splat(0.0f));
-}
-
 #endif

@@ -52,13 +52,15 @@ typedef struct {
   float warp, warp_fine;       /* how far the cells' faces stray, at two sizes */
   float erode, erode_spread;   /* what a body is smaller than its cell; by chance, more */
   float radius, radius_spread; /* of the ball that a body is cut to; a share of it */
+  float thick;                 /* of a flake, half, the mean; 1: bodies are none */
+  float cluster;               /* how much chances change from place to place, 0..1 */
   float chance[2];             /* below the first: kind 1; below the second: kind 2 */
   float mean[2];               /* expected share of kinds 1 and 2 */
   float variation;             /* of brightness from cell to cell */
   float blur;                  /* mm over size: crystals let light through at their edges */
   float depth;                 /* share of light that comes through from behind them */
   float cleavage, turbidity;   /* what is seen within a crystal: crystals.h */
-  float even;                  /* area of the bodies over that of the balls in their place */
+  float swell;                 /* what the widest looks see of bodies in excess, a part of them */
   float size;                  /* mm */
   float fade;                  /* footprint, in cells, from which the mean stands in */
   float looks;                 /* parts to a cell that a footprint is looked at in */
@@ -178,11 +180,11 @@ enum {
   STONE_COMPONENTS = 22
 };
 
-/* Means of what has no formula, over `count` points: how much of a cell the
- * bodies of each layer fill, and the balls that stand for them; and the veins'
- * share. */
+/* Means of what has no formula, over `count` points: how much of space the bodies
+ * of each layer fill, how much of a face the widest looks take them to, and the
+ * veins' share. */
 typedef struct {
-  double fill[STONE_LAYERS], balls[STONE_LAYERS], veins;
+  double fill[STONE_LAYERS], seen[STONE_LAYERS], veins;
 } stone_means;
 
 /* The paving's means, likewise. */

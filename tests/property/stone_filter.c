@@ -92,17 +92,14 @@ static void against_1024_samples(void **state) {
   print_message("the same against a square turned at random:\n");
   table(PI, &turned, &turned_mean);
   print_message("turned: worst RMS %.4f, worst mean %.4f\n", turned, turned_mean);
-  /* The goal is 0.01. It is missed where a footprint is about as wide as a body
-   * of strong contrast is large: docs/stone.md. What is held is that this gets
-   * no worse. */
-  CHECK(worst <= 0.04 && over <= 42,
-        "worst RMS %.4f (goal 0.01, held 0.04); %u of %u miss the goal (held 42)\n", worst, over,
+  /* The goal is 0.01. It is missed where bodies of strong contrast have corners
+   * within a footprint: docs/stone.md. What is held is that this gets no worse. */
+  CHECK(worst <= 0.034 && over <= 36,
+        "worst RMS %.4f (goal 0.01, held 0.034); %u of %u miss the goal (held 36)\n", worst, over,
         presets() * SIZES);
-  CHECK(
-      far <= 0.002,
-      "worst mean %.4f; beyond 0.002 and three standard errors of %d places by %.4f at most (goal "
-      "0, held 0.002)\n",
-      worst_mean, PLACES, fmax(far, 0));
+  CHECK(far <= 0,
+        "worst mean %.4f; beyond 0.002 and three standard errors of %d places by %.4f at most\n",
+        worst_mean, PLACES, fmax(far, 0));
 }
 
 int main(void) {
