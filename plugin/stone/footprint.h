@@ -19,15 +19,25 @@ INLINE cells_cover cells_none(void) {
   return (cells_cover){{zero, zero}, {zero, zero, zero}};
 }
 
-/* The mineral of a cell: shares of kinds 1 and 2, and all with their brightness.
- * uneven: that within the cell, of kinds 0 and 2, and of kind 1. */
-INLINE void cells_add(const stone_cells *c, vu h, const vi at[3], vf share, const vf uneven[2],
-                      cells_cover *out) {
-  vf u = cells_rank(c, at), zero = splat(0.0f);
+/* Whether a cell's mineral is of kind 1, or of kind 2. */
+typedef struct {
+  vm first, second;
+} cells_kind;
+
+INLINE cells_kind cells_kind_of(const stone_cells *c, const vi at[3]) {
+  vf u = cells_rank(c, at);
+  vm first = lt(u, splat(c->chance[0]));
+  return (cells_kind){first, and_(lt(u, splat(c->chance[1])), not_(first))};
+}
+
+/* A cell's share goes to its mineral, and with the cell's brightness. uneven: that
+ * within the cell, of kinds 0 and 2, and of kind 1. */
+INLINE void cells_add(const stone_cells *c, vu h, const cells_kind *kind, vf share,
+                      const vf uneven[2], cells_cover *out) {
+  vf zero = splat(0.0f);
   vf own = splat(c->variation / HASH_ONE) * hash_signed(h + splatu(HASH_Y));
   vf tone = uneven[0] + own, tone1 = uneven[1] + own;
-  vm first = lt(u, splat(c->chance[0])), second = and_(lt(u, splat(c->chance[1])), not_(first));
-  vf a = sel(first, share, zero), b = sel(second, share, zero);
+  vf a = sel(kind->first, share, zero), b = sel(kind->second, share, zero);
   out->cover[0] = out->cover[0] + a;
   out->cover[1] = out->cover[1] + b;
   out->toned[0] = out->toned[0] + (share - a - b) * tone;
@@ -36,29 +46,37 @@ INLINE void cells_add(const stone_cells *c, vu h, const vi at[3], vf share, cons
 }
 
 /* A square well below a cell's size: the two cells that it meets. wide: its longer
- * side. nearest: the cell that its middle is in. */
+ * side; fine: how much of the faces' finer bends is left. nearest: the cell that its
+ * middle is in. Of bodies, those of kind 0 are not there, and nobody asks for toned[0]. */
 INLINE void cells_look(const stone_cells *c, const vf p[3], const cells_square *s, vf wide, vf fine,
                        cells_cover *out, vu *nearest) {
-  vf straight[3], q[3], share[2], one = splat(1.0f);
+  vf straight[3], q[3], share[2], one = splat(1.0f), zero = splat(0.0f);
   cells_turn(c, p, straight);
   for (int k = 0; k < 3; k++) q[k] = straight[k];
-  vf cloud = cells_bend(c, fine, q);
-  vf uneven = cloud * splat(1.3f * c->variation) + one;
+  vf cloud = cells_bend(c, fine, q), uneven = cloud * splat(1.3f * c->variation) + one;
   cells_near near[2];
   cells_find(c, q, &near[0], &near[1]);
+  *nearest = near[0].h;
+  cells_kind kind[2];
+  vm there[2];
+  for (int n = 0; n < 2; n++) {
+    kind[n] = cells_kind_of(c, near[n].at);
+    there[n] = c->shaped ? or_(kind[n].first, kind[n].second) : le(zero, one);
+  }
+  if (!any(or_(there[0], there[1]))) return;
   cells_shares(c, &near[0], &near[1], s, &share[0], &share[1]);
   int textured = crystal_textured(c);
   crystal_noise inner;
   if (textured) inner = crystal_at(c, straight, s, wide, cloud);
   for (int n = 0; n < 2; n++) {
+    if (!any(and_(there[n], gt(share[n], zero)))) continue;
     vf tone[2] = {uneven, uneven};
     if (textured) {
       crystal_tones(c, &inner, near[n].h, straight, s, tone);
-      for (int k = 0; k < 2; k++) tone[k] = vmax(tone[k] + uneven, splat(0.0f));
+      for (int k = 0; k < 2; k++) tone[k] = vmax(tone[k] + uneven, zero);
     }
-    cells_add(c, near[n].h, near[n].at, share[n], tone, out);
+    cells_add(c, near[n].h, &kind[n], share[n], tone, out);
   }
-  *nearest = near[0].h;
 }
 
 #define CELLS_STEPS 6   /* looks along a side of the footprint, at most */
