@@ -32,7 +32,8 @@ INLINE field weather_moss(const stone_constants *w, const vf p[3], field near, v
   vf lost = splat(0.0f);
   float size = v->moss_spread > 8.0f ? v->moss_spread : 8.0f;
   field n = weather_noise(p, 0.06f / size, v->seed, 1.9f, e, &lost);
-  n = field_add(n, weather_noise(p, 0.45f / size, v->seed + 1u, 1.25f, e, &lost));
+  n = field_add(n, weather_noise(p, 0.31f / size, v->seed + 1u, 1.0f, e, &lost));
+  n = field_add(n, weather_noise(p, 0.085f, v->seed + 7u, 0.85f, e, &lost));
   n = field_add(n, weather_noise(p, 0.33f, v->seed + 2u, 0.55f, e, &lost));
   vf unused = splat(0.0f);
   field fine = weather_noise(p, 0.9f, v->seed + 3u, 1.0f, e, &unused);
