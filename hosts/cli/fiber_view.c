@@ -5,9 +5,9 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include "camera.h"
 #include "cancel.h"
+#include "ending.h"
 #include "fiber_lobe.h"
 #include "growth.h"
 #include "job_options.h"
@@ -246,10 +246,8 @@ bool fiber_view_write(const fiber_view *v, const sozai_geometry_1 *table, const 
                       session *s, const char *path, failure *why) {
   film f;
   if (!fiber_view_render(v, table, g, s, &f, why)) return false;
-  size_t n = strlen(path);
-  bool png = n > 4 && strcasecmp(path + n - 4, ".png") == 0;
-  bool ok = png ? film_write_png(&f, path, &s->colour, &s->shown, 0, 8, why)
-                : film_write_exr(&f, path, &s->colour, why);
+  bool ok = ends_in(path, ".png") ? film_write_png(&f, path, &s->colour, &s->shown, 0, 8, why)
+                                  : film_write_exr(&f, path, &s->colour, why);
   film_free(&f);
   return ok;
 }

@@ -7,9 +7,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include <time.h>
 #include "cancel.h"
+#include "ending.h"
 #include "growth.h"
 #include "output_file.h"
 #include "parallel.h"
@@ -26,11 +26,6 @@ typedef struct grow_options {
   uint32_t threads;
   tree_view view;
 } grow_options;
-
-static bool ends_in(const char *path, const char *ending) {
-  size_t a = strlen(path), b = strlen(ending);
-  return a > b && strcasecmp(path + a - b, ending) == 0;
-}
 
 static bool is_picture(const char *path) { return ends_in(path, ".png") || ends_in(path, ".exr"); }
 

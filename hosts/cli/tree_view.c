@@ -5,9 +5,9 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include "camera.h"
 #include "cancel.h"
+#include "ending.h"
 #include "job_options.h"
 #include "parallel.h"
 #include "progress.h"
@@ -165,10 +165,8 @@ bool tree_view_write(const tree_view *v, const sozai_mesh *m, session *s, const 
                      failure *why) {
   film f;
   if (!tree_view_render(v, m, s, &f, why)) return false;
-  size_t n = strlen(path);
-  bool png = n > 4 && strcasecmp(path + n - 4, ".png") == 0;
-  bool ok = png ? film_write_png(&f, path, &s->colour, &s->shown, 0, 8, why)
-                : film_write_exr(&f, path, &s->colour, why);
+  bool ok = ends_in(path, ".png") ? film_write_png(&f, path, &s->colour, &s->shown, 0, 8, why)
+                                  : film_write_exr(&f, path, &s->colour, why);
   film_free(&f);
   return ok;
 }
