@@ -52,6 +52,8 @@ typedef struct kind {
 
 /* All that are to be judged; at most KINDS_MOST. */
 uint32_t subject_kinds(const subject *s, kind *out);
+/* Started, the same; 0, with the reason said, where it does not start. */
+uint32_t subject_all(subject *s, kind *out);
 /* Started, the textures among them; 0, with the reason said, where there is none. */
 uint32_t subject_textures(subject *s, kind *out);
 
