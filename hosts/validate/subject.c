@@ -190,3 +190,7 @@ void each_texture(subject *s, uint32_t presets, texture_test *test) {
     }
   }
 }
+
+void start_each_texture(subject *s, uint32_t presets, texture_test *test) {
+  if (subject_start(s)) each_texture(s, presets, test);
+}
