@@ -47,6 +47,9 @@ typedef struct generator {
   uint64_t (*bytes)(const void *state);
 } generator;
 
+/* Its parameters and presets as settings_make takes them. */
+sozai_texture_info generator_parameters(const sozai_generator_info *g);
+
 extern const sozai_geometry_1 geometry_table;
 void geometry_describe(void); /* at init */
 

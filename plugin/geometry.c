@@ -47,8 +47,7 @@ static const sozai_generator_info *find(const char *id) {
   return g ? g->describe() : NULL;
 }
 
-/* What settings are read by. */
-static sozai_texture_info parameters_of(const sozai_generator_info *g) {
+sozai_texture_info generator_parameters(const sozai_generator_info *g) {
   return (sozai_texture_info){.size = sizeof(sozai_texture_info),
                               .id = g->id,
                               .parameters = g->parameters,
@@ -95,7 +94,7 @@ static int32_t make(const sozai_host *host, const char *id, const char *preset,
   g->info = kind->describe();
   g->host = own;
   memcpy(g->ceilings, counted.ceilings, sizeof g->ceilings);
-  sozai_texture_info parameters = parameters_of(g->info);
+  sozai_texture_info parameters = generator_parameters(g->info);
   r = settings_make(&g->given, &h, &parameters, preset, values, value_count);
   if (!r) {
     g->state = host_alloc(&h, kind->state_bytes, 64);
@@ -225,7 +224,7 @@ static int32_t table(const sozai_geometry *g, const char *id, sozai_table *out) 
 
 static int32_t value(const sozai_geometry *g, const char *id, sozai_value *out) {
   if (!g || !id || !out) return fail(SOZAI_ERROR_ARGUMENT, "value: an argument is NULL");
-  sozai_texture_info parameters = parameters_of(g->info);
+  sozai_texture_info parameters = generator_parameters(g->info);
   return settings_value(&g->given, &parameters, id, out);
 }
 

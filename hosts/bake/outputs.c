@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include "ending.h"
 #include "evaluate.h"
 
 #define SEEN_BY (SOZAI_INPUT_LIGHT | SOZAI_INPUT_LIGHT_COLOUR | SOZAI_INPUT_VIEW)
@@ -29,18 +30,13 @@ static bool fits_integers(const sozai_channel *c) {
 
 /* ---- the format ----------------------------------------------------------------- */
 
-static bool has_ending(const char *text, const char *ending) {
-  size_t length = strlen(text), tail = strlen(ending);
-  return length > tail && strcasecmp(text + length - tail, ending) == 0;
-}
-
 static bool choose_format(bake_outputs *o, const bake_choice *choice, failure *why) {
   static const struct {
     const char *ending;
     int format;
   } known[] = {{".exr", BAKE_EXR}, {".tif", BAKE_TIFF}, {".tiff", BAKE_TIFF}, {".png", BAKE_PNG}};
   for (size_t i = 0; i < sizeof known / sizeof known[0]; i++)
-    if (has_ending(choice->path, known[i].ending)) {
+    if (ends_in(choice->path, known[i].ending)) {
       o->format = known[i].format;
       uint32_t b = choice->bits;
       if (b == 0 || b == 16 || (b == 8 && o->format != BAKE_EXR) ||

@@ -10,13 +10,13 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
 #include <memory>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "clock.h"
+#include "guarded.hpp"
 
 struct tile {
   std::string text;               // path
@@ -105,16 +105,6 @@ bool read(tile *t, const std::vector<OIIO::ImageInput *> &files, double *ns, fai
   }
   *ns = thread_ns() - begin;
   return ok || fail(why, EXIT_FAILURE, "a tile was not read: %s", files[0]->geterror().c_str());
-}
-
-template <class Work> bool guarded(failure *why, Work work) {
-  try {
-    return work();
-  } catch (const std::exception &e) {
-    return fail(why, EXIT_FAILURE, "OpenImageIO: %s", e.what());
-  } catch (...) {
-    return fail(why, EXIT_FAILURE, "OpenImageIO: an unknown exception");
-  }
 }
 
 } // namespace

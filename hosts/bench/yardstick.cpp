@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bench's only C++. OpenImageIO may throw, and so may the standard library;
-// nothing gets past this file.
+// OpenImageIO may throw, and so may the standard library; nothing gets past this
+// file.
 #include "yardstick.h"
 
 #include <OpenImageIO/imagebuf.h>
@@ -9,10 +9,10 @@
 
 #include <cstdlib>
 #include <cstring>
-#include <exception>
 #include <sstream>
 
 #include "clock.h"
+#include "guarded.hpp"
 
 struct yardstick {
   // a pointer, or in later versions a shared one
@@ -58,17 +58,6 @@ bool run(yardstick *y, const board *b, double *ns, failure *why) {
   *ns = thread_ns() - begin;
   y->sink = sum;
   return ok || fail(why, EXIT_FAILURE, "a look-up failed: %s", y->system->geterror().c_str());
-}
-
-// Whatever may throw, as a failure.
-template <class Work> bool guarded(failure *why, Work work) {
-  try {
-    return work();
-  } catch (const std::exception &e) {
-    return fail(why, EXIT_FAILURE, "OpenImageIO: %s", e.what());
-  } catch (...) {
-    return fail(why, EXIT_FAILURE, "OpenImageIO: an unknown exception");
-  }
 }
 
 } // namespace

@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include "commands.h"
+#include "ending.h"
 #include "numbers.h"
 #include "progress.h"
 #include "session.h"
@@ -112,7 +112,7 @@ static bool bake_on(bake_job *job, const request *q, failure *why) {
 
 static bool bake_texture(bake_job *job, session *s, const recipe *r, const request *q,
                          failure *why) {
-  bool exr = strlen(q->output) > 4 && strcasecmp(q->output + strlen(q->output) - 4, ".exr") == 0;
+  bool exr = ends_in(q->output, ".exr");
   uint32_t usual = !exr                                     ? 0
                    : r->image.format == RECIPE_FORMAT_HALF  ? 16
                    : r->image.format == RECIPE_FORMAT_FLOAT ? 32

@@ -2,59 +2,26 @@
 #include "fiber_view.h"
 
 #include <math.h>
-#include <stdatomic.h>
-#include <stdlib.h>
 #include <string.h>
-#include <strings.h>
-#include "camera.h"
-#include "cancel.h"
 #include "fiber_lobe.h"
 #include "growth.h"
 #include "job_options.h"
-#include "parallel.h"
-#include "progress.h"
 #include "samples.h"
 #include "strands.h"
 #include "studio.h"
+#include "view.h"
 
-#define PARTS 8
 #define ROULETTE_FROM 4
 
 typedef struct view {
   const fiber_view *how;
-  const render_job *job;
   const sozai_curves *curves;
   const strands *strands;
-  camera camera;
   studio studio;
-  film *film;
   fiber_lobe lobe, wide; /* wide: of light that has met strands already */
-  vec colour[PARTS];
+  vec colour[VIEW_PARTS];
   float spread, round; /* lightness from strand to strand; roughness round */
-  atomic_uint rows;
 } view;
-
-static double to_linear(double x) {
-  return x <= 0.04045 ? x / 12.92 : pow((x + 0.055) / 1.055, 2.4);
-}
-
-/* The parts' colours in the working space. */
-static bool take_colours(view *w, const session *s, failure *why) {
-  for (uint32_t i = 0; i < w->curves->part_count && i < PARTS; i++) {
-    const sozai_part *p = &w->curves->parts[i];
-    float rgb[3] = {p->colour[0], p->colour[1], p->colour[2]};
-    const sozai_colour_1 *c = s->colour.service;
-    if (!c) {
-      for (int k = 0; k < 3; k++) rgb[k] = (float)to_linear((double)rgb[k]);
-    } else {
-      char text[256] = "";
-      if (c->to_working(c->self, "sRGB", rgb, 1, text, sizeof text) != SOZAI_OK)
-        return fail(why, EXIT_FAILURE, "colour of part %s: %s", p->id, text);
-    }
-    w->colour[i] = (vec){rgb[0], rgb[1], rgb[2]};
-  }
-  return true;
-}
 
 static float number_of(const sozai_geometry_1 *table, const sozai_geometry *g, const char *id) {
   sozai_value v;
@@ -67,7 +34,8 @@ static float number_of(const sozai_geometry_1 *table, const sozai_geometry *g, c
 static vec colour_of(const view *w, uint32_t curve) {
   uint32_t part = 0;
   const sozai_curves *c = w->curves;
-  while (part + 1 < c->part_count && part + 1 < PARTS && curve >= c->parts[part + 1].first) part++;
+  while (part + 1 < c->part_count && part + 1 < VIEW_PARTS && curve >= c->parts[part + 1].first)
+    part++;
   uint32_t h = sample_hash(c->ids[curve] * 2654435761u + 13u);
   float sum = -2;
   for (int k = 0; k < 4; k++) {
@@ -150,58 +118,34 @@ static vec follow(const view *w, strand_hit h, vec direction, sample_stream *d) 
 
 /* ---- the picture ------------------------------------------------------- */
 
-static vec beyond(const view *w, vec origin, vec direction, uint32_t seed, uint32_t i) {
+static vec beyond(const view *w, const view_ray *r) {
   const scene *s = &w->strands->scene;
-  if (s->has_floor && direction.y < -1e-6f) {
+  if (s->has_floor && r->direction.y < -1e-6f) {
     hit h = {.what = HIT_FLOOR, .normal = s->up, .geometric = s->up};
-    h.distance = (s->floor - origin.y) / direction.y;
-    h.point = vec_along(origin, h.distance, direction);
-    if (h.distance > 0) return studio_floor(&w->studio, s, &h, seed, i);
+    h.distance = (s->floor - r->origin.y) / r->direction.y;
+    h.point = vec_along(r->origin, h.distance, r->direction);
+    if (h.distance > 0) return studio_floor(&w->studio, s, &h, r->seed, r->sample);
   }
-  return s->has_floor ? studio_backdrop(&w->studio, s, direction) : (vec){0.035f, 0.037f, 0.041f};
+  return s->has_floor ? studio_backdrop(&w->studio, s, r->direction)
+                      : (vec){0.035f, 0.037f, 0.041f};
 }
 
-static void draw_row(void *context, uint32_t y) {
-  view *w = context;
-  film *f = w->film;
-  if (cancel_requested()) return;
-  for (uint32_t x = 0; x < f->width; x++) {
-    uint32_t seed = sample_hash(y * f->width + x);
-    vec sum = {0, 0, 0};
-    float hits = 0;
-    for (uint32_t i = 0; i < w->job->spp; i++) {
-      float u, v;
-      vec origin, direction, got;
-      strand_hit h;
-      sample_stream d = {sample_hash(seed ^ (i + 1) * 0x9e3779b9u)};
-      sample_pair(seed, i, PAIR_PIXEL, &u, &v);
-      camera_ray(&w->camera, (float)x + u, (float)y + v, f->width, f->height, &origin, &direction);
-      if (strands_trace(w->strands, origin, direction, &h)) {
-        got = follow(w, h, direction, &d);
-        hits++;
-      } else {
-        got = beyond(w, origin, direction, seed, i);
-      }
-      sum = vec_add(sum, (vec){fminf(got.x, 4), fminf(got.y, 4), fminf(got.z, 4)});
-    }
-    size_t at = (size_t)y * f->width + x;
-    float share = 1.0f / (float)w->job->spp;
-    f->beauty[3 * at] = share * sum.x;
-    f->beauty[3 * at + 1] = share * sum.y;
-    f->beauty[3 * at + 2] = share * sum.z;
-    f->coverage[at] = share * hits;
-  }
-  progress_show((float)(atomic_fetch_add(&w->rows, 1) + 1) / (float)f->height, "rendering");
+static vec look(const void *context, const view_ray *r, bool *hit_any) {
+  const view *w = context;
+  strand_hit h;
+  sample_stream d = {sample_hash(r->seed ^ (r->sample + 1) * 0x9e3779b9u)};
+  *hit_any = strands_trace(w->strands, r->origin, r->direction, &h);
+  vec got = *hit_any ? follow(w, h, r->direction, &d) : beyond(w, r);
+  return (vec){fminf(got.x, 4), fminf(got.y, 4), fminf(got.z, 4)};
 }
 
-static bool draw_all(view *w, const session *s, failure *why) {
-  camera_place(&w->camera, w->job, &w->strands->scene, w->film->width, w->film->height);
-  studio_init(&w->studio, w->job, &w->strands->scene);
-  if (!take_colours(w, s, why)) return false;
-  atomic_init(&w->rows, 0);
-  parallel_for(w->job->threads, w->film->height, draw_row, w);
-  progress_clear();
-  return !cancel_requested() || fail(why, EXIT_FAILURE, "cancelled");
+static bool draw(view *w, const render_job *job, const session *s, film *out, failure *why) {
+  camera from;
+  camera_place(&from, job, &w->strands->scene, out->width, out->height);
+  studio_init(&w->studio, job, &w->strands->scene);
+  if (!view_colours(w->curves->parts, w->curves->part_count, s, w->colour, why)) return false;
+  const view_picture picture = {job, &from, out, look, w};
+  return view_draw(&picture, why);
 }
 
 static bool render_curves(const fiber_view *v, const sozai_geometry_1 *table,
@@ -219,13 +163,14 @@ static bool render_curves(const fiber_view *v, const sozai_geometry_1 *table,
   if (!job_options_apply(&job, &look, NULL, why)) return false;
   strands st;
   if (!strands_open(&st, c, v->smooth, !v->no_floor, why)) return false;
-  view w = {.how = v, .job = &job, .curves = c, .strands = &st, .film = out};
+  view w = {.how = v, .curves = c, .strands = &st};
   w.round = number_of(table, g, "roughness_round");
   w.spread = number_of(table, g, "colour_spread");
   float rough = number_of(table, g, "roughness"), tilt = number_of(table, g, "tilt");
   w.lobe = fiber_lobe_make(rough, w.round, tilt, 1.55f);
   w.wide = fiber_lobe_make(fmaxf(rough, 28), fmaxf(w.round, 0.75f), tilt, 1.55f);
-  bool ok = film_allocate(out, v->size[0], v->size[1], NULL, NULL, 0, why) && draw_all(&w, s, why);
+  bool ok =
+      film_allocate(out, v->size[0], v->size[1], NULL, NULL, 0, why) && draw(&w, &job, s, out, why);
   strands_close(&st);
   if (!ok) film_free(out);
   return ok;
@@ -246,10 +191,7 @@ bool fiber_view_write(const fiber_view *v, const sozai_geometry_1 *table, const 
                       session *s, const char *path, failure *why) {
   film f;
   if (!fiber_view_render(v, table, g, s, &f, why)) return false;
-  size_t n = strlen(path);
-  bool png = n > 4 && strcasecmp(path + n - 4, ".png") == 0;
-  bool ok = png ? film_write_png(&f, path, &s->colour, &s->shown, 0, 8, why)
-                : film_write_exr(&f, path, &s->colour, why);
+  bool ok = view_write(&f, s, path, why);
   film_free(&f);
   return ok;
 }

@@ -7,12 +7,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
-#include <time.h>
-#include "cancel.h"
-#include "growth.h"
-#include "output_file.h"
-#include "parallel.h"
+#include "ending.h"
+#include "grown.h"
 #include "progress.h"
 #include "session.h"
 #include "tree_view.h"
@@ -20,19 +16,12 @@
 
 typedef struct grow_options {
   const char *species, *age, *field, *output, *table;
+  char *field_text; /* what is in the file `field` */
   uint32_t level;
   bool curves, verbose;
   option_texts params;
-  uint32_t threads;
   tree_view view;
 } grow_options;
-
-static bool ends_in(const char *path, const char *ending) {
-  size_t a = strlen(path), b = strlen(ending);
-  return a > b && strcasecmp(path + a - b, ending) == 0;
-}
-
-static bool is_picture(const char *path) { return ends_in(path, ".png") || ends_in(path, ".exr"); }
 
 /* Before any work is done. */
 static bool check(const grow_options *o, const char *what, failure *why) {
@@ -45,18 +34,17 @@ static bool check(const grow_options *o, const char *what, failure *why) {
   const char *endings = ".obj, .gltf, .usda, .field, .csv, .png, .exr";
   bool known = ends_in(o->output, ".obj") || ends_in(o->output, ".gltf") ||
                ends_in(o->output, ".usda") || ends_in(o->output, ".field") ||
-               ends_in(o->output, ".csv") || is_picture(o->output);
+               ends_in(o->output, ".csv") || grown_is_picture(o->output);
   if (!known)
     return fail(why, EXIT_BAD_INPUT, "--output: '%s' ends in none of %s", o->output, endings);
   if (o->curves && !ends_in(o->output, ".usda"))
     return fail(why, EXIT_BAD_INPUT, "--curves: only .usda holds curves, not '%s'", o->output);
-  if ((o->table != NULL) != ends_in(o->output, ".csv"))
-    return fail(why, EXIT_BAD_INPUT, "--table: goes with an output in .csv, and .csv with it");
-  return true;
+  return grown_check_table(o->output, o->table, why);
 }
 
-static bool write_geometry(const grow_options *o, const sozai_geometry_1 *table,
-                           const sozai_geometry *g, const char *path, session *s, failure *why) {
+static bool write_geometry(const void *options, const sozai_geometry_1 *table,
+                           const sozai_geometry *g, session *s, const char *path, failure *why) {
+  const grow_options *o = options;
   sozai_table rows;
   if (ends_in(o->output, ".field"))
     return growth_rows(table, g, "nodes", &rows, why) && write_field(&rows, path, why);
@@ -75,7 +63,7 @@ static bool write_geometry(const grow_options *o, const sozai_geometry_1 *table,
   int32_t code = table->mesh(g, &detail, &m);
   if (code != SOZAI_OK) return growth_failed(table, code, why);
   progress_show(1, "writing");
-  bool ok = is_picture(o->output)         ? tree_view_write(&o->view, m, s, path, why)
+  bool ok = grown_is_picture(o->output)   ? tree_view_write(&o->view, m, s, path, why)
             : ends_in(o->output, ".obj")  ? write_obj(m, path, why)
             : ends_in(o->output, ".gltf") ? write_gltf(m, path, why)
                                           : write_usda(m, NULL, path, why);
@@ -105,54 +93,24 @@ static void report_tree(const sozai_geometry_1 *table, const sozai_geometry *g, 
   fprintf(stderr, "; %.1f ms, %.2f million branches/s\n", seconds * 1e3, sum / seconds / 1e6);
 }
 
-static double now(void) {
-  struct timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+static bool grow(const void *options, const sozai_geometry_1 *table, const sozai_host *host,
+                 sozai_geometry **out, failure *why) {
+  const grow_options *o = options;
+  return growth_grow(table, host, "tree", o->species, o->params.items, o->params.count,
+                     o->field_text, out, why);
 }
 
-static bool grow_into(const grow_options *o, session *s, const char *field, failure *why) {
-  const sozai_geometry_1 *table = growth_table(s->plugin.entry, why);
-  output_file file;
-  if (!table || !output_begin(&file, o->output, why)) return false;
-  sozai_geometry *g = NULL;
-  double begin = now();
-  bool ok = growth_grow(table, &s->host.abi, "tree", o->species, o->params.items, o->params.count,
-                        field, &g, why);
-  if (ok && o->verbose) report_tree(table, g, now() - begin);
-  ok = ok && write_geometry(o, table, g, file.writing, s, why);
-  table->release(g);
-  if (ok && cancel_requested()) ok = fail(why, EXIT_FAILURE, "cancelled");
-  progress_clear();
-  if (ok) return output_commit(&file, why);
-  output_discard(&file);
-  return false;
-}
-
-/* Only pictures want colour, whose service takes a while to open. */
-static bool open_for(const grow_options *o, session *s, const session_options *shared,
-                     failure *why) {
-  if (is_picture(o->output)) return session_open(s, shared, why);
-  memset(s, 0, sizeof *s);
-  if (!plugin_open(&s->plugin, why)) return false;
-  uint32_t threads = shared->threads ? shared->threads : parallel_default_threads();
-  host_init(&s->host, threads, shared->verbose, NULL, NULL);
-  if (limits_give(s->plugin.entry, &s->host.abi, why)) return true;
-  session_close(s);
-  return false;
-}
-
-static bool grow(grow_options *o, const session_options *shared, const char *what, failure *why) {
+static bool make(grow_options *o, const session_options *shared, const char *what, failure *why) {
   if (!check(o, what, why)) return false;
-  char *field = NULL;
-  if (o->field && !growth_read_text(o->field, &field, why)) return false;
-  session s;
-  bool ok = open_for(o, &s, shared, why);
-  if (ok) {
-    ok = grow_into(o, &s, field, why);
-    session_close(&s);
-  }
-  free(field);
+  if (o->field && !growth_read_text(o->field, &o->field_text, why)) return false;
+  const grown_file file = {.output = o->output,
+                           .options = o,
+                           .verbose = o->verbose,
+                           .grow = grow,
+                           .report = report_tree,
+                           .write = write_geometry};
+  bool ok = grown_make(&file, shared, why);
+  free(o->field_text);
   return ok;
 }
 
@@ -202,7 +160,7 @@ int run_grow(int argc, char **argv) {
     o.params = shared.params;
     o.verbose = shared.verbose;
   }
-  if (parsed == OPTIONS_BAD || (parsed == OPTIONS_RUN && !grow(&o, &shared, what, &why)))
+  if (parsed == OPTIONS_BAD || (parsed == OPTIONS_RUN && !make(&o, &shared, what, &why)))
     code = report(&why);
   session_options_free(&shared);
   return code;

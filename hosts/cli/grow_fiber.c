@@ -6,14 +6,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
-#include <time.h>
 #include "aggregate.h"
-#include "cancel.h"
 #include "curve_files.h"
+#include "ending.h"
 #include "fiber_view.h"
-#include "output_file.h"
-#include "parallel.h"
+#include "grown.h"
 #include "progress.h"
 #include "session.h"
 #include "ceilings.h"
@@ -21,18 +18,12 @@
 typedef struct fiber_options {
   const char *hull, *material, *output, *table;
   double scale;
+  mesh solid; /* that `hull` names */
   uint32_t level;
   bool verbose;
   option_texts params;
   fiber_view view;
 } fiber_options;
-
-static bool ends_in(const char *path, const char *ending) {
-  size_t a = strlen(path), b = strlen(ending);
-  return a > b && strcasecmp(path + a - b, ending) == 0;
-}
-
-static bool is_picture(const char *path) { return ends_in(path, ".png") || ends_in(path, ".exr"); }
 
 /* Before any work is done. */
 static bool check(const fiber_options *o, failure *why) {
@@ -47,15 +38,11 @@ static bool check(const fiber_options *o, failure *why) {
     return fail(why, EXIT_BAD_INPUT,
                 "--output: '%s' ends in none of .usda, .hair, .obj, .pbrt, .gltf, .csv, .png, .exr",
                 o->output);
-  if ((o->table != NULL) != ends_in(o->output, ".csv"))
-    return fail(why, EXIT_BAD_INPUT, "--table: goes with an output in .csv, and .csv with it");
-  return true;
+  return grown_check_table(o->output, o->table, why);
 }
 
-static bool write_mesh(const fiber_options *o, const sozai_geometry_1 *table,
-                       const sozai_geometry *g, const sozai_detail *detail, const char *path,
-                       failure *why) {
-  (void)o;
+static bool write_mesh(const sozai_geometry_1 *table, const sozai_geometry *g,
+                       const sozai_detail *detail, const char *path, failure *why) {
   const sozai_mesh *m = NULL;
   int32_t code = table->mesh(g, detail, &m);
   if (code != SOZAI_OK) return growth_failed(table, code, why);
@@ -64,14 +51,15 @@ static bool write_mesh(const fiber_options *o, const sozai_geometry_1 *table,
   return ok;
 }
 
-static bool write_out(const fiber_options *o, const sozai_geometry_1 *table,
-                      const sozai_geometry *g, session *s, const char *path, failure *why) {
+static bool write_out(const void *options, const sozai_geometry_1 *table, const sozai_geometry *g,
+                      session *s, const char *path, failure *why) {
+  const fiber_options *o = options;
   sozai_table rows;
   if (ends_in(o->output, ".csv"))
     return growth_rows(table, g, o->table, &rows, why) && write_csv(&rows, path, why);
-  if (is_picture(o->output)) return fiber_view_write(&o->view, table, g, s, path, why);
+  if (grown_is_picture(o->output)) return fiber_view_write(&o->view, table, g, s, path, why);
   const sozai_detail detail = {.size = sizeof detail, .level = o->level};
-  if (ends_in(o->output, ".gltf")) return write_mesh(o, table, g, &detail, path, why);
+  if (ends_in(o->output, ".gltf")) return write_mesh(table, g, &detail, path, why);
   const sozai_curves *c = NULL;
   int32_t code = table->curves(g, &detail, &c);
   if (code != SOZAI_OK) return growth_failed(table, code, why);
@@ -99,53 +87,23 @@ static void report_fiber(const sozai_geometry_1 *table, const sozai_geometry *g,
       growth_number(&t, 0, "contacts"), growth_number(&t, 0, "contacts_first"), seconds);
 }
 
-static double now(void) {
-  struct timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+static bool grow(const void *options, const sozai_geometry_1 *table, const sozai_host *host,
+                 sozai_geometry **out, failure *why) {
+  const fiber_options *o = options;
+  return aggregate_grow(table, host, o->material, o->params.items, o->params.count, &o->solid, out,
+                        why);
 }
 
-static bool grow_into(const fiber_options *o, session *s, const mesh *hull, failure *why) {
-  const sozai_geometry_1 *table = growth_table(s->plugin.entry, why);
-  output_file file;
-  if (!table || !output_begin(&file, o->output, why)) return false;
-  sozai_geometry *g = NULL;
-  double begin = now();
-  bool ok = aggregate_grow(table, &s->host.abi, o->material, o->params.items, o->params.count, hull,
-                           &g, why);
-  if (ok && o->verbose) report_fiber(table, g, now() - begin);
-  ok = ok && write_out(o, table, g, s, file.writing, why);
-  table->release(g);
-  if (ok && cancel_requested()) ok = fail(why, EXIT_FAILURE, "cancelled");
-  progress_clear();
-  if (ok) return output_commit(&file, why);
-  output_discard(&file);
-  return false;
-}
-
-/* Only pictures want colour, whose service takes a while to open. */
-static bool open_for(const fiber_options *o, session *s, const session_options *shared,
-                     failure *why) {
-  if (is_picture(o->output)) return session_open(s, shared, why);
-  memset(s, 0, sizeof *s);
-  if (!plugin_open(&s->plugin, why)) return false;
-  uint32_t threads = shared->threads ? shared->threads : parallel_default_threads();
-  host_init(&s->host, threads, shared->verbose, NULL, NULL);
-  if (limits_give(s->plugin.entry, &s->host.abi, why)) return true;
-  session_close(s);
-  return false;
-}
-
-static bool grow(const fiber_options *o, const session_options *shared, failure *why) {
-  mesh hull;
-  if (!check(o, why) || !aggregate_hull(&hull, o->hull, o->scale, why)) return false;
-  session s;
-  bool ok = open_for(o, &s, shared, why);
-  if (ok) {
-    ok = grow_into(o, &s, &hull, why);
-    session_close(&s);
-  }
-  mesh_free(&hull);
+static bool make(fiber_options *o, const session_options *shared, failure *why) {
+  if (!check(o, why) || !aggregate_hull(&o->solid, o->hull, o->scale, why)) return false;
+  const grown_file file = {.output = o->output,
+                           .options = o,
+                           .verbose = o->verbose,
+                           .grow = grow,
+                           .report = report_fiber,
+                           .write = write_out};
+  bool ok = grown_make(&file, shared, why);
+  mesh_free(&o->solid);
   return ok;
 }
 
@@ -191,7 +149,7 @@ int run_grow_fiber(int argc, char **argv) {
   o.params = shared.params;
   o.verbose = shared.verbose;
   int code = 0;
-  if (parsed == OPTIONS_BAD || (parsed == OPTIONS_RUN && !grow(&o, &shared, &why)))
+  if (parsed == OPTIONS_BAD || (parsed == OPTIONS_RUN && !make(&o, &shared, &why)))
     code = report(&why);
   session_options_free(&shared);
   return code;

@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <string.h>
+#include "quoted.h"
 
 /* A name within a line, whatever bytes a file's name may have. */
 static void print_name(FILE *to, const char *name) {
@@ -90,21 +91,6 @@ void match_print(FILE *to, const match_report *r, const char *begin) {
   print_colours(to, r, begin);
   fprintf(to, "%sstatistics   in %s\n", begin, r->working);
   for (size_t i = 0; i < r->result->part_count; i++) print_part(to, &r->result->parts[i], begin);
-}
-
-/* A value in double quotes, as YAML has them. */
-static void print_quoted(FILE *to, const char *text) {
-  fputc('"', to);
-  for (; *text; text++) {
-    unsigned char c = (unsigned char)*text;
-    if (c == '"' || c == '\\')
-      fprintf(to, "\\%c", c);
-    else if (c < 0x20 || c == 0x7f)
-      fprintf(to, "\\x%02x", c);
-    else
-      fputc(c, to);
-  }
-  fputc('"', to);
 }
 
 void match_write_recipe(FILE *to, const match_report *r) {

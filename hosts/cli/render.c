@@ -2,9 +2,8 @@
 #include "render.h"
 
 #include <stdlib.h>
-#include <string.h>
-#include <strings.h>
 #include "commands.h"
+#include "ending.h"
 #include "job_options.h"
 #include "output_file.h"
 #include "pictures.h"
@@ -24,15 +23,10 @@ typedef struct request {
   bool no_floor;
 } request;
 
-static bool has_ending(const char *text, const char *ending) {
-  size_t length = strlen(text), tail = strlen(ending);
-  return length > tail && strcasecmp(text + length - tail, ending) == 0;
-}
-
 static bool picture_kind(const char *path, int *kind, failure *why) {
   if (!path) return fail(why, EXIT_BAD_INPUT, "render: no output is given: -o FILE.exr or .png");
-  *kind = has_ending(path, ".exr") ? PICTURE_EXR : PICTURE_PNG;
-  if (*kind == PICTURE_EXR || has_ending(path, ".png")) return true;
+  *kind = ends_in(path, ".exr") ? PICTURE_EXR : PICTURE_PNG;
+  if (*kind == PICTURE_EXR || ends_in(path, ".png")) return true;
   return fail(why, EXIT_BAD_INPUT, "--output: '%s' ends neither in .exr nor in .png", path);
 }
 

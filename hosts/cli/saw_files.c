@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "json.h"
+#include "quoted.h"
 
 static const char *const cut_names[SAW_PLANS] = {"flat", "quarter", "rift", "rotary"};
 
@@ -57,20 +58,6 @@ static bool close_file(FILE *to, const char *name, failure *why) {
 
 /* ---- a board's recipe ---------------------------------------------------- */
 
-static void put_text(FILE *to, const char *text) {
-  fputc('"', to);
-  for (; *text; text++) {
-    unsigned char c = (unsigned char)*text;
-    if (c == '"' || c == '\\')
-      fprintf(to, "\\%c", c);
-    else if (c < 0x20 || c == 0x7f)
-      fprintf(to, "\\x%02x", c);
-    else
-      fputc(c, to);
-  }
-  fputc('"', to);
-}
-
 static void put_number(FILE *to, const char *id, double number) {
   char text[40];
   number_text(text, sizeof text, number);
@@ -97,11 +84,11 @@ static bool write_board(const saw_work *w, size_t i, const saw_folder *f, failur
   bool sheet = b->plan == SAW_ROTARY;
   fprintf(to, "# %s %zu of %zu, %s-sawn\nmaterial: wood\npreset: ", sheet ? "Sheet" : "Board",
           i + 1, w->plan.count, saw_plan_names[b->plan]);
-  put_text(to, w->wood->preset);
+  print_quoted(to, w->wood->preset);
   fputs("\nparams:\n", to);
   for (size_t k = 0; k < w->wood->param_count; k++) {
     fprintf(to, "  %s: ", w->wood->params[k].id);
-    put_text(to, w->wood->params[k].text);
+    print_quoted(to, w->wood->params[k].text);
     fputc('\n', to);
   }
   fprintf(to, "  cut: %s\n", c.name);

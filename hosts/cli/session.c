@@ -17,6 +17,15 @@ void session_options_free(session_options *o) {
   memset(o, 0, sizeof *o);
 }
 
+/* c: NULL, or open. */
+static bool open_host(session *s, const session_options *o, const colour *c, failure *why) {
+  uint32_t threads = o->threads ? o->threads : parallel_default_threads();
+  host_init(&s->host, threads, o->verbose, c, c ? o->config : NULL);
+  if (limits_give(s->plugin.entry, &s->host.abi, why)) return true;
+  session_close(s);
+  return false;
+}
+
 bool session_open(session *s, const session_options *o, failure *why) {
   memset(s, 0, sizeof *s);
   if (!plugin_open(&s->plugin, why)) return false;
@@ -30,11 +39,12 @@ bool session_open(session *s, const session_options *o, failure *why) {
     session_close(s);
     return false;
   }
-  uint32_t threads = o->threads ? o->threads : parallel_default_threads();
-  host_init(&s->host, threads, o->verbose, &s->colour, o->config);
-  if (limits_give(s->plugin.entry, &s->host.abi, why)) return true;
-  session_close(s);
-  return false;
+  return open_host(s, o, &s->colour, why);
+}
+
+bool session_open_without_colour(session *s, const session_options *o, failure *why) {
+  memset(s, 0, sizeof *s);
+  return plugin_open(&s->plugin, why) && open_host(s, o, NULL, why);
 }
 
 void session_close(session *s) {

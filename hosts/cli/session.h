@@ -60,6 +60,8 @@ void session_options_free(session_options *o);
 
 /* Names of displays, views and looks are checked here, before any work. */
 bool session_open(session *s, const session_options *o, failure *why);
+/* The plugin and the host's services alone. */
+bool session_open_without_colour(session *s, const session_options *o, failure *why);
 void session_close(session *s);
 
 /* The recipe of a material or file, with the options' preset and parameters on top. */

@@ -2,61 +2,28 @@
 #include "tree_view.h"
 
 #include <math.h>
-#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
-#include "camera.h"
-#include "cancel.h"
 #include "job_options.h"
-#include "parallel.h"
-#include "progress.h"
 #include "samples.h"
 #include "scene.h"
 #include "studio.h"
+#include "view.h"
 
-#define PARTS 8
 /* Of leaves: what passes through, as a share of what is thrown back. */
 #define TRANSLUCENCY 0.55f
 
 typedef struct view {
-  const render_job *job;
   const sozai_mesh *mesh;
   const scene *scene;
-  camera camera;
   studio studio;
-  film *film;
-  vec albedo[PARTS];
-  bool sheet[PARTS];
-  atomic_uint rows;
+  vec albedo[VIEW_PARTS];
+  bool sheet[VIEW_PARTS];
 } view;
-
-static double to_linear(double x) {
-  return x <= 0.04045 ? x / 12.92 : pow((x + 0.055) / 1.055, 2.4);
-}
-
-/* The parts' colours in the working space. */
-static bool take_colours(view *w, const session *s, failure *why) {
-  for (uint32_t i = 0; i < w->mesh->part_count && i < PARTS; i++) {
-    const sozai_part *p = &w->mesh->parts[i];
-    float rgb[3] = {p->colour[0], p->colour[1], p->colour[2]};
-    const sozai_colour_1 *c = s->colour.service;
-    if (!c) {
-      for (int k = 0; k < 3; k++) rgb[k] = (float)to_linear((double)rgb[k]);
-    } else {
-      char text[256] = "";
-      if (c->to_working(c->self, "sRGB", rgb, 1, text, sizeof text) != SOZAI_OK)
-        return fail(why, EXIT_FAILURE, "colour of part %s: %s", p->id, text);
-    }
-    w->albedo[i] = (vec){rgb[0], rgb[1], rgb[2]};
-    w->sheet[i] = strcmp(p->id, "bark") != 0 && strcmp(p->id, "shoot") != 0;
-  }
-  return true;
-}
 
 static uint32_t part_of(const sozai_mesh *m, uint32_t triangle) {
   uint32_t i = 0;
-  while (i + 1 < m->part_count && i + 1 < PARTS && triangle >= m->parts[i + 1].first) i++;
+  while (i + 1 < m->part_count && i + 1 < VIEW_PARTS && triangle >= m->parts[i + 1].first) i++;
   return i;
 }
 
@@ -89,46 +56,25 @@ static vec shade(const view *w, const hit *h, uint32_t pixel, uint32_t sample) {
   return vec_mul(albedo, vec_add(light, studio_fill(&w->studio, w->scene, h, pixel, sample)));
 }
 
-static void draw_row(void *context, uint32_t y) {
-  view *w = context;
-  film *f = w->film;
-  if (cancel_requested()) return;
-  for (uint32_t x = 0; x < f->width; x++) {
-    uint32_t seed = sample_hash(y * f->width + x);
-    vec sum = {0, 0, 0};
-    float hits = 0;
-    for (uint32_t i = 0; i < w->job->spp; i++) {
-      float u, v;
-      vec origin, direction;
-      sample_pair(seed, i, PAIR_PIXEL, &u, &v);
-      camera_ray(&w->camera, (float)x + u, (float)y + v, f->width, f->height, &origin, &direction);
-      hit h = scene_trace(w->scene, origin, direction);
-      if (h.what == HIT_SHAPE) {
-        sum = vec_add(sum, shade(w, &h, seed, i));
-        hits++;
-      } else if (h.what == HIT_FLOOR)
-        sum = vec_add(sum, studio_floor(&w->studio, w->scene, &h, seed, i));
-      else
-        sum = vec_add(sum, studio_backdrop(&w->studio, w->scene, direction));
-    }
-    size_t at = (size_t)y * f->width + x;
-    float share = 1.0f / (float)w->job->spp;
-    f->beauty[3 * at] = share * sum.x;
-    f->beauty[3 * at + 1] = share * sum.y;
-    f->beauty[3 * at + 2] = share * sum.z;
-    f->coverage[at] = share * hits;
-  }
-  progress_show((float)(atomic_fetch_add(&w->rows, 1) + 1) / (float)f->height, "rendering");
+static vec look(const void *context, const view_ray *r, bool *hit_any) {
+  const view *w = context;
+  hit h = scene_trace(w->scene, r->origin, r->direction);
+  *hit_any = h.what == HIT_SHAPE;
+  if (*hit_any) return shade(w, &h, r->seed, r->sample);
+  if (h.what == HIT_FLOOR) return studio_floor(&w->studio, w->scene, &h, r->seed, r->sample);
+  return studio_backdrop(&w->studio, w->scene, r->direction);
 }
 
-static bool draw(view *w, const render_job *job, const session *s, failure *why) {
-  camera_place(&w->camera, job, w->scene, w->film->width, w->film->height);
+static bool draw(view *w, const render_job *job, const session *s, film *out, failure *why) {
+  camera from;
+  camera_place(&from, job, w->scene, out->width, out->height);
   studio_init(&w->studio, job, w->scene);
-  if (!take_colours(w, s, why)) return false;
-  atomic_init(&w->rows, 0);
-  parallel_for(job->threads, w->film->height, draw_row, w);
-  progress_clear();
-  return !cancel_requested() || fail(why, EXIT_FAILURE, "cancelled");
+  const sozai_part *parts = w->mesh->parts;
+  if (!view_colours(parts, w->mesh->part_count, s, w->albedo, why)) return false;
+  for (uint32_t i = 0; i < w->mesh->part_count && i < VIEW_PARTS; i++)
+    w->sheet[i] = strcmp(parts[i].id, "bark") != 0 && strcmp(parts[i].id, "shoot") != 0;
+  const view_picture picture = {job, &from, out, look, w};
+  return view_draw(&picture, why);
 }
 
 bool tree_view_render(const tree_view *v, const sozai_mesh *m, session *s, film *out,
@@ -153,9 +99,9 @@ bool tree_view_render(const tree_view *v, const sozai_mesh *m, session *s, film 
   job.y_up = true;
   scene sc;
   if (!scene_open(&sc, &job, why)) return false;
-  view w = {.job = &job, .mesh = m, .scene = &sc, .film = out};
+  view w = {.mesh = m, .scene = &sc};
   bool ok =
-      film_allocate(out, v->size[0], v->size[1], NULL, NULL, 0, why) && draw(&w, &job, s, why);
+      film_allocate(out, v->size[0], v->size[1], NULL, NULL, 0, why) && draw(&w, &job, s, out, why);
   scene_close(&sc);
   if (!ok) film_free(out);
   return ok;
@@ -165,10 +111,7 @@ bool tree_view_write(const tree_view *v, const sozai_mesh *m, session *s, const 
                      failure *why) {
   film f;
   if (!tree_view_render(v, m, s, &f, why)) return false;
-  size_t n = strlen(path);
-  bool png = n > 4 && strcasecmp(path + n - 4, ".png") == 0;
-  bool ok = png ? film_write_png(&f, path, &s->colour, &s->shown, 0, 8, why)
-                : film_write_exr(&f, path, &s->colour, why);
+  bool ok = view_write(&f, s, path, why);
   film_free(&f);
   return ok;
 }

@@ -2,6 +2,7 @@
  * Curves as text: USD, OBJ, pbrt. */
 #include <math.h>
 #include "curve_files.h"
+#include "srgb.h"
 #include "text_file.h"
 
 static void put_triple(text_file *t, const float *v, const char *between) {
@@ -10,8 +11,6 @@ static void put_triple(text_file *t, const float *v, const char *between) {
     text_finest(t, (double)v[c]);
   }
 }
-
-static double linear(double x) { return x <= 0.04045 ? x / 12.92 : pow((x + 0.055) / 1.055, 2.4); }
 
 /* ---- USD --------------------------------------------------------------- */
 
@@ -38,7 +37,7 @@ static void put_look(text_file *t, const sozai_curves *c) {
       text_put(t, k || i ? ", (" : "(");
       for (int a = 0; a < 3; a++) {
         if (a) text_put(t, ", ");
-        text_fine(t, linear((double)c->parts[k].colour[a]));
+        text_fine(t, srgb_to_linear((double)c->parts[k].colour[a]));
       }
       text_put(t, ")");
     }
@@ -169,7 +168,7 @@ bool curves_write_pbrt(const sozai_curves *c, const char *path, failure *why) {
     text_put(&t, "AttributeBegin\nMaterial \"hair\" \"rgb color\" [");
     for (int a = 0; a < 3; a++) {
       if (a) text_put(&t, " ");
-      text_fine(&t, linear((double)part->colour[a]));
+      text_fine(&t, srgb_to_linear((double)part->colour[a]));
     }
     text_put(&t, "]\n");
     for (uint64_t i = part->first; i < part->first + part->count; i++)

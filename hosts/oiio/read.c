@@ -12,7 +12,6 @@
 #include "put.h"
 
 #define TILES_FOR_THREADS 4u /* fewer are not worth starting threads for */
-#define ROOM 8192u           /* numbers evaluated at once: of many components fewer texels */
 
 typedef struct job {
   const picture *picture;
@@ -47,8 +46,7 @@ static bool set_layers(job *j, const subimage *s) {
   for (uint32_t i = 0; i < s->output_count; i++)
     for (uint32_t k = 0; k < s->outputs[i].components; k++, at++)
       if (at >= first && at < end) add_layer(j, &s->outputs[i], k);
-  uint32_t fit = ROOM / (j->layer_count ? j->layer_count : 1);
-  j->most = fit < SURFACE_BLOCK ? fit / PICTURE_TILE * PICTURE_TILE : SURFACE_BLOCK;
+  j->most = surface_fit(j->layer_count, PICTURE_TILE);
   return true;
 }
 
@@ -120,7 +118,7 @@ static void read_tile(void *context, uint32_t index) {
     begin[c] = j->box->begin[c] + place[c] * j->picture->about.tile[c];
     end[c] = least(begin[c] + j->picture->about.tile[c], j->box->end[c]);
   }
-  _Alignas(64) float room[ROOM];
+  _Alignas(64) float room[SURFACE_ROOM];
   failure why;
   for (uint32_t z = begin[2]; z < end[2]; z++)
     if (!read_slice(j, room, begin, end, z, &why)) {

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// OpenImageIO may throw, and so may the standard
-// library; nothing gets past this file.
+// Whole pictures. OpenImageIO may throw, and so may the standard library; nothing
+// gets past this file.
 #include "image.h"
 
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
-#include <cerrno>
 
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <exception>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,28 +19,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "guarded.hpp"
+#include "oiio.hpp"
+
 namespace {
-
-OIIO::TypeDesc type_of(int type) {
-  switch (type) {
-  case IMAGE_UINT8:
-    return OIIO::TypeDesc::UINT8;
-  case IMAGE_UINT16:
-    return OIIO::TypeDesc::UINT16;
-  case IMAGE_HALF:
-    return OIIO::TypeDesc::HALF;
-  default:
-    return OIIO::TypeDesc::FLOAT;
-  }
-}
-
-void describe(OIIO::ImageSpec &spec, const image_colour &colour) {
-  if (colour.space) spec.attribute("colorSpace", colour.space);
-  if (colour.chromaticities)
-    spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8),
-                   colour.chromaticities);
-  if (colour.srgb) spec.attribute("oiio:ColorSpace", "sRGB");
-}
 
 // Encoded in memory, then written here: OpenImageIO's writers of PNG and of EXR
 // do not say when the disk is full.
@@ -61,18 +42,10 @@ bool write(const char *path, uint32_t width, uint32_t height, const image_channe
   auto output = OIIO::ImageOutput::create(path);
   if (!output)
     return fail(why, EXIT_FAILURE, "cannot write %s: %s", path, OIIO::geterror().c_str());
-  OIIO::ImageSpec spec(int(width), int(height), int(count), type_of(channels[0].type));
-  spec.channelnames.clear();
-  bool mixed = false;
-  for (size_t c = 0; c < count; c++) {
-    spec.channelnames.emplace_back(channels[c].name);
-    spec.channelformats.push_back(type_of(channels[c].type));
-    mixed = mixed || channels[c].type != channels[0].type;
-  }
-  if (!mixed) spec.channelformats.clear();
-  spec.attribute("Software", "sozai");
-  spec.attribute("compression", "zip"); // lossless; PNG's own is the same
-  if (colour) describe(spec, *colour);
+  OIIO::ImageSpec spec(int(width), int(height), int(count), oiio::type_of(channels[0].type));
+  oiio::add_channels(spec, channels, count);
+  oiio::add_writing(spec);
+  if (colour) oiio::add_colour(spec, *colour);
 
   size_t pixels = size_t(width) * height;
   std::vector<float> interleaved(pixels * count);
@@ -144,16 +117,6 @@ bool read(image *picture, const char *path, failure *why) {
   if (input->has_error())
     return fail(why, EXIT_BAD_INPUT, "cannot read %s: %s", path, input->geterror().c_str());
   return true;
-}
-
-template <typename Function> bool guarded(failure *why, Function function) {
-  try {
-    return function();
-  } catch (const std::exception &e) {
-    return fail(why, EXIT_FAILURE, "OpenImageIO: %s", e.what());
-  } catch (...) {
-    return fail(why, EXIT_FAILURE, "OpenImageIO: an unknown exception");
-  }
 }
 
 } // namespace

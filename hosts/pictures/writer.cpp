@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// OpenImageIO may throw, and so may the standard library; nothing gets past
-// this file.
+// Pictures band by band. OpenImageIO may throw, and so may the standard library;
+// nothing gets past this file.
 #include "writer.h"
 
 #include <OpenImageIO/imageio.h>
 
-#include <exception>
 #include <memory>
 #include <string>
 #include <vector>
+
+#include "guarded.hpp"
+#include "oiio.hpp"
 
 struct bake_writer {
   std::string path;
@@ -20,19 +22,6 @@ struct bake_writer {
 
 namespace {
 
-OIIO::TypeDesc type_of(int type) {
-  switch (type) {
-  case IMAGE_UINT8:
-    return OIIO::TypeDesc::UINT8;
-  case IMAGE_UINT16:
-    return OIIO::TypeDesc::UINT16;
-  case IMAGE_HALF:
-    return OIIO::TypeDesc::HALF;
-  default:
-    return OIIO::TypeDesc::FLOAT;
-  }
-}
-
 bool failed(const bake_writer &w, failure *why) {
   std::string message = w.output->geterror();
   return fail(why, EXIT_FAILURE, "cannot write %s: %s", w.path.c_str(),
@@ -40,14 +29,9 @@ bool failed(const bake_writer &w, failure *why) {
 }
 
 void describe(OIIO::ImageSpec &spec, const writer_spec &s) {
-  spec.attribute("Software", "sozai");
-  spec.attribute("DateTime", "");       // else the clock's, and no two bakes would be the same
-  spec.attribute("compression", "zip"); // lossless; PNG's own is the same
-  if (s.colour.space) spec.attribute("colorSpace", s.colour.space);
-  if (s.colour.chromaticities)
-    spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8),
-                   s.colour.chromaticities);
-  if (s.colour.srgb) spec.attribute("oiio:ColorSpace", "sRGB");
+  oiio::add_writing(spec);
+  spec.attribute("DateTime", ""); // else the clock's, and no two bakes would be the same
+  oiio::add_colour(spec, s.colour);
   for (uint32_t i = 0; i < s.word_count; i++) spec.attribute(s.words[i].name, s.words[i].text);
   if (s.mm_per_pixel[0] > 0)
     spec.attribute("sozai:mm_per_pixel", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 2), s.mm_per_pixel);
@@ -57,14 +41,8 @@ void describe(OIIO::ImageSpec &spec, const writer_spec &s) {
 OIIO::ImageSpec spec_of(const writer_spec &s, bool *mixed) {
   const bake_layer *layers = s.file->layers;
   OIIO::ImageSpec spec(int(s.width), int(s.height), int(s.file->layer_count),
-                       type_of(layers[0].type));
-  spec.channelnames.clear();
-  for (uint32_t i = 0; i < s.file->layer_count; i++) {
-    spec.channelnames.emplace_back(layers[i].name);
-    spec.channelformats.push_back(type_of(layers[i].type));
-    *mixed = *mixed || layers[i].type != layers[0].type;
-  }
-  if (!*mixed) spec.channelformats.clear();
+                       oiio::type_of(layers[0].type));
+  *mixed = oiio::add_channels(spec, layers, s.file->layer_count);
   if (s.tile > 0) spec.tile_width = spec.tile_height = int(s.tile), spec.tile_depth = 1;
   // beyond what a 32-bit offset reaches, with room for what does not compress
   if (spec.image_bytes(true) > (uint64_t(3) << 30)) spec.attribute("tiff:bigtiff", 1);
@@ -124,16 +102,6 @@ bool close(bake_writer &w, failure *why) {
   if (!w.output->close()) return failed(w, why);
   w.output.reset(); // which alone ends a file of mipmaps
   return read_back(w, why);
-}
-
-template <typename Function> bool guarded(failure *why, Function function) {
-  try {
-    return function();
-  } catch (const std::exception &e) {
-    return fail(why, EXIT_FAILURE, "OpenImageIO: %s", e.what());
-  } catch (...) {
-    return fail(why, EXIT_FAILURE, "OpenImageIO: an unknown exception");
-  }
 }
 
 } // namespace

@@ -7,9 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-#define MOST_COMPONENTS 3 /* of a channel; those of more are left out */
-#define ROOM 8192u        /* numbers of a copy at once */
-#define PART 64u          /* points, at least */
+#define PART 64u /* points, at least */
 
 typedef struct weights {
   float share[PERIODIC_COPIES][SURFACE_BLOCK];
@@ -24,13 +22,13 @@ typedef struct task {
   const sozai_channel *channels[SURFACE_COMPONENTS]; /* of which something is asked for */
   uint32_t channel_count, components, most;          /* of theirs; points in a part */
   weights weights;
-  float copy[ROOM], sum[ROOM]; /* `most` of each component, channel after channel */
+  float copy[SURFACE_ROOM], sum[SURFACE_ROOM]; /* `most` of each component, channel after channel */
 } task;
 
 /* ---- what is asked for ------------------------------------------------ */
 
 static bool is_wanted(const sozai_channel *c, const sozai_batch *b) {
-  if (c->components > MOST_COMPONENTS || c->first + c->components > b->out_count) return false;
+  if (c->first + c->components > b->out_count) return false;
   for (uint32_t k = c->first; k < c->first + c->components; k++)
     if (b->out[k]) return true;
   return false;
@@ -45,8 +43,7 @@ static void find_wanted(task *t) {
     t->channels[t->channel_count++] = c;
     t->components += c->components;
   }
-  uint32_t fit = t->components ? ROOM / t->components : SURFACE_BLOCK;
-  t->most = fit < SURFACE_BLOCK ? fit / PART * PART : SURFACE_BLOCK;
+  t->most = surface_fit(t->components, PART);
 }
 
 /* ---- a part of the batch ---------------------------------------------- */

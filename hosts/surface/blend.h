@@ -6,7 +6,8 @@
 #include "evaluate.h"
 #include "periodic.h"
 
-/* As evaluate(), for at most SURFACE_BLOCK texels of a seamless plane. */
+/* As evaluate(), for at most SURFACE_BLOCK texels of a seamless plane and
+ * SURFACE_COMPONENTS outputs, without light, view or mask. */
 int32_t blend_evaluate(const periodic *p, const surface_material *m, const sozai_batch *batch);
 
 #endif

@@ -9,6 +9,7 @@
 #define FOUR_OF(x) x, x, x, x
 static const float zeros[SURFACE_BLOCK],
     ones[SURFACE_BLOCK] = {FOUR_OF(FOUR_OF(FOUR_OF(FOUR_OF(FOUR_OF(1.0f)))))};
+_Static_assert(SURFACE_BLOCK == 4 * 4 * 4 * 4 * 4, "as many ones as texels in a block");
 static const float *const upwards[3] = {zeros, zeros, ones};
 
 static bool too_far(const uint8_t *covered, size_t count) {

@@ -7,6 +7,14 @@
 
 #define SURFACE_BLOCK 1024u   /* texels at once, at most */
 #define SURFACE_COMPONENTS 64 /* outputs past them are not looked at */
+#define SURFACE_ROOM 8192u    /* numbers at once: they fit the processor's nearest caches */
+
+/* How many texels of so many components that is room for: SURFACE_BLOCK, or
+ * whole `unit`s. */
+static inline uint32_t surface_fit(uint32_t components, uint32_t unit) {
+  uint32_t fit = components ? SURFACE_ROOM / components : SURFACE_BLOCK;
+  return fit < SURFACE_BLOCK ? fit / unit * unit : SURFACE_BLOCK;
+}
 
 typedef struct surface_material {
   const sozai_textures_1 *textures;

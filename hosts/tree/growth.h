@@ -37,7 +37,7 @@ double growth_number(const sozai_table *t, uint64_t row, const char *column);
 
 /* ---- writers, one file each ------------------------------------------- */
 
-/* Each writes to `path`; format is by its ending. scale: file units per mm. */
+/* Each writes to `path`, in mm unless its format says otherwise. */
 bool write_obj(const sozai_mesh *m, const char *path, failure *why);
 bool write_gltf(const sozai_mesh *m, const char *path, failure *why);
 /* mesh or curves, one of them NULL. */

@@ -12,8 +12,6 @@
 
 static kind kinds[KINDS_MOST];
 
-static uint32_t start_kinds(subject *s) { return subject_start(s) ? subject_kinds(s, kinds) : 0; }
-
 static const char *error_of(const subject *s, const kind *k) {
   return k->texture ? s->textures->last_error() : s->geometry->last_error();
 }
@@ -46,7 +44,7 @@ static bool has_number(const char *text, double x) {
 
 /* "names the parameter, the value and the range" */
 static void names(subject *s) {
-  uint32_t n = start_kinds(s);
+  uint32_t n = subject_all(s, kinds);
   for (uint32_t i = 0; i < n; i++)
     for (uint32_t p = 0; p < kinds[i].parameter_count; p++) {
       const sozai_parameter *q = kinds[i].parameters[p];
@@ -67,7 +65,7 @@ static void names(subject *s) {
 
 /* The name of what is unknown, and the choices where there are such. */
 static void names_unknown(subject *s) {
-  uint32_t n = start_kinds(s);
+  uint32_t n = subject_all(s, kinds);
   for (uint32_t i = 0; i < n; i++) {
     const kind *k = &kinds[i];
     const sozai_value v = {.id = "validate_none", .kind = SOZAI_KIND_FLOAT};
@@ -102,7 +100,7 @@ static void fit(const kind *k, const char *text, const char *what) {
 /* Every refusal says why, on a line that can be logged. */
 static void one_line_each(subject *s) {
   static bad wrong[BAD_MOST];
-  uint32_t n = start_kinds(s);
+  uint32_t n = subject_all(s, kinds);
   for (uint32_t i = 0; i < n; i++)
     for (uint32_t p = 0; p < kinds[i].parameter_count && !enough(); p++) {
       uint32_t count = make_bad(kinds[i].parameters[p], wrong);
@@ -122,7 +120,7 @@ static void hostile(subject *s) {
       "xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx"
       "\xe6\x9c\xa8\xe6\x9c\xa8\xe6\x9c\xa8\xe6\x9c\xa8\xe6\x9c\xa8\xe6\x9c\xa8\xe6\x9c\xa8\xe6\x9c"
       "\xa8"};
-  uint32_t n = start_kinds(s);
+  uint32_t n = subject_all(s, kinds);
   char *huge = malloc(100001);
   if (!huge) return failed("out of memory");
   for (uint32_t i = 0; i < 100000; i++) huge[i] = "\xe6\x9c\xa8"[i % 3];
@@ -168,7 +166,7 @@ static void make_one_fail(subject *s, const char *id) {
 
 /* "\"\" before any failure" */
 static void empty_before(subject *s) {
-  if (!start_kinds(s)) return;
+  if (!subject_all(s, kinds)) return;
   EXPECT(!*last_error(s), "last_error before any failure is '%s'", last_error(s));
   make_one_fail(s, "validate_here");
   pthread_t thread;
@@ -199,7 +197,7 @@ static void *fail_often(void *context) {
 
 /* "Why the last call on this thread failed" */
 static void by_thread(subject *s) {
-  if (!start_kinds(s)) return;
+  if (!subject_all(s, kinds)) return;
   own owns[4];
   pthread_t threads[4];
   pthread_barrier_t step;
@@ -221,7 +219,7 @@ static void by_thread(subject *s) {
 
 /* "valid until the thread's next failing call" */
 static void kept(subject *s) {
-  if (!start_kinds(s)) return;
+  if (!subject_all(s, kinds)) return;
   make_one_fail(s, "validate_kept");
   const char *text = last_error(s);
   if (!EXPECT(strstr(text, "validate_kept"), "last_error does not name the failure: '%s'", text))

@@ -15,10 +15,9 @@ static bool has_textures(subject *s) {
   return s->textures != NULL;
 }
 
-#define EACH_TEXTURE(s, presets, test)                                                             \
-  do {                                                                                             \
-    if (has_textures(s)) each_texture(s, presets, test);                                           \
-  } while (0)
+static void each_of(subject *s, uint32_t presets, texture_test *test) {
+  if (has_textures(s)) each_texture(s, presets, test);
+}
 
 /* "Answer a batch."; "Every written number is finite." */
 static void answer(subject *s, const sozai_texture_info *info, const char *preset,
@@ -29,8 +28,8 @@ static void answer(subject *s, const sozai_texture_info *info, const char *prese
   batch_free(b);
 }
 
-static void answers(subject *s) { EACH_TEXTURE(s, 0, answer); }
-static void presets(subject *s) { EACH_TEXTURE(s, 8, answer); }
+static void answers(subject *s) { each_of(s, 0, answer); }
+static void presets(subject *s) { each_of(s, 8, answer); }
 
 /* Outputs are `count` long: nothing before or after is written. */
 static void banded(subject *s, const sozai_texture_info *info, const char *preset,
@@ -49,7 +48,7 @@ static void banded(subject *s, const sozai_texture_info *info, const char *prese
   batch_free(b);
 }
 
-static void guard_bands(subject *s) { EACH_TEXTURE(s, 2, banded); }
+static void guard_bands(subject *s) { each_of(s, 2, banded); }
 
 /* ---- the ends of the arrays ------------------------------------------------------ */
 
@@ -120,7 +119,7 @@ static void walled(subject *s, const sozai_texture_info *info, const char *prese
   batch_free(b);
 }
 
-static void guard_pages(subject *s) { EACH_TEXTURE(s, 1, walled); }
+static void guard_pages(subject *s) { each_of(s, 1, walled); }
 
 /* ---- what is not wanted ------------------------------------------------------------ */
 
@@ -145,7 +144,7 @@ static void channel_alone(subject *s, const sozai_texture_info *info, const char
   batch_free(b);
 }
 
-static void alone(subject *s) { EACH_TEXTURE(s, 2, channel_alone); }
+static void alone(subject *s) { each_of(s, 2, channel_alone); }
 
 /* The same of some components of a channel, and of channels by chance. */
 static void some_components(subject *s, const sozai_texture_info *info, const char *preset,
@@ -172,7 +171,7 @@ static void some_components(subject *s, const sozai_texture_info *info, const ch
   batch_free(b);
 }
 
-static void components(subject *s) { EACH_TEXTURE(s, 2, some_components); }
+static void components(subject *s) { each_of(s, 2, some_components); }
 
 /* ---- lanes --------------------------------------------------------------------------- */
 
@@ -210,7 +209,7 @@ static void inactive_lanes(subject *s, const sozai_texture_info *info, const cha
   batch_free(b);
 }
 
-static void inactive(subject *s) { EACH_TEXTURE(s, 2, inactive_lanes); }
+static void inactive(subject *s) { each_of(s, 2, inactive_lanes); }
 
 /* Any number but 0 is active. */
 static void active_numbers(subject *s, const sozai_texture_info *info, const char *preset,
@@ -224,7 +223,7 @@ static void active_numbers(subject *s, const sozai_texture_info *info, const cha
   batch_free(b);
 }
 
-static void active_any(subject *s) { EACH_TEXTURE(s, 0, active_numbers); }
+static void active_any(subject *s) { each_of(s, 0, active_numbers); }
 
 /* ---- what is only read ------------------------------------------------------------------ */
 
@@ -260,7 +259,7 @@ static void only_read(subject *s, const sozai_texture_info *info, const char *pr
   batch_free(b);
 }
 
-static void inputs_kept(subject *s) { EACH_TEXTURE(s, 1, only_read); }
+static void inputs_kept(subject *s) { each_of(s, 1, only_read); }
 
 /* ---- what it may not do -------------------------------------------------------------------- */
 
@@ -296,7 +295,7 @@ static void allocates(subject *s) {
     skipped("a sanitizer has the allocator");
     return;
   }
-  EACH_TEXTURE(s, 3, no_memory);
+  each_of(s, 3, no_memory);
 }
 
 static void locks(subject *s) {
@@ -304,7 +303,7 @@ static void locks(subject *s) {
     skipped("a sanitizer has the locks");
     return;
   }
-  EACH_TEXTURE(s, 3, no_lock);
+  each_of(s, 3, no_lock);
 }
 
 CHECKS(evaluate, //

@@ -28,3 +28,22 @@ int32_t grow_plain(subject *s, const sozai_generator_info *info, const sozai_hos
   doing("grow of %s, in a box", info->id);
   return s->geometry->grow(host, info->id, NULL, out->values, out->value_count, &out->geometry);
 }
+
+bool generators_start(subject *s) {
+  if (!subject_start(s)) return false;
+  if (!s->geometry) skipped("it has no " SOZAI_GEOMETRY_1);
+  return s->geometry;
+}
+
+void each_grown(subject *s, grown_test *test) {
+  if (!generators_start(s)) return;
+  for (uint32_t i = 0; i < s->geometry->count() && !enough(); i++) {
+    const sozai_generator_info *info = s->geometry->info(i);
+    grown g;
+    if (!info || !subject_wants(s, info->id) || grow_plain(s, info, NULL, &g) != SOZAI_OK) continue;
+    doing("%s", info->id);
+    test(s, info, &g);
+    doing("release of %s", info->id);
+    s->geometry->release(g.geometry);
+  }
+}

@@ -63,15 +63,16 @@ static void without(subject *s) {
       same_bits(s, kinds[i].texture, plain.texture, m.texture, "of a host of NULLs");
       unmake(s, &m);
     }
-    for (uint32_t one = 0; one < 6; one++) { /* each alone */
+    for (uint32_t one = 0; one < 6; one++) { /* each of five alone, then none */
       recorder_init(&rec);
       if (one != 0) rec.abi.log = NULL;
       if (one != 1) rec.abi.alloc = NULL, rec.abi.free = NULL;
       if (one != 2) rec.abi.parallel = NULL;
       if (one != 3) rec.abi.progress = NULL;
       if (one != 4) rec.abi.get_service = NULL;
-      if (!made_with(s, &kinds[i], NULL, &m, "with one service alone")) continue;
-      same_bits(s, kinds[i].texture, plain.texture, m.texture, "of a host with one service");
+      if (!made_with(s, &kinds[i], NULL, &m, "with one service at most")) continue;
+      same_bits(s, kinds[i].texture, plain.texture, m.texture,
+                "of a host with one service at most");
       unmake(s, &m);
     }
     unmake(s, &plain);
@@ -267,7 +268,7 @@ static void colour_fails(subject *s) {
 
 /* Colours that are no numbers, or huge: refused, or the answers are finite. */
 static void colour_odd(subject *s) {
-  static const float scales[] = {0.0f / 1.0f, 1e38f, -1e38f, __builtin_nanf(""), __builtin_inff()};
+  static const float scales[] = {0.0f, 1e38f, -1e38f, __builtin_nanf(""), __builtin_inff()};
   uint32_t n = subject_textures(s, kinds), has = 0;
   for (uint32_t i = 0; i < n; i++) {
     if (!first_of(&kinds[i], SOZAI_KIND_COLOUR)) continue;
@@ -308,8 +309,7 @@ static void colour_unknown(subject *s) {
   if (n && !has) skipped("no texture has a colour");
 }
 
-/* ---- pictures ---------------------------------------------------------------------------------
- */
+/* ---- pictures ------------------------------------------------------------------------------ */
 
 static sozai_value picture(const sozai_parameter *p) {
   return (sozai_value){

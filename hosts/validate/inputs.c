@@ -11,12 +11,6 @@
 #define ALL 0x3fu
 #define POINTS 120u
 
-#define EACH_TEXTURE(s, presets, test)                                                             \
-  do {                                                                                             \
-    if (!subject_start(s)) break;                                                                  \
-    each_texture(s, presets, test);                                                                \
-  } while (0)
-
 /* ---- needs and uses ---------------------------------------------------------------- */
 
 /* "ARGUMENT if a wanted channel needs an input that is NULL", "checked before any output is
@@ -45,7 +39,7 @@ static void without_need(subject *s, const sozai_texture_info *info, const char 
   batch_free(b);
 }
 
-static void needs(subject *s) { EACH_TEXTURE(s, 1, without_need); }
+static void needs(subject *s) { start_each_texture(s, 1, without_need); }
 
 /* One pointer of three missing is a missing input. */
 static void without_part(subject *s, const sozai_texture_info *info, const char *preset,
@@ -69,7 +63,7 @@ static void without_part(subject *s, const sozai_texture_info *info, const char 
   batch_free(b);
 }
 
-static void parts(subject *s) { EACH_TEXTURE(s, 0, without_part); }
+static void parts(subject *s) { start_each_texture(s, 0, without_part); }
 
 /* "An input that a channel only `uses` may be NULL"; what unwanted channels need too. */
 static void only_needs(subject *s, const sozai_texture_info *info, const char *preset,
@@ -88,7 +82,7 @@ static void only_needs(subject *s, const sozai_texture_info *info, const char *p
   batch_free(b);
 }
 
-static void uses_absent(subject *s) { EACH_TEXTURE(s, 2, only_needs); }
+static void uses_absent(subject *s) { start_each_texture(s, 2, only_needs); }
 
 /* What a channel neither needs nor uses does not change it. */
 static void undeclared_of(subject *s, const sozai_texture_info *info, const char *preset,
@@ -124,7 +118,7 @@ static void undeclared_of(subject *s, const sozai_texture_info *info, const char
   batch_free(b);
 }
 
-static void undeclared(subject *s) { EACH_TEXTURE(s, 3, undeclared_of); }
+static void undeclared(subject *s) { start_each_texture(s, 3, undeclared_of); }
 
 /* ---- how odd inputs are read ---------------------------------------------------------- */
 
@@ -159,7 +153,7 @@ static void equal_ways(subject *s, const sozai_texture_info *info, const char *p
                         sozai_texture *t) {                                                        \
     equal_ways(s, info, preset, t, one, other, what);                                              \
   }                                                                                                \
-  static void name(subject *s) { EACH_TEXTURE(s, 2, name##_of); }                                  \
+  static void name(subject *s) { start_each_texture(s, 2, name##_of); }                            \
   _Static_assert(sizeof(what) > 1, "says what")
 
 /* "NaN is read as 0, and beyond +-1e6 (a kilometre) as the nearest of the two" */
@@ -266,7 +260,7 @@ static void lengths_of(subject *s, const sozai_texture_info *info, const char *p
   batch_free(b);
 }
 
-static void lengths(subject *s) { EACH_TEXTURE(s, 1, lengths_of); }
+static void lengths(subject *s) { start_each_texture(s, 1, lengths_of); }
 
 /* ---- hostile numbers --------------------------------------------------------------------- */
 
@@ -295,7 +289,7 @@ static void hostile_of(subject *s, const sozai_texture_info *info, const char *p
   batch_free(b);
 }
 
-static void hostile(subject *s) { EACH_TEXTURE(s, 4, hostile_of); }
+static void hostile(subject *s) { start_each_texture(s, 4, hostile_of); }
 
 /* "the answer to a point depends on nothing but that point" */
 static void hostile_beside(subject *s, const sozai_texture_info *info, const char *preset,
@@ -316,7 +310,7 @@ static void hostile_beside(subject *s, const sozai_texture_info *info, const cha
   batch_free(b);
 }
 
-static void lanes(subject *s) { EACH_TEXTURE(s, 3, hostile_beside); }
+static void lanes(subject *s) { start_each_texture(s, 3, hostile_beside); }
 
 CHECKS(inputs, //
        {"inputs.needed", "evaluate.answers",

@@ -110,6 +110,8 @@ uint32_t subject_kinds(const subject *s, kind *out) {
   return n;
 }
 
+uint32_t subject_all(subject *s, kind *out) { return subject_start(s) ? subject_kinds(s, out) : 0; }
+
 uint32_t subject_textures(subject *s, kind *out) {
   if (!subject_start(s)) return 0;
   uint32_t n = subject_kinds(s, out), kept = 0;
@@ -187,4 +189,8 @@ void each_texture(subject *s, uint32_t presets, texture_test *test) {
       one_texture(s, info, info->presets[p]->id, test);
     }
   }
+}
+
+void start_each_texture(subject *s, uint32_t presets, texture_test *test) {
+  if (subject_start(s)) each_texture(s, presets, test);
 }

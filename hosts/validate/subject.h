@@ -52,6 +52,8 @@ typedef struct kind {
 
 /* All that are to be judged; at most KINDS_MOST. */
 uint32_t subject_kinds(const subject *s, kind *out);
+/* Started, the same; 0, with the reason said, where it does not start. */
+uint32_t subject_all(subject *s, kind *out);
 /* Started, the textures among them; 0, with the reason said, where there is none. */
 uint32_t subject_textures(subject *s, kind *out);
 
@@ -68,6 +70,8 @@ const char *kind_name(uint32_t kind);
 typedef void texture_test(subject *s, const sozai_texture_info *info, const char *preset,
                           sozai_texture *t);
 void each_texture(subject *s, uint32_t presets, texture_test *test);
+/* The same, started first. */
+void start_each_texture(subject *s, uint32_t presets, texture_test *test);
 
 /* "wood" or "wood, preset keyaki". The text is this thread's, till the next call. */
 const char *texture_name(const sozai_texture_info *info, const char *preset);

@@ -112,9 +112,7 @@ static void rounded_of(subject *s, const sozai_texture_info *info, const char *p
   batch_free(b);
 }
 
-static void rounded(subject *s) {
-  if (subject_start(s)) each_texture(s, 2, rounded_of);
-}
+static void rounded(subject *s) { start_each_texture(s, 2, rounded_of); }
 
 /* ---- locale ---------------------------------------------------------------------------- */
 
@@ -321,7 +319,7 @@ static void idle_of(subject *s, const sozai_texture_info *info, const char *pres
 
 static void idle(subject *s) {
   if (entries("/proc/self/task") < 0) return skipped("there is no /proc/self/task");
-  if (subject_start(s)) each_texture(s, 2, idle_of);
+  start_each_texture(s, 2, idle_of);
 }
 
 /* No process of the plugin's is left to the host to wait for. */

@@ -129,14 +129,10 @@ static void create_test(subject *s, const sozai_texture_info *info, const char *
 }
 
 /* evaluate: "any thread, any number at once ... same bits whatever the batch, thread" */
-static void evaluate(subject *s) {
-  if (subject_start(s)) each_texture(s, 2, evaluate_test);
-}
+static void evaluate(subject *s) { start_each_texture(s, 2, evaluate_test); }
 
 /* create, value, info_of, find, last_error: [thread-safe] */
-static void create(subject *s) {
-  if (subject_start(s)) each_texture(s, 1, create_test);
-}
+static void create(subject *s) { start_each_texture(s, 1, create_test); }
 
 /* ---- a thread that ends ------------------------------------------------------------- */
 
@@ -166,9 +162,7 @@ static void outlives(subject *s, const sozai_texture_info *info, const char *pre
 }
 
 /* "[exclusive]: not while another call on the same object is under way", on whatever thread. */
-static void elsewhere(subject *s) {
-  if (subject_start(s)) each_texture(s, 1, outlives);
-}
+static void elsewhere(subject *s) { start_each_texture(s, 1, outlives); }
 
 /* ---- descriptions ---------------------------------------------------------------------- */
 

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * The words that every catalogue's entries are written in: one value each.
+ * The words that every catalogue's entries are written in: one value each, and
+ * the preset that they make.
  */
 #ifndef SOZAI_CORE_PRESET_H
 #define SOZAI_CORE_PRESET_H
 
 #include "../../api/sozai.h"
+#include "count.h"
 
-#define COUNT(a) (sizeof(a) / sizeof((a)[0]))
 #define NUMBER(name, x)                                                                            \
   {                                                                                                \
     .id = name, .kind = SOZAI_KIND_FLOAT, .number = { x }                                          \
@@ -26,5 +27,15 @@
     .id = name, .kind = SOZAI_KIND_COLOUR, .number = {(r) / 255.0, (g) / 255.0, (b) / 255.0},      \
     .text = "sRGB"                                                                                 \
   }
+
+/* The preset `symbol` of an array of values. */
+#define PRESET(symbol, key, list, name, about, literature)                                         \
+  const sozai_preset symbol = {.size = sizeof(sozai_preset),                                       \
+                               .value_count = COUNT(list),                                         \
+                               .id = key,                                                          \
+                               .label = name,                                                      \
+                               .doc = about,                                                       \
+                               .source = literature,                                               \
+                               .values = list}
 
 #endif

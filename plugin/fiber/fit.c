@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "../core/mix64.h"
 #include "../core/scalar.h"
 #include "parameters.h"
 
@@ -99,14 +100,6 @@ typedef struct {
   uint64_t list[VISITED_MOST];
   uint32_t count;
 } visited;
-
-static uint64_t mix64(uint64_t x) {
-  x ^= x >> 30;
-  x *= 0xbf58476d1ce4e5b9ull;
-  x ^= x >> 27;
-  x *= 0x94d049bb133111ebull;
-  return x ^ x >> 31;
-}
 
 /* To a hundred-thousandth of a step: what came back over another way differs by
  * rounding. */

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "../core/limits.h"
+#include "../core/mix64.h"
 #include "../core/scalar.h"
 #include "../core/status.h"
 
@@ -42,14 +43,6 @@ static double twice_area(const float t[9], double n[3]) {
 }
 
 /* ---- whether it is closed ---------------------------------------------- */
-
-static uint64_t mix64(uint64_t x) {
-  x ^= x >> 30;
-  x *= 0xbf58476d1ce4e5b9ull;
-  x ^= x >> 27;
-  x *= 0x94d049bb133111ebull;
-  return x ^ x >> 31;
-}
 
 static uint64_t hash_corner(const float p[3]) {
   uint32_t b[3];

@@ -4,10 +4,9 @@
  */
 #include "../core/meter.h"
 #include "../core/status.h"
+#include "../table.h"
 #include "fiber.h"
 #include "parameters.h"
-
-#define COUNT(a) (sizeof(a) / sizeof((a)[0]))
 
 static const sozai_column statistics_columns[] = {
     {"strands", "", "How many."},
@@ -52,12 +51,6 @@ static const sozai_column strands_columns[] = {
     {"length", "mm", "Along it."},
     {"radius", "mm", "Of its middle."}};
 
-#define TABLE(name, id_, doc_)                                                                     \
-  static const sozai_table_info name = {.size = sizeof(sozai_table_info),                          \
-                                        .column_count = COUNT(name##_columns),                     \
-                                        .id = id_,                                                 \
-                                        .doc = doc_,                                               \
-                                        .columns = name##_columns}
 TABLE(statistics, "statistics", "One row.");
 TABLE(strands, "strands", "One row a strand, by its id.");
 

@@ -4,11 +4,9 @@
  */
 #include "parameters.h"
 
-#include "stone.h"
-
-#define COUNT(a) (sizeof(a) / sizeof((a)[0]))
-
+#include "../core/count.h"
 #include "parameters_laid.h"
+#include "stone.h"
 
 /* clang-format off */
 static const sozai_parameter seed = {

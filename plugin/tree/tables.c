@@ -1,13 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "tables.h"
 
-#define COUNT(a) (sizeof(a) / sizeof((a)[0]))
-#define TABLE(name, id_, doc_)                                                                     \
-  static const sozai_table_info name = {.size = sizeof(sozai_table_info),                          \
-                                        .column_count = COUNT(name##_columns),                     \
-                                        .id = id_,                                                 \
-                                        .doc = doc_,                                               \
-                                        .columns = name##_columns}
+#include "../table.h"
 
 static const sozai_column branches_columns[] = {
     {"order", "", "0: the stem."},

@@ -107,17 +107,6 @@ static int32_t take_tables(knot_source *k, const sozai_host *host, const setting
 
 /* ---- a tree grown for its knots ---------------------------------------- */
 
-static sozai_texture_info parameters_of(const sozai_generator_info *info) {
-  return (sozai_texture_info){.size = sizeof(sozai_texture_info),
-                              .id = info->id,
-                              .label = info->label,
-                              .doc = info->doc,
-                              .parameters = info->parameters,
-                              .presets = info->presets,
-                              .parameter_count = info->parameter_count,
-                              .preset_count = info->preset_count};
-}
-
 static int32_t known_species(const sozai_generator_info *info, const char *id) {
   for (uint32_t i = 0; i < info->preset_count; i++) {
     if (strcmp(info->presets[i]->id, id) == 0) return SOZAI_OK;
@@ -173,7 +162,7 @@ static int32_t grow_tree(knot_source *k, const sozai_host *host, const settings 
   const char *species = s->list[P_TREE].text, *field = s->list[P_TREE_FIELD].text;
   int32_t r = *species ? known_species(info, species) : SOZAI_OK;
   if (r) return r;
-  sozai_texture_info parameters = parameters_of(info);
+  sozai_texture_info parameters = generator_parameters(info);
   const sozai_value values[] = {
       {.id = "age", .kind = SOZAI_KIND_FLOAT, .number = {number_at(s, P_TREE_AGE)}},
       {.id = "seed", .kind = SOZAI_KIND_INT, .number = {number_at(s, P_SEED)}},

@@ -4,10 +4,9 @@
  */
 #include "parameters.h"
 
+#include "../core/count.h"
 #include "plies/parameters.h"
 #include "wood.h"
-
-#define COUNT(a) (sizeof(a) / sizeof((a)[0]))
 
 /* clang-format off */
 static const sozai_parameter seed = {

@@ -54,6 +54,7 @@ typedef struct {
 } way;
 
 #define WAYS_MOST 16
+#define RUNNER_MOST 16 /* words of its command */
 typedef struct {
   const char *cpu;
   int foreign; /* the other build's plugin */
@@ -68,8 +69,9 @@ static void add(ways *w, unsigned points, unsigned batch, unsigned threads, cons
 }
 
 static void exec_worker(const ways *w) {
-  char texts[WAYS_MOST][80], *argv[WAYS_MOST + 32];
+  char texts[WAYS_MOST][80], *argv[RUNNER_MOST + WAYS_MOST + 3];
   int n = 0;
+  if (runner_count > RUNNER_MOST) _exit(126);
   for (int i = 0; w->foreign && i < runner_count; i++) argv[n++] = runner[i];
   argv[n++] = (char *)(uintptr_t)(w->foreign ? worker : SOZAI_TEST_WORKER);
   argv[n++] = (char *)(uintptr_t)(w->foreign ? plugin_path : SOZAI_TEST_PLUGIN);

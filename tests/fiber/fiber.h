@@ -1,21 +1,11 @@
 /* SPDX-License-Identifier: Apache-2.0
- * The plugin's geometry, opened once, and aggregates from text. */
+ * Aggregates from text. */
 #ifndef SOZAI_TESTS_FIBER_H
 #define SOZAI_TESTS_FIBER_H
 
 #include "hulls.h" /* before cmocka, which calls a macro `fail` */
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
-
-#include "sozai.h"
-
-const sozai_geometry_1 *geometry(void);
+#include "../growing.h"
 
 /* "count=100 length=4 ..."; the result's code. */
 int32_t grow_code(const sozai_host *host, const mesh *hull, const char *values,
@@ -31,12 +21,7 @@ mesh hull_of(const char *name);
 /* A box of twelve triangles. */
 mesh box_of(double x, double y, double z);
 
-sozai_table table_of(const sozai_geometry *g, const char *id);
-double cell(const sozai_table *t, uint64_t row, const char *column);
-double statistic(const sozai_geometry *g, const char *column);
 const sozai_curves *curves_of(const sozai_geometry *g);
-/* FNV-1a, on from hash. */
-uint64_t fold(uint64_t hash, const void *data, size_t bytes);
 sozai_host two_threads(void);
 
 /* ---- by brute force, in double: brute.c -------------------------------- */

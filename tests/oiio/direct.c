@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#define _GNU_SOURCE
 #include "direct.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include "colour.h"
 #include "host.h"
 #include "plugin.h"
 #include "recipe.h"
+
+#define COMPONENTS 128 /* of a texture, at most */
 
 struct direct {
   plugin plugin;
@@ -46,14 +48,17 @@ void direct_close(direct *d) {
 
 void direct_at(const direct *d, const char *channel, const float point[3], const float *normal,
                float footprint, float *out) {
-  float *to[128] = {NULL};
-  for (uint32_t i = 0; i < d->info->channel_count; i++) {
-    const sozai_channel *c = d->info->channels[i];
-    if (strcmp(c->id, channel) != 0) continue;
-    for (uint32_t k = 0; k < c->components; k++) to[c->first + k] = out + k;
+  float *to[COMPONENTS] = {NULL};
+  uint32_t i = 0;
+  while (i < d->info->channel_count && strcmp(d->info->channels[i]->id, channel) != 0) i++;
+  if (i == d->info->channel_count || d->info->component_count > COMPONENTS) {
+    fprintf(stderr, "direct: no channel %s among the first %d numbers\n", channel, COMPONENTS);
+    abort();
   }
+  const sozai_channel *wanted = d->info->channels[i];
+  for (uint32_t k = 0; k < wanted->components; k++) to[wanted->first + k] = out + k;
   sozai_batch b = {
-      .size = sizeof b, .count = 1, .footprint = &footprint, .out = to, .out_count = 128};
+      .size = sizeof b, .count = 1, .footprint = &footprint, .out = to, .out_count = COMPONENTS};
   for (int c = 0; c < 3; c++) {
     b.point[c] = point + c;
     b.normal[c] = normal ? normal + c : NULL;
@@ -65,17 +70,45 @@ float direct_middle(uint32_t i, uint32_t n, double size) {
   return (float)((((double)i + 0.5) / n - 0.5) * size);
 }
 
+/* What has been written: the names, for whoever still has them, and to be removed. */
+typedef struct written {
+  struct written *before;
+  char path[];
+} written;
+
+static written *last;
+static char folder[] = "/tmp/sozai-oiio-XXXXXX";
+
+static void remove_all(void) {
+  while (last) {
+    written *w = last;
+    last = w->before;
+    remove(w->path);
+    free(w);
+  }
+  rmdir(folder);
+}
+
 const char *direct_folder(void) {
-  static char folder[] = "/tmp/sozai-oiio-XXXXXX";
   static const char *made;
-  if (!made) made = mkdtemp(folder);
-  if (!made) abort();
+  if (made) return made;
+  made = mkdtemp(folder);
+  if (!made || atexit(remove_all) != 0) abort();
   return made;
 }
 
+const char *direct_path(const char *name) {
+  size_t room = strlen(direct_folder()) + strlen(name) + 2;
+  written *w = malloc(sizeof *w + room);
+  if (!w) abort();
+  snprintf(w->path, room, "%s/%s", direct_folder(), name);
+  w->before = last;
+  last = w;
+  return w->path;
+}
+
 const char *direct_write(const char *name, const char *text) {
-  char *path = NULL;
-  if (asprintf(&path, "%s/%s", direct_folder(), name) < 0) abort();
+  const char *path = direct_path(name);
   FILE *file = fopen(path, "w");
   if (!file || fputs(text, file) < 0 || fclose(file) != 0) abort();
   return path;

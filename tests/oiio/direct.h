@@ -17,14 +17,17 @@ typedef struct direct direct;
 direct *direct_open(const char *name);
 void direct_close(direct *d);
 /* A channel's components at a point under a footprint, mm. normal NULL: none.
- * [thread-safe] */
+ * Stops the program where there is no such channel. [thread-safe] */
 void direct_at(const direct *d, const char *channel, const float point[3], const float *normal,
                float footprint, float *out);
 /* The middle of texel i of n over size mm about the origin. */
 float direct_middle(uint32_t i, uint32_t n, double size);
 
-/* A folder for the test's own files, made; and a file there. Both stay valid. */
+/* A folder for the test's own files, made, and removed at the program's end; a
+ * place there; and a file with that text. Their names stay valid till then. One
+ * thread. */
 const char *direct_folder(void);
+const char *direct_path(const char *name);
 const char *direct_write(const char *name, const char *text);
 
 /* Random numbers, the same on every machine. */

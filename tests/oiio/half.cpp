@@ -10,7 +10,8 @@
 
 namespace {
 
-// Every 509th float there is, and both neighbours of each half and half-way.
+// Every 509th float there is; and of every two halves in turn the first, the place
+// half-way between them, and its neighbours on both sides.
 std::vector<float> numbers() {
   std::vector<float> all;
   for (uint64_t bits = 0; bits < 1ull << 32; bits += 509) {

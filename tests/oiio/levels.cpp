@@ -3,12 +3,14 @@
 // points in each texel, without a footprint. And a level shrunk from the one
 // above, or looked up at points, would not do.
 #include <OpenImageIO/imageio.h>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
 #include <vector>
 #include "cmocka_cpp.h"
 #include "direct.h"
+#include "opened.h"
 
 using namespace OIIO;
 
@@ -69,8 +71,7 @@ void levels(void **) {
         "levels.sozai", (std::string(b.recipe) +
                          "image: {resolution: 1024, size: 256, format: float, outputs: albedo}\n")
                             .c_str());
-    auto in = ImageInput::open(file);
-    if (!in) fail_msg("%s", OIIO::geterror().c_str());
+    auto in = opened(file);
     direct *d = direct_open(file.c_str());
     for (int level = 0; level <= 6; level++) {
       double rms, mean, points;

@@ -3,10 +3,14 @@
 // that are not asked for are not evaluated. Read with a plugin that counts.
 #include <OpenImageIO/imageio.h>
 #include <dlfcn.h>
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
 #include <string>
 #include <vector>
 #include "cmocka_cpp.h"
 #include "direct.h"
+#include "opened.h"
 #include "watch.h"
 
 using namespace OIIO;
@@ -18,9 +22,8 @@ watch_take_function *take;
 // How many numbers of a texel were wanted of the plugin.
 int asked(const watch &w) { return __builtin_popcountll(w.asked); }
 
-std::unique_ptr<ImageInput> opened(const char *name, const std::string &text) {
-  auto in = ImageInput::open(direct_write(name, text.c_str()));
-  if (!in) fail_msg("%s", OIIO::geterror().c_str());
+std::unique_ptr<ImageInput> watched(const char *name, const std::string &text) {
+  auto in = opened(direct_write(name, text.c_str()));
   in->threads(1);
   if (!take) {
     void *library = dlopen(SOZAI_TEST_WATCH, RTLD_NOW | RTLD_NOLOAD);
@@ -43,8 +46,8 @@ watch read(ImageInput *in, int level, int x, int first, int end) {
 void once(void **) {
   for (const char *material : {"wood\npreset: keyaki", "stone\npreset: inada"}) {
     auto in =
-        opened("once.sozai", std::string("material: ") + material +
-                                 "\nimage: {resolution: 256, size: 100, subimages: single}\n");
+        watched("once.sozai", std::string("material: ") + material +
+                                  "\nimage: {resolution: 256, size: 100, subimages: single}\n");
     int channels = in->spec().nchannels;
     for (int level : {0, 1, 2, 4}) {
       int side = std::min(64, 256 >> level);
@@ -65,8 +68,8 @@ void once(void **) {
 void seamless(void **) {
   const std::string text = "material: stone\npreset: inada\nimage: {resolution: 256, size: 100, "
                            "wrap: periodic, subimages: single";
-  auto all = opened("all.sozai", text + "}\n"),
-       albedo = opened("albedo.sozai", text + ", outputs: albedo}\n");
+  auto all = watched("all.sozai", text + "}\n"),
+       albedo = watched("albedo.sozai", text + ", outputs: albedo}\n");
   watch corner = read(all.get(), 0, 0, 0, all->spec().nchannels);
   assert_true(corner.points > 64 * 64 && corner.points <= 4 * 64 * 64);
   assert_int_equal(asked(corner), all->spec().nchannels);

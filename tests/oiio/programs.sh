@@ -47,13 +47,13 @@ holds "iinfo of a query" "4096 x 2048, 1 channel, float" "[h,h,h]" '"mirror,mirr
   'sozai:preset: "sugi"' "2 subimages"
 
 # ---- oiiotool reads what `sozai eval` says, at the same points and footprints
-python_points() { # step: texels
+grid_points() { # step: texels
   awk -v step="$1" 'BEGIN {
     print "px,py,pz,nx,ny,nz,footprint"
     for (y = 0; y < 512; y += step) for (x = 0; x < 512; x += step)
       printf "%.9g,%.9g,10,0,0,1,0.25\n", (x + 0.5) / 4 - 64, 64 - (y + 0.5) / 4 }'
 }
-python_points 37 >"$scratch/points.csv"
+grid_points 37 >"$scratch/points.csv"
 works eval "$file" --channels albedo,roughness,height,normal <"$scratch/points.csv"
 tail -n +2 <<<"$out" | cut -d, -f1-3 | tr ',' ' ' >"$scratch/wanted"
 tool oiiotool "$file?outputs=albedo" --selectmip 0 -o "$scratch/whole.exr"

@@ -5,9 +5,8 @@
 // turn, every 32nd compared with the material itself; while others open and
 // close the same files. A quarter are read past the cache, from readers that
 // all threads share: ThreadSanitizer is told to overlook what OpenImageIO's own
-// code takes part in, and there it does not. 300,000 reads unless READS says another number: `cmake
-// --build build
-// --target oiio-reads` makes 10 million.
+// code takes part in, and there it does not. 300,000 reads unless READS says
+// another number; the target oiio-reads makes 10 million.
 #include <OpenImageIO/imagecache.h>
 #include <OpenImageIO/imageio.h>
 #include <algorithm>
@@ -21,6 +20,7 @@
 #include <vector>
 #include "cmocka_cpp.h"
 #include "direct.h"
+#include "opened.h"
 
 using namespace OIIO;
 
@@ -121,8 +121,7 @@ void random_reads(void **) {
                        (i < 4 ? "separate" : "single") + "}\n";
     std::string name = "reads" + std::to_string(i) + ".sozai";
     const char *path = direct_write(name.c_str(), text.c_str());
-    shared.files.push_back({ustring(path), direct_open(path), ImageInput::open(path), i >= 4});
-    assert_non_null(shared.files.back().input.get());
+    shared.files.push_back({ustring(path), direct_open(path), opened(path), i >= 4});
   }
   std::atomic<bool> end{false};
   std::vector<std::thread> running, openers;

@@ -8,6 +8,7 @@
 #include <vector>
 #include "cmocka_cpp.h"
 #include "direct.h"
+#include "opened.h"
 
 using namespace OIIO;
 
@@ -24,8 +25,7 @@ struct Image {
 };
 
 Image read(const std::string &name, int level) {
-  auto in = ImageInput::open(name);
-  if (!in) fail_msg("%s: %s", name.c_str(), OIIO::geterror().c_str());
+  auto in = opened(name);
   const ImageSpec spec = in->spec(0, level);
   Image image = {spec.width, spec.height, {}};
   image.texels.resize(size_t(spec.width) * size_t(spec.height) * 3);
@@ -138,7 +138,7 @@ void genuine(void **) {
 // Names of crystals stay names, normals stay of length 1.
 void channels(void **) {
   std::string name = file("inada", 100);
-  auto in = ImageInput::open(name + "?outputs=normal,grain,height&res=128");
+  auto in = opened(name + "?outputs=normal,grain,height&res=128");
   std::vector<float> normal(128 * 128 * 3), grain(128 * 128), height(128 * 128);
   assert_true(in->read_image(0, 0, 0, 3, TypeFloat, normal.data()));
   assert_true(in->read_image(1, 0, 0, 1, TypeFloat, grain.data()));

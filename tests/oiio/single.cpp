@@ -14,18 +14,13 @@
 #include <vector>
 #include "cmocka_cpp.h"
 #include "direct.h"
+#include "opened.h"
 
 using namespace OIIO;
 
 namespace {
 
 const float up[3] = {0, 0, 1};
-
-std::unique_ptr<ImageInput> opened(const std::string &name) {
-  auto in = ImageInput::open(name);
-  if (!in) fail_msg("%s: %s", name.c_str(), OIIO::geterror().c_str());
-  return in;
-}
 
 // "normal.x" is of normal; R, G and B are of the albedo.
 std::string output_of(const std::string &channel) {
@@ -104,9 +99,7 @@ void seamless(void **) {
 }
 
 void mesh(void **) {
-  direct_write("square.obj",
-               "v -4 -2 1\nv 4 -2 1\nv 4 2 1\nv -4 2 1\nvt 0 0\nvt 2 0\nvt 2 1\nvt 0 1\n"
-               "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n");
+  direct_write("square.obj", square_obj);
   std::string file =
       direct_write("mesh.sozai", "material: wood\npreset: buna\n"
                                  "surface: {shape: mesh, mesh: square.obj, scale: 10}\n"
@@ -188,8 +181,7 @@ void ranges(void **) {
 // A file written of it is read as the same channels under the same numbers.
 void as_exr(void **) {
   for (const char *text : {wood, stone, felt}) {
-    std::string file = direct_write("exr.sozai", text),
-                exr = std::string(direct_folder()) + "/exr.exr";
+    std::string file = direct_write("exr.sozai", text), exr = direct_path("exr.exr");
     for (const char *format : {"auto", "half", "float"}) {
       auto in = opened(file + "?subimages=single&format=" + format);
       ImageSpec spec(in->spec().width, in->spec().height, in->spec().nchannels, in->spec().format);

@@ -3,12 +3,15 @@
 // float, to the nearest half in half; at every level, size, stride and type.
 #include <Imath/half.h>
 #include <OpenImageIO/imageio.h>
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <string>
 #include <vector>
 #include "cmocka_cpp.h"
 #include "direct.h"
+#include "opened.h"
 
 using namespace OIIO;
 
@@ -26,12 +29,6 @@ struct Picture {
   double size[2];
   float z;
 };
-
-std::unique_ptr<ImageInput> opened(const std::string &name) {
-  auto in = ImageInput::open(name);
-  if (!in) fail_msg("%s: %s", name.c_str(), OIIO::geterror().c_str());
-  return in;
-}
 
 void expected(const direct *d, const Picture &p, const ImageSpec &spec, const char *channel, int x,
               int y, float *out) {
@@ -157,11 +154,9 @@ void tangent(void **) {
   }
 }
 
-// A square of 80 mm over two tiles of UVs: the texel's own point, whose grain goes on across.
+// A sheet of 80 mm over two tiles of UVs: the texel's own point, whose grain goes on across.
 void mesh(void **) {
-  direct_write("square.obj",
-               "v -4 -2 1\nv 4 -2 1\nv 4 2 1\nv -4 2 1\nvt 0 0\nvt 2 0\nvt 2 1\nvt 0 1\n"
-               "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n");
+  direct_write("square.obj", square_obj);
   std::string file =
       direct_write("mesh.sozai", "material: wood\npreset: buna\n"
                                  "surface: {shape: mesh, mesh: square.obj, scale: 10}\n"

@@ -3,11 +3,13 @@
 #include <Imath/ImathVec.h>
 #include <OpenImageIO/imageio.h>
 #include <OpenImageIO/texture.h>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
 #include "cmocka_cpp.h"
 #include "direct.h"
+#include "opened.h"
 
 using namespace OIIO;
 
@@ -56,8 +58,7 @@ void look_ups(void **) {
 void what_it_says(void **) {
   std::string file =
       direct_write("said.sozai", "material: wood\nimage: {resolution: 20, size: [10, 10, 5]}\n");
-  auto in = ImageInput::open(file);
-  assert_non_null(in.get());
+  auto in = opened(file);
   assert_int_equal(in->spec().depth, 10);
   assert_int_equal(in->spec().tile_depth, 16);
   assert_string_equal(in->spec().get_string_attribute("textureformat").c_str(), "Volume Texture");

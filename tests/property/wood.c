@@ -117,6 +117,10 @@ unsigned points_add(points *p, double x, double y, double z, double footprint) {
   return i;
 }
 
+double points_value(const points *p, int what, unsigned point) {
+  return (double)p->out[what][point];
+}
+
 void points_ask_albedo(points *p, const sozai_texture *t) {
   sozai_batch b = {.size = sizeof b, .count = p->count, .footprint = p->footprint};
   for (int c = 0; c < 3; c++) {

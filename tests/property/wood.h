@@ -69,6 +69,8 @@ void points_free(points *p);
 /* Normal, light and view +z; returns the point's index. */
 unsigned points_add(points *p, double x, double y, double z, double footprint);
 void points_ask(points *p, const sozai_texture *t);
+/* Component `what` of an answered point. */
+double points_value(const points *p, int what, unsigned point);
 /* For albedo, with points, normals and footprints alone. */
 void points_ask_albedo(points *p, const sozai_texture *t);
 

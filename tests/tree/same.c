@@ -47,19 +47,6 @@ static void as_recorded(void **unused) {
   assert_int_equal(wrong, 0);
 }
 
-static int32_t backwards(void *user, uint32_t count, void (*task)(void *context, uint32_t i),
-                         void *context) {
-  (void)user;
-  for (uint32_t i = count; i > 0; i--) task(context, i - 1);
-  return 0;
-}
-
-static int32_t refuse(void *user, uint32_t count, void (*task)(void *context, uint32_t i),
-                      void *context) {
-  (void)user, (void)count, (void)task, (void)context;
-  return 1;
-}
-
 static void any_order_any_set(void **unused) {
   (void)unused;
   sozai_host host = {.size = sizeof host};

@@ -1,34 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "tree.h"
 
-#include <dlfcn.h>
-#include <math.h>
 #include <stdio.h>
-
-const sozai_geometry_1 *geometry(void) {
-  static const sozai_geometry_1 *table;
-  if (table) return table;
-  void *library = dlopen(SOZAI_TEST_PLUGIN, RTLD_NOW | RTLD_LOCAL);
-  assert_non_null(library);
-  const sozai_entry_v1 *entry = dlsym(library, SOZAI_ENTRY_SYMBOL);
-  assert_int_equal(entry->init("/nonexistent/sozai.so"), SOZAI_OK);
-  table = entry->get_factory(SOZAI_GEOMETRY_1);
-  assert_non_null(table);
-  return table;
-}
 
 int32_t grow_code(const sozai_host *host, const char *preset, const char *text, const char *field,
                   sozai_geometry **out) {
   char copy[1024];
   sozai_value values[32];
-  uint32_t count = 0;
-  snprintf(copy, sizeof copy, "%s", text);
-  for (char *rest = copy, *word; (word = strtok_r(rest, " ", &rest));) {
-    char *equals = strchr(word, '=');
-    assert_non_null(equals);
-    *equals = 0;
-    values[count++] = (sozai_value){.id = word, .kind = SOZAI_KIND_STRING, .text = equals + 1};
-  }
+  uint32_t count = values_of(text, copy, values, 31);
   if (field) values[count++] = (sozai_value){.id = "field", .kind = SOZAI_KIND_TEXT, .text = field};
   return geometry()->grow(host, "tree", preset, values, count, out);
 }
@@ -36,30 +15,7 @@ int32_t grow_code(const sozai_host *host, const char *preset, const char *text, 
 sozai_geometry *grow(const char *preset, const char *values, const char *field) {
   sozai_geometry *g = NULL;
   int32_t r = grow_code(NULL, preset, values, field, &g);
-  if (r) print_error("%s\n", geometry()->last_error());
-  assert_int_equal(r, SOZAI_OK);
-  assert_non_null(g);
-  return g;
-}
-
-sozai_table table_of(const sozai_geometry *g, const char *id) {
-  sozai_table t = {.size = sizeof t};
-  assert_int_equal(geometry()->table(g, id, &t), SOZAI_OK);
-  return t;
-}
-
-double cell(const sozai_table *t, uint64_t row, const char *column) {
-  assert_true(row < t->rows);
-  for (uint32_t i = 0; i < t->info->column_count; i++)
-    if (strcmp(t->info->columns[i].id, column) == 0)
-      return (double)t->data[row * t->info->column_count + i];
-  fail_msg("no column %s", column);
-  return NAN;
-}
-
-double statistic(const sozai_geometry *g, const char *column) {
-  sozai_table t = table_of(g, "statistics");
-  return cell(&t, 0, column);
+  return expect_grown(r, g);
 }
 
 char *field_text(const sozai_geometry *g) {
@@ -98,10 +54,4 @@ const sozai_mesh *mesh_of(const sozai_geometry *g, uint32_t level) {
   const sozai_mesh *m = NULL;
   assert_int_equal(geometry()->mesh(g, &detail, &m), SOZAI_OK);
   return m;
-}
-
-uint64_t fold(uint64_t hash, const void *data, size_t bytes) {
-  const uint8_t *at = data;
-  for (size_t i = 0; i < bytes; i++) hash = (hash ^ at[i]) * 0x100000001b3ull;
-  return hash;
 }

@@ -4,9 +4,8 @@
  */
 #include "parameters.h"
 
+#include "../../core/count.h"
 #include "texture.h"
-
-#define COUNT(a) (sizeof(a) / sizeof((a)[0]))
 
 /* clang-format off */
 static const sozai_parameter seed = {

@@ -19,13 +19,7 @@ STONES_ALL(DECLARED)
 #undef DECLARED
 
 #define STONE(key, name, about, literature)                                                        \
-  const sozai_preset stone_##key = {.size = sizeof(sozai_preset),                                  \
-                                    .value_count = COUNT(values_##key),                            \
-                                    .id = #key,                                                    \
-                                    .label = name,                                                 \
-                                    .doc = about,                                                  \
-                                    .source = literature,                                          \
-                                    .values = values_##key}
+  PRESET(stone_##key, #key, values_##key, name, about, literature)
 
 #define IUGS                                                                                       \
   "Le Maitre R. W. (ed.), Igneous Rocks: A Classification and Glossary of Terms, Cambridge "       \

@@ -24,7 +24,7 @@ static const sozai_value cherry[] = {
     TRIPLE("bark_colour", 0.34, 0.27, 0.25),
     TRIPLE("shoot_colour", 0.36, 0.27, 0.22),
     TRIPLE("leaf_colour", 0.29, 0.43, 0.17)};
-SPECIES(cherry, "cherry", "Yamazakura (Prunus jamasakura)",
+SPECIES(cherry, "Yamazakura (Prunus jamasakura)",
         "Mountain cherry: low limbs spread wide and rise.", SATAKE "; leaves 80 to 120 mm");
 
 static const sozai_value cherry_paper[] = {
@@ -43,7 +43,7 @@ static const sozai_value cherry_paper[] = {
     LEAVES("ellipse", 60, 3, 100, 60, 0, 90, "flat", 50, 1, 0),
     TRIPLE("bark_colour", 0.34, 0.27, 0.25),
     TRIPLE("leaf_colour", 0.29, 0.43, 0.17)};
-SPECIES(cherry_paper, "cherry_paper", "Cherry, the paper's leaves",
+SPECIES(cherry_paper, "Cherry, the paper's leaves",
         "Section 5.1 of the paper: three ellipses of 10 x 6 cm at sites every 6 cm, left and right "
         "in turn, 5 cm out, one square to the branch and two along it. For a field table.",
         "Hayashi & Takahashi 1997, section 5; its measured table is not printed");
@@ -63,7 +63,7 @@ static const sozai_value keyaki[] = {
     LEAVES("blade", 26, 1, 62, 26, 0, 58, "flat", 4, 3, 450),
     TRIPLE("bark_colour", 0.46, 0.42, 0.38),
     TRIPLE("leaf_colour", 0.27, 0.42, 0.17)};
-SPECIES(keyaki, "keyaki", "Keyaki (Zelkova serrata)",
+SPECIES(keyaki, "Keyaki (Zelkova serrata)",
         "A vase: limbs fan upwards from a short stem into fine twigs.", SATAKE);
 
 static const sozai_value buna[] = {HEIGHT(28, 0.025, 1.3),
@@ -80,8 +80,7 @@ static const sozai_value buna[] = {HEIGHT(28, 0.025, 1.3),
                                    LEAVES("blade", 26, 1, 75, 42, 0, 60, "flat", 8, 3, 360),
                                    TRIPLE("bark_colour", 0.55, 0.55, 0.52),
                                    TRIPLE("leaf_colour", 0.25, 0.42, 0.16)};
-SPECIES(buna, "buna", "Buna (Fagus crenata)", "Japanese beech: a broad dome in layered sprays.",
-        SATAKE);
+SPECIES(buna, "Buna (Fagus crenata)", "Japanese beech: a broad dome in layered sprays.", SATAKE);
 
 static const sozai_value mizunara[] = {
     HEIGHT(26, 0.025, 1.25),
@@ -98,7 +97,7 @@ static const sozai_value mizunara[] = {
     LEAVES("blade", 24, 1, 120, 68, 0, 55, "spiral", 3, 3, 240),
     TRIPLE("bark_colour", 0.42, 0.39, 0.35),
     TRIPLE("leaf_colour", 0.26, 0.39, 0.16)};
-SPECIES(mizunara, "mizunara", "Mizunara (Quercus crispula)",
+SPECIES(mizunara, "Mizunara (Quercus crispula)",
         "Japanese oak: stout crooked limbs, leaves bunched towards the shoots' ends.", SATAKE);
 
 static const sozai_value shirakaba[] = {
@@ -116,7 +115,7 @@ static const sozai_value shirakaba[] = {
     TRIPLE("bark_colour", 0.86, 0.84, 0.79),
     TRIPLE("shoot_colour", 0.33, 0.24, 0.20),
     TRIPLE("leaf_colour", 0.34, 0.48, 0.18)};
-SPECIES(shirakaba, "shirakaba", "Shirakaba (Betula platyphylla)",
+SPECIES(shirakaba, "Shirakaba (Betula platyphylla)",
         "Japanese white birch: a light white stem, ascending branches with hanging tips.", SATAKE);
 
 static const sozai_value momiji[] = {
@@ -134,5 +133,5 @@ static const sozai_value momiji[] = {
     LEAVES("lobed", 40, 2, 55, 60, 0, 62, "opposite", 24, 3, 330),
     TRIPLE("bark_colour", 0.42, 0.40, 0.34),
     TRIPLE("leaf_colour", 0.36, 0.46, 0.17)};
-SPECIES(momiji, "momiji", "Iroha-momiji (Acer palmatum)",
+SPECIES(momiji, "Iroha-momiji (Acer palmatum)",
         "Japanese maple: arching tiers of opposite shoots, leaves of five lobes.", SATAKE);

@@ -12,14 +12,7 @@
   {                                                                                                \
     .id = name, .kind = SOZAI_KIND_FLOAT3, .number = { a, b, c }                                   \
   }
-#define SPECIES(name, id_, label_, doc_, source_)                                                  \
-  const sozai_preset tree_##name = {.size = sizeof(sozai_preset),                                  \
-                                    .value_count = COUNT(name),                                    \
-                                    .id = id_,                                                     \
-                                    .label = label_,                                               \
-                                    .doc = doc_,                                                   \
-                                    .source = source_,                                             \
-                                    .values = name}
+#define SPECIES(key, name, about, literature) PRESET(tree_##key, #key, key, name, about, literature)
 
 /* Richards' curves: greatest, rate, shape. */
 #define HEIGHT(max, rate, shape)                                                                   \

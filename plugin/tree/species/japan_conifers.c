@@ -13,13 +13,13 @@
       LEAVES("needle", 2.8, 1, 15, 3.2, 0.5, 36, "random", 0, 2, 0)
 
 static const sozai_value sugi[] = {SUGI_SHOOTS};
-SPECIES(sugi, "sugi", "Sugi (Cryptomeria japonica)",
+SPECIES(sugi, "Sugi (Cryptomeria japonica)",
         "Japanese cedar: a narrow cone; branches sweep down and turn up, clothed in cords of awls.",
         HAYASHI "; " FARJON);
 
 static const sozai_value sugi_h4[] = {SUGI_SHOOTS, NUMBER("age", 5), NUMBER("crown_a", 0.33),
                                       NUMBER("crown_a_down", 0.35), NUMBER("crown_height", 2.0)};
-SPECIES(sugi_h4, "sugi_h4", "Sugi, planted 1992",
+SPECIES(sugi_h4, "Sugi, planted 1992",
         "The paper's younger planting, wider for its height: crown a 0.33 upslope, 0.35 downslope.",
         HAYASHI);
 
@@ -34,7 +34,7 @@ static const sozai_value sugi_paper[] = {
     SHOOTS("2", 50, 200, 0, 0, 80, "random", 0, 0, 0, 0),
     SHOOTS("3", 20, 60, 0, 0.5, 80, "random", 0, 0, 0, 0),
     LEAVES("needle", 3, 1, 15, 1.2, 0.5, 80, "random", 0, 3, 0)};
-SPECIES(sugi_paper, "sugi_paper", "Sugi, the paper's model",
+SPECIES(sugi_paper, "Sugi, the paper's model",
         "Section 6.1 of the paper to the letter: alpha 80 degrees, beta random, second order every "
         "5 cm and 20 cm long, third every 2 cm, needles every 0.3 cm.",
         HAYASHI "; the greatest lengths of the third and fourth order are not printed there");
@@ -51,7 +51,7 @@ static const sozai_value hinoki[] = {
     LEAVES("needle", 3, 1, 7, 3.4, 0, 28, "opposite", 0, 2, 0),
     TRIPLE("bark_colour", 0.42, 0.27, 0.20),
     TRIPLE("leaf_colour", 0.20, 0.36, 0.17)};
-SPECIES(hinoki, "hinoki", "Hinoki (Chamaecyparis obtusa)",
+SPECIES(hinoki, "Hinoki (Chamaecyparis obtusa)",
         "Hinoki cypress: scale leaves in flat sprays, a rounder cone than sugi.",
         HAYASHI " (structure; turns a year are not given for it and taken as sugi's); " FARJON);
 
@@ -70,7 +70,7 @@ static const sozai_value akamatsu[] = {
     TRIPLE("bark_colour", 0.55, 0.31, 0.21),
     TRIPLE("shoot_colour", 0.50, 0.34, 0.20),
     TRIPLE("leaf_colour", 0.25, 0.37, 0.17)};
-SPECIES(akamatsu, "akamatsu", "Akamatsu (Pinus densiflora)",
+SPECIES(akamatsu, "Akamatsu (Pinus densiflora)",
         "Japanese red pine: a whorl a year, red crooked limbs, flat-topped when old.",
         "Hayashi & Takahashi 1997, figure 12 (whorls); " FARJON "; needles in pairs, 70 to 120 mm; "
         "thickness of branches ours: 25 to 50 mm at 45 years");
@@ -89,7 +89,7 @@ static const sozai_value kuromatsu[] = {
     LEAVES("needle", 2.6, 2, 110, 1.8, 0, 38, "spiral", 0, 2, 180),
     TRIPLE("bark_colour", 0.25, 0.22, 0.20),
     TRIPLE("leaf_colour", 0.16, 0.28, 0.14)};
-SPECIES(kuromatsu, "kuromatsu", "Kuromatsu (Pinus thunbergii)",
+SPECIES(kuromatsu, "Kuromatsu (Pinus thunbergii)",
         "Japanese black pine: stouter and more crooked than the red, with stiff dark needles.",
         FARJON "; needles in pairs, 80 to 150 mm");
 
@@ -106,7 +106,7 @@ static const sozai_value karamatsu[] = {
     LEAVES("needle", 14, 12, 27, 1.0, 0, 62, "random", 0, 2, 0),
     TRIPLE("bark_colour", 0.40, 0.28, 0.22),
     TRIPLE("leaf_colour", 0.36, 0.50, 0.22)};
-SPECIES(karamatsu, "karamatsu", "Karamatsu (Larix kaempferi)",
+SPECIES(karamatsu, "Karamatsu (Larix kaempferi)",
         "Japanese larch: a light open cone, needles in tufts on short shoots.",
         FARJON "; needles in tufts, 15 to 35 mm");
 
@@ -123,6 +123,6 @@ static const sozai_value todomatsu[] = {
     LEAVES("needle", 1.8, 1, 24, 2.2, 0, 50, "spiral", 0, 2, 0),
     TRIPLE("bark_colour", 0.45, 0.44, 0.41),
     TRIPLE("leaf_colour", 0.16, 0.32, 0.19)};
-SPECIES(todomatsu, "todomatsu", "Todomatsu (Abies sachalinensis)",
+SPECIES(todomatsu, "Todomatsu (Abies sachalinensis)",
         "Sakhalin fir: regular whorls, flat dark sprays, a dense cone.",
         FARJON "; whorls as Suzuki et al. 1992 model it (J. Jpn. For. Soc. 74, 504-508)");

@@ -17,7 +17,7 @@ static const sozai_value norway_spruce[] = {
     LEAVES("needle", 1.8, 1, 18, 2, 0, 52, "spiral", 0, 2, 0),
     TRIPLE("bark_colour", 0.38, 0.28, 0.23),
     TRIPLE("leaf_colour", 0.17, 0.30, 0.16)};
-SPECIES(norway_spruce, "norway_spruce", "Norway spruce (Picea abies)",
+SPECIES(norway_spruce, "Norway spruce (Picea abies)",
         "Regular whorls that sweep down and out, hung with drooping sprays.", MITCHELL FARJON);
 
 static const sozai_value scots_pine[] = {
@@ -34,7 +34,7 @@ static const sozai_value scots_pine[] = {
     LEAVES("needle", 2.4, 2, 55, 1.6, 0, 44, "spiral", 0, 2, 160),
     TRIPLE("bark_colour", 0.56, 0.36, 0.24),
     TRIPLE("leaf_colour", 0.24, 0.36, 0.25)};
-SPECIES(scots_pine, "scots_pine", "Scots pine (Pinus sylvestris)",
+SPECIES(scots_pine, "Scots pine (Pinus sylvestris)",
         "Whorls, orange bark above, short blue-green needles.", MITCHELL FARJON);
 
 static const sozai_value douglas_fir[] = {
@@ -50,6 +50,6 @@ static const sozai_value douglas_fir[] = {
     LEAVES("needle", 1.6, 1, 25, 1.4, 0, 58, "spiral", 0, 2, 0),
     TRIPLE("bark_colour", 0.33, 0.27, 0.23),
     TRIPLE("leaf_colour", 0.20, 0.34, 0.18)};
-SPECIES(douglas_fir, "douglas_fir", "Douglas fir (Pseudotsuga menziesii)",
+SPECIES(douglas_fir, "Douglas fir (Pseudotsuga menziesii)",
         "A tall cone of loose whorls with branches between them.",
         "Burns & Honkala 1990, Silvics of North America 1: growth; " FARJON);

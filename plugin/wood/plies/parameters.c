@@ -5,7 +5,7 @@
  */
 #include "parameters.h"
 
-#define COUNT(a) (sizeof(a) / sizeof((a)[0]))
+#include "../../core/count.h"
 
 /* clang-format off */
 static const char *const construction_choices[] = {"solid", "plywood", "lvl", "blockboard"};

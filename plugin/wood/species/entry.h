@@ -85,13 +85,7 @@ SPECIES_ALL(DECLARE)
   TEXT("tree", species), NUMBER("tree_age", age), NUMBER("log_height", height)
 
 #define SPECIES(key, name, about, literature)                                                      \
-  const sozai_preset species_##key = {.size = sizeof(sozai_preset),                                \
-                                      .value_count = COUNT(values_##key),                          \
-                                      .id = #key,                                                  \
-                                      .label = name,                                               \
-                                      .doc = about,                                                \
-                                      .source = literature,                                        \
-                                      .values = values_##key}
+  PRESET(species_##key, #key, values_##key, name, about, literature)
 
 #define ITOH                                                                                       \
   "Itoh T., Anatomical description of Japanese hardwoods I-V, Wood Research and Technical Notes "  \
