@@ -79,10 +79,9 @@ INLINE void cells_look(const stone_cells *c, const vf p[3], const cells_square *
   }
 }
 
-#define CELLS_STEPS 6   /* looks along a side of the footprint, at most */
-#define CELLS_FINE 1.5f /* cells: wider footprints do not tell the finer of the faces' bends */
-#define CELLS_LOOK_MOST                                                                            \
-  0.5f /* cells: of a body's faces a look knows one, and sees past the others */
+#define CELLS_STEPS 6        /* looks along a side of the footprint, at most */
+#define CELLS_FINE 1.5f      /* cells: wider footprints do not tell the finer of the faces' bends */
+#define CELLS_LOOK_MOST 0.5f /* cells: a look at bodies sees past all of their faces but one */
 
 /* Over a footprint: as many looks as it takes, and past what those reach the
  * expected shares. t1, t2: the square's sides, unit; s: mm. Whether one look
