@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 #include "checksum.h"
+#include "folder.h"
 #include "job_text.h"
 
 #define MAGIC 0x31656365697a6f73u /* "sozpiece1", near enough */
@@ -140,12 +140,9 @@ static bool clear(pieces *p, failure *why) {
 }
 
 static bool make_folder(const char *folder, failure *why) {
-  struct stat status;
-  if (mkdir(folder, 0777) == 0) return true;
-  int error = errno;
-  if (error == EEXIST && stat(folder, &status) == 0 && S_ISDIR(status.st_mode)) return true;
-  return fail(why, EXIT_BAD_INPUT, "cannot make the folder %s for the pieces: %s", folder,
-              strerror(error));
+  return folder_make(folder) ||
+         fail(why, EXIT_BAD_INPUT, "cannot make the folder %s for the pieces: %s", folder,
+              strerror(errno));
 }
 
 static bool begin(pieces *p, const char *job, int mode, failure *why) {

@@ -7,12 +7,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include "figures_fiber.h"
 #include "figures_sawn.h"
 #include "figures_stone.h"
 #include "figures_tree.h"
 #include "figures_wood.h"
+#include "folder.h"
 #include "output_file.h"
 
 static bool draw_figure(session *s, const figure *f, const char *folder, failure *why) {
@@ -66,7 +66,7 @@ static bool draw_all(const session_options *shared, const char *only, const char
     return fail(why, EXIT_BAD_INPUT, "figures: none begins with '%s'", only);
   session s;
   if (!session_open(&s, shared, why)) return false;
-  bool ok = mkdir(folder, 0777) == 0 || errno == EEXIST ||
+  bool ok = folder_make(folder) ||
             fail(why, EXIT_FAILURE, "cannot make the folder %s: %s", folder, strerror(errno));
   ok = ok && draw_each(&s, wood_figures, wood_figure_count, only, folder, why) &&
        draw_each(&s, stone_figures, stone_figure_count, only, folder, why) &&

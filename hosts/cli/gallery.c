@@ -9,8 +9,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include "cancel.h"
+#include "folder.h"
 #include "gallery_table.h"
 #include "job_options.h"
 #include "output_file.h"
@@ -158,12 +158,8 @@ static bool make_of_each(gallery *g, const shot *shots, uint32_t count, failure 
 /* ---- all of them ------------------------------------------------------ */
 
 static bool make_folder(const char *folder, failure *why) {
-  struct stat status;
-  if (mkdir(folder, 0777) == 0) return true;
-  int error = errno;
-  if (error == EEXIST && stat(folder, &status) == 0 && S_ISDIR(status.st_mode)) return true;
-  return fail(why, EXIT_BAD_INPUT, "--output: cannot make folder '%s': %s", folder,
-              strerror(error));
+  return folder_make(folder) || fail(why, EXIT_BAD_INPUT, "--output: cannot make folder '%s': %s",
+                                     folder, strerror(errno));
 }
 
 static bool make_sheets(const gallery *g, failure *why) {
