@@ -253,6 +253,8 @@ static void only_read(subject *s, const sozai_texture_info *info, const char *pr
              b->name);
       EXPECT(memcmp(&kept, &b->abi, sizeof kept) == 0, "%s: the batch was changed", b->name);
     }
+  } else {
+    failed("out of memory");
   }
   free(before);
   free(out_before);
