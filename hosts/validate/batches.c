@@ -121,6 +121,7 @@ static void aligned_of(subject *s, const sozai_texture_info *info, const char *p
   batch *b = batch_new(s, info, preset, N + 16);
   float *was = b ? in_one(s, t, b, N + 16) : NULL;
   float *room = malloc((BATCH_INPUTS + 1) * (size_t)(N + 32) * sizeof *room);
+  if (!room) failed("out of memory");
   for (uint32_t k = 0; was && room && k < 16 && !enough(); k++) {
     batch_from(b, k, N); /* outputs k floats further on */
     const float *in[BATCH_INPUTS];

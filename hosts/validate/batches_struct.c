@@ -80,6 +80,7 @@ static void out_count_of(subject *s, const sozai_texture_info *info, const char 
   float *was = b ? in_one(s, t, b, 40) : NULL;
   uint32_t n = info->component_count;
   float **longer = calloc((size_t)n + 64, sizeof *longer);
+  if (!longer) failed("out of memory");
   for (uint32_t k = 0; was && longer && k < n; k++) {
     b->abi.out_count = k;
     batch_mark(b);

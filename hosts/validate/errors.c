@@ -225,6 +225,7 @@ static void kept(subject *s) {
   if (!EXPECT(strstr(text, "validate_kept"), "last_error does not name the failure: '%s'", text))
     return;
   char *copy = strdup(text);
+  if (!copy) return failed("out of memory");
   if (s->textures) {
     for (uint32_t i = 0; i < s->textures->count(); i++) {
       const sozai_texture_info *info = s->textures->info(i);

@@ -155,7 +155,7 @@ static void some_components(subject *s, const sozai_texture_info *info, const ch
     bool wanted[1024] = {false};
     uint32_t n = info->component_count < 1024 ? info->component_count : 1024;
     for (uint32_t c = 0; c < n; c++) {
-      wanted[c] = round % 2 ? c == round / 2 % n : chance_below(s, 2);
+      wanted[c] = round % 2 ? c == round / 2 % n : chance_below(s, 2) != 0;
       b->out[c] = wanted[c] ? b->memory + batch_place(c, 0) : NULL;
     }
     batch_mark(b);
@@ -253,6 +253,8 @@ static void only_read(subject *s, const sozai_texture_info *info, const char *pr
              b->name);
       EXPECT(memcmp(&kept, &b->abi, sizeof kept) == 0, "%s: the batch was changed", b->name);
     }
+  } else {
+    failed("out of memory");
   }
   free(before);
   free(out_before);

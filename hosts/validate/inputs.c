@@ -93,7 +93,10 @@ static void undeclared_of(subject *s, const sozai_texture_info *info, const char
     for (uint32_t absent = 0; absent < 2; absent++) {
       const struct batch_input *in = &batch_inputs[i];
       float *kept = malloc((size_t)in->count * BATCH_MOST * sizeof *kept);
-      if (!kept) break;
+      if (!kept) {
+        failed("out of memory");
+        break;
+      }
       memcpy(kept, b->in[in->first], (size_t)in->count * BATCH_MOST * sizeof *kept);
       for (uint32_t k = 0; k < in->count; k++)
         for (uint32_t p = 0; p < POINTS; p++)

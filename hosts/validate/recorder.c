@@ -30,7 +30,8 @@ static void *take(void *user, size_t size, size_t align) {
   }
   if (atomic_fetch_add(&r->allocations, 1) + 1 == r->fail_at) return NULL;
   size_t step = align < sizeof(head) ? sizeof(head) : align;
-  char *base = malloc(size + 2 * step);
+  bool fits = step <= SIZE_MAX / 4 && size <= SIZE_MAX - 2 * step;
+  char *base = fits ? malloc(size + 2 * step) : NULL;
   if (!base) return NULL;
   char *memory = base + step;
   memory += (step - (uintptr_t)memory % step) % step;

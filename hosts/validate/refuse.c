@@ -39,8 +39,7 @@ typedef bool chosen(const bad *b);
 /* All bad values of all parameters that are chosen: of each parameter all, for
  * they are refused before any work. */
 static void all_refused(subject *s, chosen *choose) {
-  if (!subject_start(s)) return;
-  uint32_t n = subject_kinds(s, kinds);
+  uint32_t n = subject_all(s, kinds);
   static bad wrong[BAD_MOST];
   for (uint32_t i = 0; i < n; i++)
     for (uint32_t p = 0; p < kinds[i].parameter_count && !enough(); p++) {
@@ -112,8 +111,7 @@ static void unknown(subject *s) {
 
 /* A text of 4 MiB: taken as text or refused, nothing else. */
 static void huge(subject *s) {
-  if (!subject_start(s)) return;
-  uint32_t n = subject_kinds(s, kinds);
+  uint32_t n = subject_all(s, kinds);
   size_t size = (size_t)4 << 20;
   char *text = malloc(size + 1);
   if (!text) return failed("out of memory");
@@ -151,13 +149,13 @@ static void huge(subject *s) {
 /* A bad value among good ones is no better, and neither is one that a later one
  * takes the place of. */
 static void among_good(subject *s) {
-  if (!subject_start(s)) return;
-  uint32_t n = subject_kinds(s, kinds);
+  uint32_t n = subject_all(s, kinds);
   static bad wrong[BAD_MOST];
   for (uint32_t i = 0; i < n; i++) {
     const kind *k = &kinds[i];
     sozai_value *values = calloc(k->parameter_count + 2, sizeof *values);
-    for (uint32_t round = 0; values && k->parameter_count && round < 30; round++) {
+    if (!values) return failed("out of memory");
+    for (uint32_t round = 0; k->parameter_count && round < 30; round++) {
       uint32_t count = 0;
       for (uint32_t p = 0; p < k->parameter_count; p++)
         if (make_default(k->parameters[p], &values[count])) count++;

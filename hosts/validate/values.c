@@ -50,8 +50,9 @@ static void default_given(subject *s) {
     made all, one;
     if (!made_of(s, &kinds[i], NULL, NULL, 0, &one, "no values")) continue;
     sozai_value *values = calloc(kinds[i].parameter_count + 1, sizeof *values);
+    if (!values) return failed("out of memory");
     uint32_t count = 0;
-    for (uint32_t p = 0; values && p < kinds[i].parameter_count && !enough(); p++) {
+    for (uint32_t p = 0; p < kinds[i].parameter_count && !enough(); p++) {
       if (!make_default(kinds[i].parameters[p], &values[count])) continue;
       if (made_of(s, &kinds[i], NULL, &values[count], 1, &all, "at its default")) {
         if (s->thorough || chance_below(s, 4) == 0)
@@ -152,7 +153,8 @@ static void many(subject *s) {
   const sozai_limit_info *most = n && limits ? limits->find("values") : NULL;
   uint32_t count = most && most->value < MANY ? (uint32_t)most->value : MANY;
   sozai_value *values = calloc(MANY, sizeof *values);
-  for (uint32_t i = 0; values && i < n; i++) {
+  if (!values) return failed("out of memory");
+  for (uint32_t i = 0; i < n; i++) {
     const sozai_parameter *p = NULL;
     for (uint32_t q = 0; q < kinds[i].parameter_count && !p; q++)
       if (kinds[i].parameters[q]->kind == SOZAI_KIND_FLOAT) p = kinds[i].parameters[q];

@@ -78,7 +78,7 @@ static void unknown_ids(subject *s) {
   }
   size_t n = 1u << 20;
   char *huge = malloc(n + 1);
-  if (!huge) return;
+  if (!huge) return failed("out of memory");
   memset(huge, 'x', n);
   huge[n] = '\0';
   memcpy(huge, SOZAI_TEXTURES_1, strlen(SOZAI_TEXTURES_1));
