@@ -66,57 +66,82 @@ INLINE vf widening(vf slant, float most) {
               splat(most));
 }
 
-INLINE void bundle_at(const fibertex_constants *w, const fibertex_layer *c, const hull_frame *hull,
-                      const lattice_frame *frames, lane_place *p, vf direction[2]) {
-  const vf half = splat(0.5f);
-  const lattice_frame *g = &frames[c->lattice];
-  vf a[3], b[3];
-  vu ha = splatu(c->seed), hb;
-  static const uint32_t odd[3] = {HASH_X, HASH_Y, HASH_Z};
-  for (int k = 0; k < 3; k++) {
-    vf q = (g->at[k] - g->step[k] * splat(c->depth)) * splat(c->inverse_size) + splat(c->offset[k]);
-    vi i;
-    vf low = vfloor(q, &i), part = q - low;
-    /* the cube's centre; and the nearest of its corners */
-    b[k] = part - half;
-    vm upper = gt(b[k], splat(0.0f));
-    a[k] = part - sel(upper, splat(1.0f), splat(0.0f));
-    ha += (vu)(i + i + seli(upper, splati(2), splati(0))) * splatu(odd[k]);
-    if (k == 0)
-      hb = (vu)(i + i + splati(1)) * splatu(odd[0]);
-    else
-      hb += (vu)(i + i + splati(1)) * splatu(odd[k]);
-  }
-  hb += splatu(c->seed);
-  vm centre = lt(dot3(b, b), dot3(a, a));
-  for (int k = 0; k < 3; k++) a[k] = sel(centre, b[k], a[k]) * splat(c->size);
-  vu h = hash_mix((vu)seli(centre, (vi)hb, (vi)ha));
-  p->h = h;
+/* Where in its cell a point is, from the middle, in cells; and which cell. */
+typedef struct {
+  vf from[3];
+  vi twice[3]; /* of the cube */
+  vu h;
+  vf x1, x2, above2;
+} bundle_cell;
 
-  vf x1 = dot3(a, g->e1), x2 = dot3(a, g->e2), above = dot3(a, g->n);
+INLINE void bundle_cube(const fibertex_layer *c, const lattice_frame *frames, bundle_cell *q) {
+  const lattice_frame *g = &frames[c->lattice];
+  for (int k = 0; k < 3; k++) {
+    vf at = g->at[k] * splat(c->inverse_size) + splat(c->offset[k]) -
+            g->step[k] * splat(c->depth_cells);
+    vf low = whole_of(at);
+    vi i = to_int(low);
+    q->from[k] = at - low - splat(0.5f);
+    q->twice[k] = i + i;
+  }
+}
+
+/* The cube's centre is nearest, or the nearest of its corners: cells have the shape of an
+ * octahedron whose corners are cut off. */
+INLINE void bundle_find(const fibertex_layer *c, bundle_cell *q) {
+  static const uint32_t odd[3] = {HASH_X, HASH_Y, HASH_Z};
+  vf *b = q->from;
+  vm centre = lt(vabs(b[0]) + vabs(b[1]) + vabs(b[2]), splat(0.75f));
+  vu h = splatu(c->seed);
+  for (int k = 0; k < 3; k++) {
+    vi sign = bits_of(b[k]) & splati(INT32_MIN);
+    vf corner = float_of(sign | bits_of(splat(0.5f)));
+    /* -1, 0 or 1 in half cells, of the centre */
+    vi aside = seli(centre, splati(0), (sign >> 31) | splati(1));
+    h += (vu)(q->twice[k] + aside) * splatu(odd[k]);
+    b[k] = sel(centre, b[k], b[k] - corner);
+  }
+  q->h = hash_mix(h);
+}
+
+/* Where it lies about its bundle's middle, on the surface and above. */
+INLINE void bundle_middle(const fibertex_constants *w, const fibertex_layer *c,
+                          const hull_frame *hull, const lattice_frame *frames, bundle_cell *q,
+                          lane_place *p, vf direction[2]) {
+  const lattice_frame *g = &frames[c->lattice];
+  vu h = p->h = q->h;
   /* a bundle stands off its cell's middle, so that no rows are seen, and is more or
    * less full */
   vu more = h * splatu(HASH_Z);
-  vf off = splat(0.16f / 128.0f * c->size);
-  x1 = x1 + off * byte_of(more, 1);
-  x2 = x2 + off * byte_of(more, 2);
-  above = above + off * byte_of(more, 3);
-  p->full = splat(1.0f) + splat(0.25f / 128.0f) * byte_of(more, 0);
-  vf co = lookup16(w->turn[0], h & splatu(15)), si = lookup16(w->turn[1], h & splatu(15));
+  const vf size = splat(c->size), off = splat(FIELD(0.16f));
+  vf x1 = (dot3(q->from, g->e1) + off * field_of(more, 1)) * size;
+  vf x2 = (dot3(q->from, g->e2) + off * field_of(more, 2)) * size;
+  vf above = (dot3(q->from, g->n) + off * field_of(more, 3)) * size;
+  p->many = splat(1.0f) + splat(FIELD(0.25f)) * field_of(more, 0);
+  p->full = p->many * splat(c->presence) - splat(HASH_ONE);
+  vf co = lookup16(w->turn[0], h), si = lookup16(w->turn[1], h);
   direction[0] = co;
   direction[1] = si;
-  p->x = x1 * co + x2 * si;
-  vf y = x2 * co - x1 * si;
-  p->rest2 = splat(c->reach2) - above * above;
-  vf curl = splat(w->curl) * byte_of(h, 0), slope;
-  vf f = splat(w->crimp_frequency) * (splat(1.0f) + splat(0.25f / 128.0f) * byte_of(h, 1));
-  vf swing = wave(p->x * f + splat(1.0f / 256.0f) * byte_of(h, 2), &slope) * splat(w->crimp);
-  p->bend = curl * p->x + slope * f * splat(w->crimp);
-  p->y = y - half * curl * p->x * p->x - swing;
-  vf chord2 = p->rest2 - p->y * p->y;
-  p->chord = vsqrt(vmax(chord2, splat(0.0f)));
-  p->inverse_length = splat(1.0f / LANE_ENDS) / vmax(p->chord, splat(1e-3f * c->size));
+  q->x1 = x1 * co + x2 * si;
+  q->x2 = x2 * co - x1 * si;
+  q->above2 = above * above;
   p->widen = widening(hull->lean2[1] * co - hull->lean2[0] * si, c->widen_most);
+}
+
+/* Its course there. */
+INLINE void bundle_course(const fibertex_constants *w, const bundle_cell *q, lane_place *p) {
+  vf x = p->x = q->x1;
+  vf arc = splat(w->curl) * field_of(q->h, 0) * x, slope;
+  vf f = splat(w->crimp_frequency) + splat(w->crimp_vary) * field_of(q->h, 1);
+  vf swing = wave(x * f + splat(FIELD(0.5f)) * field_of(q->h, 2), &slope) * splat(w->crimp);
+  p->bend = arc + slope * f * splat(w->crimp);
+  p->y = q->x2 - splat(0.5f) * arc * x - swing;
+}
+
+INLINE void bundle_chord(const fibertex_layer *c, const bundle_cell *q, lane_place *p) {
+  vf chord2 = splat(c->reach2) - q->above2 - p->y * p->y;
+  p->chord = vsqrt(vmax(chord2, splat(0.0f)));
+  p->inverse_length = splat(1.0f / LANE_ENDS) / vmax(p->chord, splat(c->chord_least));
 }
 
 #endif

@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * From what is seen to the output channels.
+ */
+#ifndef SOZAI_FIBERTEX_OUTPUT_H
+#define SOZAI_FIBERTEX_OUTPUT_H
+
+#include "shown.h"
+
+INLINE void put_vector(const kernel_io *io, const block *k, int channel, const vf v[3],
+                       const vf otherwise[3]) {
+  if (!kernel_wants(io, channel, 3)) return;
+  const hull_frame *f = &k->f;
+  vf square = dot3(v, v);
+  vm none = not_(gt(square, splat(1e-12f)));
+  vf inverse = inverse_root(vmax(square, splat(1e-12f)));
+  for (int c = 0; c < 3; c++) {
+    vf x = (v[0] * f->e1[c] + v[1] * f->e2[c] + v[2] * f->n[c]) * inverse;
+    put(io, k, channel + c, sel(none, otherwise[c], x));
+  }
+}
+
+INLINE void stage_put(const fibertex_constants *w, int woven, const kernel_io *io, const block *k,
+                      const shown *o, const strand_axes *t, int light) {
+  const vf zero = splat(0.0f), one = splat(1.0f), far = k->far;
+  const int colours = woven ? FIBERTEX_COLOURS : COLOUR_WEFT;
+  vf cover = clamp01(o->cover), some = one / vmax(cover, splat(1e-6f));
+  for (int c = 0; c < 3; c++) {
+    vf a = zero, r = o->white;
+    for (int i = 0; i < colours; i++) a = a + o->albedo[i] * splat(w->colour[i][c]);
+    put(io, k, FIBERTEX_ALBEDO + c, a);
+    if (!light) continue;
+    for (int i = 0; i < colours; i++) {
+      r = r + o->glow[i] * splat(w->glow[i][c]) + o->bulk[i] * splat(w->bulk[i][c]);
+    }
+    if (io->in->light_colour[c]) {
+      vf e = load_lanes(io->in->light_colour[c], k->i, k->n);
+      r = r * sel(lt(vabs(e), splat(1e30f)), e, zero);
+    }
+    put(io, k, FIBERTEX_RADIANCE + c, r);
+  }
+  put(io, k, FIBERTEX_COVERAGE, cover);
+  put_vector(io, k, FIBERTEX_TANGENT, t->along, k->f.e1);
+  put(io, k, FIBERTEX_STRAND, to_float((vi)(k->best.id >> 8)) * splat(1.0f / 16777216.0f));
+  vf depth = vmax(o->depth * some, zero);
+  put(io, k, FIBERTEX_DEPTH, depth);
+  /* the strand's own roundness is in the height */
+  vf side = k->best.across, top = vsqrt(vmax(one - side * side, zero));
+  vf seen = (k->most - k->next) * k->best.detail * (one - far);
+  put(io, k, FIBERTEX_HEIGHT, splat(w->layer[0].radius) * top * seen - depth);
+  if (!kernel_wants(io, FIBERTEX_NORMAL, 4)) return;
+  /* what no strand shows faces as the ground does, or the hull; what the mean has lost
+   * in length is the normals' scatter */
+  const ground *g = &k->ground;
+  vf n[3], near = one - far;
+  for (int c = 0; c < 3; c++) {
+    vf strand = side * t->across[c] + top * t->up[c];
+    vf of = seen * strand + (near - seen) * g->up[c];
+    n[c] = sel(le(one, far), splat(c == 2 ? 1.0f : 0.0f), c == 2 ? of + far : of);
+  }
+  vf alpha2 = splat(w->strand_alpha2) + splat(0.5f) * (one - seen);
+  put(io, k, FIBERTEX_ROUGHNESS, vsqrt(vmin(alpha2, one)));
+  put_vector(io, k, FIBERTEX_NORMAL, n, k->f.n);
+}
+
+#endif

@@ -1,0 +1,128 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * From sums over layers to what is seen, of each of the palette.
+ */
+#ifndef SOZAI_FIBERTEX_SHOWN_H
+#define SOZAI_FIBERTEX_SHOWN_H
+
+#include "means.h"
+
+/* What a point's sums come to, of each of the palette. */
+typedef struct {
+  vf cover, depth, white;
+  vf albedo[FIBERTEX_COLOURS], glow[FIBERTEX_COLOURS], bulk[FIBERTEX_COLOURS];
+} shown;
+
+/* From afar: by the means of all directions. */
+INLINE void show_far(const fibertex_constants *w, const block *k, const sums *s, const looks *q,
+                     shown *o) {
+  o->cover = splat(1.0f) - s->left;
+  o->depth = s->depth;
+  o->white = s->bare * (q->white[0] + q->white[1]);
+  vf often[2];
+  for (int i = 0; i < 2; i++) often[i] = splat(w->multiple) * q->around[i];
+  o->albedo[COLOUR_FIRST] = s->albedo[0] * q->albedo[0];
+  o->albedo[COLOUR_WEFT] = s->albedo[0] * q->albedo[1];
+  o->albedo[COLOUR_SECOND] = s->albedo[1] * (q->albedo[0] + q->albedo[1]);
+  vf onward = q->onward * k->ground.onward;
+  o->glow[COLOUR_FIRST] = s->direct[0] * q->glow[0] + s->albedo[0] * onward;
+  o->glow[COLOUR_WEFT] = s->direct[0] * q->glow[1];
+  o->glow[COLOUR_SECOND] = s->direct[1] * (q->glow[0] + q->glow[1]) + s->albedo[1] * onward;
+  o->bulk[COLOUR_FIRST] = s->direct[0] * q->bulk[0] + s->albedo[0] * often[0];
+  o->bulk[COLOUR_WEFT] = s->direct[0] * q->bulk[1] + s->albedo[0] * often[1];
+  o->bulk[COLOUR_SECOND] =
+      s->direct[1] * (q->bulk[0] + q->bulk[1]) + s->albedo[1] * (often[0] + often[1]);
+}
+
+/* The strand that is seen: its axes in the hull's frame. */
+INLINE void best_axes(const fibertex_constants *w, const block *k, strand_axes *t) {
+  const vf one = splat(1.0f);
+  const ground *g = &k->ground;
+  vf slope = k->best.slope, lost = one - k->best.detail;
+  vf rise = splat(w->lean) + splat(w->rise * FIELD(1.0f)) * field_of(k->best.id, 2) * k->best.detail;
+  vf flat = inverse_root(one + slope * slope), steep = inverse_root(one + rise * rise);
+  vf x = (k->best.direction[0] - slope * k->best.direction[1]) * flat;
+  vf y = (k->best.direction[1] + slope * k->best.direction[0]) * flat;
+  for (int c = 0; c < 3; c++) {
+    vf level = x * g->along[c] + y * g->across[c];
+    t->along[c] = (level + rise * g->up[c]) * steep;
+    t->across[c] = x * g->across[c] - y * g->along[c];
+    t->up[c] = (g->up[c] - rise * level) * steep;
+  }
+  t->across2 = lost * splat(w->scatter);
+  t->up2 = lost * splat(w->scatter_up);
+}
+
+/* How much of what has gone on through many strands keeps the last one's lobe: the less, the
+ * better a footprint's mean stands for its strands. */
+#define ONWARD_LAST 0.5f
+
+/* What one strand shows beyond its means, given to the colours. */
+INLINE void share_out(const block *k, vf mean, vf change, const vf often[2], vf out[]) {
+  const vf zero = splat(0.0f), one = splat(1.0f);
+  const sums *s = &k->sum;
+  vf straight = k->ground.straight, weft = k->ground.weft;
+  vf second = change * k->best.second, first = change - second;
+  vf a = vmax((s->direct[0] * mean + first) * straight + often[0], zero);
+  vf b = vmax((s->direct[1] * mean + second) * straight + often[1], zero);
+  out[COLOUR_FIRST] = a * (one - weft);
+  out[COLOUR_WEFT] = a * weft;
+  out[COLOUR_SECOND] = b;
+}
+
+/* Near: by the strand that is seen; what else is there by the means. */
+INLINE void show_near(const fibertex_constants *w, int woven, const block *k, const looks *q,
+                      const strand_axes *t, int light, shown *o) {
+  const vf zero = splat(0.0f), one = splat(1.0f);
+  const ground *g = &k->ground;
+  const sums *s = &k->sum;
+  o->cover = one - s->left;
+  o->depth = s->depth;
+  vf weft = g->weft, warp = one - weft;
+  o->albedo[COLOUR_FIRST] = s->albedo[0] * g->ambient * warp;
+  o->albedo[COLOUR_WEFT] = s->albedo[0] * g->ambient * weft;
+  o->albedo[COLOUR_SECOND] = s->albedo[1] * g->ambient;
+  o->white = zero;
+  for (int i = 0; i < FIBERTEX_COLOURS; i++) o->glow[i] = o->bulk[i] = zero;
+  if (!light) return;
+  vf white = q->white[0], glow = q->glow[0], bulk = q->bulk[0];
+  if (woven) {
+    vf inverse = one / vmax(q->straight, splat(0.05f));
+    white = (white + q->white[1]) * inverse;
+    glow = (glow + q->glow[1]) * inverse;
+    bulk = (bulk + q->bulk[1]) * inverse;
+  }
+  strand_lit r;
+  strand_light(w, k->f.light, k->f.view, k->f.between, t, &r);
+  /* a strand is brighter on the side that the light is on */
+  vf facing = k->best.across * dot3(t->across, k->f.light), side = one + splat(0.6f) * facing;
+  vf part = k->most - k->next, bright = part * k->best.bright;
+  vf around = splat(w->multiple) * g->around * g->ambient;
+  if (!woven) around = around * (one + splat(0.25f) * part * facing);
+  const vf often[2] = {s->albedo[0] * around, s->albedo[1] * around};
+  /* the last of the strands that it went through is the one that is seen */
+  vf last = (q->onward + splat(ONWARD_LAST) * part * (r.onward - q->onward)) * g->onward;
+  const vf onward[2] = {s->albedo[0] * last, s->albedo[1] * last};
+  share_out(k, glow, bright * (r.glow * side - glow), onward, o->glow);
+  share_out(k, bulk, bright * (r.bulk * side - bulk), often, o->bulk);
+  o->white = vmax((s->bare * white + part * k->best.bare * (r.white - white)) * g->straight, zero);
+}
+
+INLINE void blend(shown *a, const shown *b, vf far, int woven, int light) {
+  vm some = gt(far, splat(0.0f)), all = le(splat(1.0f), far);
+  vf near = splat(1.0f) - far;
+#define BLEND_(x) a->x = sel(some, sel(all, b->x, a->x * near + b->x * far), a->x)
+  BLEND_(cover);
+  BLEND_(depth);
+  const int colours = woven ? FIBERTEX_COLOURS : COLOUR_WEFT;
+  for (int i = 0; i < colours; i++) BLEND_(albedo[i]);
+  if (!light) return;
+  BLEND_(white);
+  for (int i = 0; i < colours; i++) {
+    BLEND_(glow[i]);
+    BLEND_(bulk[i]);
+  }
+#undef BLEND_
+}
+
+#endif
