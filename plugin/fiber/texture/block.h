@@ -63,7 +63,7 @@ typedef struct {
   /* the strand that most is seen of, and how much of the next */
   vf most, next;
   struct {
-    vf direction[2], slope, across, second, bare, bright, detail;
+    vf direction[2], slope, across, bare, detail;
     vu id;
   } best;
 } block;

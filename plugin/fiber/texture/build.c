@@ -20,6 +20,7 @@
 #define ON_YARN 4       /* layers */
 #define HULL_LOOKS 4
 #define FIELD 2147483648.0 /* a hash's field is within this of 0 */
+#define WAVE 8.0           /* over the wave's amplitude */
 #define WAVE_SLOPE2 21.3333 /* mean square of the wave's slope: of +-8, evenly */
 
 static uint32_t seed_of(const settings *s) {
@@ -83,11 +84,11 @@ static void let_stray(fibertex_constants *w, fibertex_layer *c, double waver) {
   double stray = least(waver * 0.85, most(1.0 - 1.2 * thick, 0.0)) * spacing;
   c->widen_most = (float)most(least((1.0 - stray / spacing) / thick, 3.0), 1.0);
   c->shift = (float)(0.3 * stray / FIELD);
-  c->sway = (float)((c->ends ? 0.4 : 0.6) * stray);
+  c->sway = (float)(WAVE * (c->ends ? 0.4 : 0.6) * stray);
   c->tilt = (float)(c->ends ? 0.3 * stray * 2.0 / (double)c->size / FIELD : 0.0);
   c->vague = (float)(0.6 * spacing);
   c->vague_inverse = (float)(1.0 / ((1.8 - 0.6) * spacing));
-  double swing = (double)c->sway * (double)w->own_frequency, tilt = FIELD * (double)c->tilt;
+  double swing = (double)c->sway / WAVE * (double)w->own_frequency, tilt = FIELD * (double)c->tilt;
   c->slope2 = (float)(swing * swing * WAVE_SLOPE2 * 1.053 + tilt * tilt / 3.0);
 }
 
@@ -198,7 +199,7 @@ static double build_shell(fibertex_constants *w, const settings *s, const fibert
 static void build_bundles(fibertex_constants *w, const settings *s) {
   double bundle = number_at(s, P_BUNDLE), per_mm = 0.1 * number_at(s, P_CRIMP);
   double height = per_mm > 0.0 ? least(number_at(s, P_CRIMP_HEIGHT), 1.0 / (8.0 * per_mm)) : 0.0;
-  w->crimp = (float)height;
+  w->crimp = (float)(WAVE * height);
   w->crimp_frequency = (float)per_mm;
   w->crimp_vary = (float)(0.25 * per_mm / FIELD);
   w->own_frequency = (float)(2.2 / bundle);
@@ -250,7 +251,7 @@ static void build_yarns(fibertex_constants *w, const settings *s) {
     y->height = (float)(0.5 * thin * number_at(s, P_YARN_FLATNESS));
     y->rise = (float)rise;
     y->over = (float)(i ? -over : over);
-    y->wander = (float)(0.16 * slub);
+    y->wander = (float)(WAVE * 0.16 * slub);
     y->tone = (float)(0.22 * slub / FIELD);
     y->frequency = (float)(0.11 / spacing[i]);
   }

@@ -74,11 +74,13 @@ typedef struct {
   vf x1, x2, above2;
 } bundle_cell;
 
-INLINE void bundle_cube(const fibertex_layer *c, const lattice_frame *frames, bundle_cell *q) {
+/* level: the eye looks at all the points squarely. */
+INLINE void bundle_cube(const fibertex_layer *c, const lattice_frame *frames, int level,
+                        bundle_cell *q) {
   const lattice_frame *g = &frames[c->lattice];
   for (int k = 0; k < 3; k++) {
-    vf at = g->at[k] * splat(c->inverse_size) + splat(c->offset[k]) -
-            g->step[k] * splat(c->depth_cells);
+    vf at = g->at[k] * splat(c->inverse_size) + splat(c->offset[k]);
+    if (!level) at = at - g->step[k] * splat(c->depth_cells);
     vf low = whole_of(at);
     vi i = to_int(low);
     q->from[k] = at - low - splat(0.5f);
@@ -106,8 +108,8 @@ INLINE void bundle_find(const fibertex_layer *c, bundle_cell *q) {
 
 /* Where it lies about its bundle's middle, on the surface and above. */
 INLINE void bundle_middle(const fibertex_constants *w, const fibertex_layer *c,
-                          const hull_frame *hull, const lattice_frame *frames, bundle_cell *q,
-                          lane_place *p, vf direction[2]) {
+                          const hull_frame *hull, const lattice_frame *frames, int level,
+                          bundle_cell *q, lane_place *p, vf direction[2]) {
   const lattice_frame *g = &frames[c->lattice];
   vu h = p->h = q->h;
   /* a bundle stands off its cell's middle, so that no rows are seen, and is more or
@@ -125,7 +127,8 @@ INLINE void bundle_middle(const fibertex_constants *w, const fibertex_layer *c,
   q->x1 = x1 * co + x2 * si;
   q->x2 = x2 * co - x1 * si;
   q->above2 = above * above;
-  p->widen = widening(hull->lean2[1] * co - hull->lean2[0] * si, c->widen_most);
+  p->widen = splat(1.0f);
+  if (!level) p->widen = widening(hull->lean2[1] * co - hull->lean2[0] * si, c->widen_most);
 }
 
 /* Its course there. */
@@ -140,8 +143,11 @@ INLINE void bundle_course(const fibertex_constants *w, const bundle_cell *q, lan
 
 INLINE void bundle_chord(const fibertex_layer *c, const bundle_cell *q, lane_place *p) {
   vf chord2 = splat(c->reach2) - q->above2 - p->y * p->y;
-  p->chord = vsqrt(vmax(chord2, splat(0.0f)));
-  p->inverse_length = splat(1.0f / LANE_ENDS) / vmax(p->chord, splat(c->chord_least));
+  /* half of the bundle's extent along x there */
+  vf chord = vsqrt(vmax(chord2, splat(0.0f)));
+  p->thin = chord * splat(FIELD(1.0f - LANE_ENDS));
+  p->reach = chord * splat(LANE_ENDS);
+  p->inverse_length = splat(1.0f / LANE_ENDS) / vmax(chord, splat(c->chord_least));
 }
 
 #endif

@@ -14,7 +14,7 @@ INLINE void stage_show(const fibertex_constants *w, int woven, const kernel_io *
   sums sum;
   shown near, mean;
   strand_axes t;
-  best_axes(w, k, &t);
+  best_axes(w, woven, k, &t);
   if (any(lt(k->far, one))) {
     show_near(w, woven, k, q, &t, light, &near);
     if (any(gt(k->far, zero))) {
@@ -57,7 +57,7 @@ INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io 
     }
     EACH(b, count) stage_empty(w, &of[b]);
     stage_layers(w, woven, of, count, light);
-    EACH(b, count) looks_of(w, woven, &of[b], light, &all[b]);
+    stage_looks(w, woven, of, count, light, all);
     EACH(b, count) stage_deep(w, &of[b]);
     EACH(b, count) stage_show(w, woven, io, &of[b], &all[b], light);
   }

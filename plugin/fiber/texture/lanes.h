@@ -28,12 +28,12 @@ INLINE vf whole_of(vf x) {
 #endif
 }
 
-/* A wave of period and amplitude 1, of parabolas, with its slope. */
+/* A wave of period 1 and amplitude 1/8, of parabolas, with its slope. */
 INLINE vf wave(vf turns, vf *slope) {
   vf t = turns - whole_of(turns + splat(0.5f));
-  vf a = vabs(t);
-  *slope = splat(8.0f) - splat(32.0f) * a;
-  return t * (splat(8.0f) - splat(16.0f) * a);
+  vf a = vabs(t) + vabs(t), b = splat(1.0f) - a;
+  *slope = b - a;
+  return t * b;
 }
 
 /* A hash from its k-th byte on, from the top: a number within +-HASH_ONE. */
@@ -49,9 +49,10 @@ INLINE vf lane_inverse_root(vf x) {
 typedef struct {
   vf x, y;           /* place in the bundle, mm: along; across, straightened */
   vf bend;           /* slope of the bundle itself there */
-  vf chord;          /* half of the bundle's extent along x there */
   vf inverse_length; /* of a strand there, half */
   vf widen;          /* how much broader strands look at the eye's slant */
+  vf thin, reach;    /* how far a strand's middle lies off that's, over a field's 2^31; half of
+                      * its own */
   vf many;           /* how many strands it has, of what is usual */
   vf full;           /* the same as what b is below where there is one */
   vu h;              /* the bundle */
@@ -113,6 +114,12 @@ INLINE void lane_pair_of(const fibertex_layer *c, const lane_place *p, lane_pair
 /* A second number of chance for a strand: its upper half is good. */
 INLINE vu lane_more(vu id) { return id * splatu(0x846ca68bu); }
 
+/* Whether it is of the second colour: 1, else 0. */
+INLINE vf lane_second(const fibertex_constants *w, vu id) {
+  vi chance = (vi)(lane_more(id) & splatu(0xff00u));
+  return sel(lti(chance, splati(w->second_chance << 8)), splat(1.0f), splat(0.0f));
+}
+
 /* What chance gives a strand, and its centreline; second: which lane of the two. Two things share
  * a field where nobody sees that they go together. */
 INLINE void lane_course(const fibertex_constants *w, const fibertex_layer *c, int ends,
@@ -131,7 +138,7 @@ INLINE void lane_course(const fibertex_constants *w, const fibertex_layer *c, in
   vf off = second ? pair->off - splat(c->spacing) : pair->off;
   q->off = off - splat(c->shift) * aside - (sway * own + tilt * p->x);
   q->thick = splat(c->radius) + splat(c->radius_vary) * thick;
-  if (ends) q->from = vabs(p->x - p->chord * (splat(FIELD(1.0f - LANE_ENDS)) * phase));
+  if (ends) q->from = vabs(p->x - p->thin * phase);
 }
 
 /* What of it a footprint has. */
@@ -147,7 +154,7 @@ INLINE void lane_cover(int ends, const lane_place *p,
   q->hi = hi;
   q->r = r;
   if (ends) {
-    vf end = (p->chord * splat(LANE_ENDS) - q->from) * t->inverse_end + half;
+    vf end = (p->reach - q->from) * t->inverse_end + half;
     cover = cover * clamp01(end);
   }
   vm there = lt(to_float((vi)lane_more(q->id)), p->full);
@@ -161,7 +168,7 @@ INLINE vf lane_near(const fibertex_layer *c, int ends, const lane_place *p, cons
   /* of a thickness between that and its shadow's: then its mean hardly changes with the slant */
   vf near = (splat(1.1f) * q->thick + half * (q->r - vabs(q->off))) * splat(c->inverse_radius);
   near = clamp01(near);
-  if (ends) near = near * clamp01((p->chord * splat(LANE_ENDS) - q->from) * t->inverse_end + half);
+  if (ends) near = near * clamp01((p->reach - q->from) * t->inverse_end + half);
   vm there = lt(to_float((vi)lane_more(q->id)), p->full);
   return sel(there, near, zero);
 }
@@ -202,8 +209,7 @@ INLINE void lane_choose(const fibertex_constants *w, const fibertex_layer *c, in
   q->across = clamp(sum * splat(0.5f), splat(-1.0f), one) + zero;
   q->tone = splat(FIELD(1.0f)) * field_of(id, 3);
   q->id = id;
-  vi chance = (vi)(lane_more(id) & splatu(0xff00u));
-  q->second = sel(lti(chance, splati(w->second_chance << 8)), one, zero);
+  q->second = lane_second(w, id);
   /* what is brighter in the middle: 1 at the mean */
   vf bright = splat(c->lift) * (splat(1.0f / (1.0f - LANE_RIM / 3.0f)) -
                                 splat(LANE_RIM / (1.0f - LANE_RIM / 3.0f)) * across2);

@@ -14,15 +14,14 @@ INLINE void compose(const fibertex_constants *w, const fibertex_layer *c, block 
   sums *sum = &k->sum;
   vf share = sum->left * q->cover;
   sum->left = sum->left - share;
-  vf dark = k->shade * q->bright, bright = dark * (one + splat(w->variation) * q->tone);
-  vf part = share * bright, second = part * q->second, first = part - second;
-  vf ambient = splat(c->ambient);
+  vf dark = k->shade * q->bright, part = share * dark * (one + splat(w->variation) * q->tone);
+  vf second = part * q->second, first = part - second, ambient = splat(c->ambient);
   sum->albedo[0] = sum->albedo[0] + first * ambient;
   sum->albedo[1] = sum->albedo[1] + second * ambient;
   sum->depth = sum->depth + share * level;
   vm more = gt(share, k->most);
-  k->next = sel(more, k->most, vmax(k->next, share));
-  k->most = sel(more, share, k->most);
+  k->next = vmax(k->next, vmin(share, k->most));
+  k->most = vmax(share, k->most);
   k->best.id = (vu)seli(more, (vi)q->id, (vi)k->best.id);
   for (int i = 0; i < 2; i++) {
     k->best.direction[i] = sel(more, direction[i], k->best.direction[i]);
@@ -31,12 +30,12 @@ INLINE void compose(const fibertex_constants *w, const fibertex_layer *c, block 
   k->best.across = sel(more, q->across, k->best.across);
   k->best.detail = sel(more, q->detail, k->best.detail);
   if (light) {
-    sum->direct[0] = sum->direct[0] + first * k->lit;
-    sum->direct[1] = sum->direct[1] + second * k->lit;
-    sum->bare = sum->bare + share * dark * k->lit;
-    k->best.second = sel(more, q->second, k->best.second);
-    k->best.bare = sel(more, dark * k->lit, k->best.bare);
-    k->best.bright = sel(more, bright * k->lit, k->best.bright);
+    vf lit = k->lit;
+    sum->direct[0] = sum->direct[0] + first * lit;
+    sum->direct[1] = sum->direct[1] + second * lit;
+    lit = dark * lit;
+    sum->bare = sum->bare + share * lit;
+    k->best.bare = sel(more, lit, k->best.bare);
     k->lit = k->lit * k->step[0];
     k->step[0] = k->step[0] * k->step[1];
   }
@@ -48,7 +47,7 @@ INLINE void yarn_place(const fibertex_layer *c, const vf at[2], vu h, lane_place
   p->x = at[0] * co + at[1] * si;
   p->y = at[1] * co - at[0] * si;
   p->bend = splat(0.0f);
-  p->chord = p->inverse_length = p->widen = p->many = one;
+  p->thin = p->reach = p->inverse_length = p->widen = p->many = one;
   p->full = splat(c->presence - HASH_ONE);
   p->h = hash_mix(h + splatu(c->seed));
 }
@@ -78,12 +77,10 @@ INLINE void stages_of_lanes(const fibertex_constants *w, const fibertex_layer *c
   }
   if (some) {
     EACH_LAYER lane_pair_of(&c[l], &of[l][b].p, &of[l][b].pair);
-    for (int i = 0; i < 2; i++) {
-      EACH_LAYER lane_course(w, &c[l], ends, &of[l][b].p, &of[l][b].pair, i, &of[l][b].both[i]);
-    }
-    for (int i = 0; i < 2; i++) {
-      EACH_LAYER lane_cover(ends, &of[l][b].p, &k[b].filter, &of[l][b].both[i]);
-    }
+    EACH_LAYER lane_course(w, &c[l], ends, &of[l][b].p, &of[l][b].pair, 0, &of[l][b].both[0]);
+    EACH_LAYER lane_course(w, &c[l], ends, &of[l][b].p, &of[l][b].pair, 1, &of[l][b].both[1]);
+    EACH_LAYER lane_cover(ends, &of[l][b].p, &k[b].filter, &of[l][b].both[0]);
+    EACH_LAYER lane_cover(ends, &of[l][b].p, &k[b].filter, &of[l][b].both[1]);
   }
   EACH_LAYER {
     layer_work *q = &of[l][b];
@@ -92,12 +89,12 @@ INLINE void stages_of_lanes(const fibertex_constants *w, const fibertex_layer *c
 }
 
 INLINE void stages_of_hull(const fibertex_constants *w, const fibertex_layer *c, uint32_t layers,
-                           const block *k, uint32_t blocks, layers_work of) {
-  EACH_LAYER bundle_cube(&c[l], k[b].g, &of[l][b].cell);
+                           const block *k, uint32_t blocks, int level, layers_work of) {
+  EACH_LAYER bundle_cube(&c[l], k[b].g, level, &of[l][b].cell);
   EACH_LAYER bundle_find(&c[l], &of[l][b].cell);
   EACH_LAYER {
     layer_work *q = &of[l][b];
-    bundle_middle(w, &c[l], &k[b].f, k[b].g, &q->cell, &q->p, q->direction);
+    bundle_middle(w, &c[l], &k[b].f, k[b].g, level, &q->cell, &q->p, q->direction);
   }
   EACH_LAYER bundle_course(w, &of[l][b].cell, &of[l][b].p);
   EACH_LAYER bundle_chord(&c[l], &of[l][b].cell, &of[l][b].p);
@@ -107,7 +104,9 @@ INLINE void stages_of_hull(const fibertex_constants *w, const fibertex_layer *c,
 STAGE void layers_of_hull(const fibertex_constants *w, const fibertex_layer *c, uint32_t layers,
                           block *k, uint32_t blocks, int light) {
   layers_work of;
-  stages_of_hull(w, c, layers, k, blocks, of);
+  vm slant = lt(splat(1.0f), splat(0.0f));
+  EACH(b, blocks) slant = or_(slant, gt(k[b].inverse[1], splat(1.0f)));
+  stages_of_hull(w, c, layers, k, blocks, !any(slant), of);
   EACH_LAYER {
     compose(w, &c[l], &k[b], &of[l][b].hit, of[l][b].direction, splat(c[l].depth), light);
   }

@@ -14,47 +14,69 @@ typedef struct {
   vf white[2], glow[2], bulk[2], around[2], albedo[2], straight, onward;
 } looks;
 
-STAGE void looks_of(const fibertex_constants *w, int woven, const block *k, int light, looks *q) {
-  const vf zero = splat(0.0f);
-  for (int i = 0; i < 2; i++) {
-    q->white[i] = q->glow[i] = q->bulk[i] = q->around[i] = q->albedo[i] = zero;
+INLINE void look_axes(const fibertex_look *o, strand_axes *t) {
+  for (int c = 0; c < 3; c++) {
+    t->along[c] = splat(o->along[c]);
+    t->across[c] = splat(o->across[c]);
+    t->up[c] = splat(o->up[c]);
   }
-  q->straight = q->onward = zero;
+  t->across2 = splat(o->across2);
+  t->up2 = splat(o->up2);
+}
+
+/* One of the directions that stand for all. */
+INLINE void look_lit(const fibertex_constants *w, const fibertex_look *o, int woven, const block *k,
+                     const strand_angles *a, looks *q) {
+  strand_lit r;
+  strand_axes t;
+  look_axes(o, &t);
+  strand_lobes(w, a, &r);
+  int i = woven ? o->weft : 0;
+  vf share = splat(o->straight), around = k->ground.around;
+  if (woven) {
+    vf up = dot3(t.up, k->f.light);
+    around = vmax(up, splat(0.0f)) * k->front;
+    share = share * flank(up);
+  } else { /* strands across the view's slant look broader, and are more of what is seen */
+    share = share * widening(k->f.lean2[0] * t.across[0] + k->f.lean2[1] * t.across[1],
+                             w->layer[w->layers - 1].widen_most);
+    q->onward = q->onward + share * r.onward;
+  }
+  q->around[i] = q->around[i] + splat(o->around) * around;
+  q->glow[i] = q->glow[i] + share * r.glow;
+  q->bulk[i] = q->bulk[i] + share * r.bulk;
+  q->white[i] = q->white[i] + share * r.white;
+  q->straight = q->straight + share;
+}
+
+STAGE void stage_looks(const fibertex_constants *w, int woven, const block *k, uint32_t blocks,
+                       int light, looks *q) {
+  const vf zero = splat(0.0f);
+  EACH(b, blocks) {
+    for (int i = 0; i < 2; i++) {
+      q[b].white[i] = q[b].glow[i] = q[b].bulk[i] = q[b].around[i] = q[b].albedo[i] = zero;
+    }
+    q[b].straight = q[b].onward = zero;
+  }
   for (int m = 0; m < w->looks; m++) {
     const fibertex_look *o = &w->look[m];
     int i = woven ? o->weft : 0;
-    q->albedo[i] = q->albedo[i] + splat(o->lit);
+    EACH(b, blocks) q[b].albedo[i] = q[b].albedo[i] + splat(o->lit);
     if (!light) continue;
-    strand_lit r;
     strand_axes t;
-    for (int c = 0; c < 3; c++) {
-      t.along[c] = splat(o->along[c]);
-      t.across[c] = splat(o->across[c]);
-      t.up[c] = splat(o->up[c]);
-    }
-    t.across2 = splat(o->across2);
-    t.up2 = splat(o->up2);
-    vf up = dot3(t.up, k->f.light), share = splat(o->straight);
-    strand_light(w, k->f.light, k->f.view, k->f.between, &t, &r);
-    q->around[i] =
-        q->around[i] + splat(o->around) * (woven ? vmax(up, zero) * k->front : k->ground.around);
-    if (woven) /* else strands across the view's slant look broader, and are more of what is seen */
-      share = share * flank(up);
-    else
-      share = share * widening(k->f.lean2[0] * t.across[0] + k->f.lean2[1] * t.across[1],
-                               w->layer[w->layers - 1].widen_most);
-    q->glow[i] = q->glow[i] + share * r.glow;
-    q->bulk[i] = q->bulk[i] + share * r.bulk;
-    q->white[i] = q->white[i] + share * r.white;
-    q->straight = q->straight + share;
-    if (!woven) q->onward = q->onward + share * r.onward;
+    strand_angles a[BLOCKS_TOGETHER];
+    look_axes(o, &t);
+    EACH(b, blocks) strand_angles_of(k[b].f.light, k[b].f.view, k[b].f.between, &t, &a[b]);
+    EACH(b, blocks) look_lit(w, o, woven, &k[b], &a[b], &q[b]);
   }
   if (woven || !light) return;
-  vf inverse = splat(1.0f) / q->straight;
-  q->glow[0] = q->glow[0] * inverse;
-  q->bulk[0] = q->bulk[0] * inverse;
-  q->white[0] = q->white[0] * inverse;
-  q->onward = q->onward * inverse;
+  EACH(b, blocks) {
+    vf inverse = splat(1.0f) / q[b].straight;
+    q[b].glow[0] = q[b].glow[0] * inverse;
+    q[b].bulk[0] = q[b].bulk[0] * inverse;
+    q[b].white[0] = q[b].white[0] * inverse;
+    q[b].onward = q[b].onward * inverse;
+  }
 }
 
 /* Adds a density of strands: cover, with its ambient and its straight light. */

@@ -65,13 +65,18 @@ INLINE void stage_point(const fibertex_constants *w, int woven, const kernel_io 
 }
 
 INLINE void stage_view(const kernel_io *io, block *k) {
+  const vf zero = splat(0.0f), one = splat(1.0f);
+  hull_frame *f = &k->f;
   vf v[3];
-  direction_of(k, io->in->view, k->f.n, 1, v);
-  into_frame(&k->f, v, k->f.view);
+  direction_of(k, io->in->view, f->n, 1, v);
+  /* squarely it is exactly that, so that what slants need can be left out */
+  vm level = and_(and_(eq(v[0], f->n[0]), eq(v[1], f->n[1])), eq(v[2], f->n[2]));
+  into_frame(f, v, f->view);
+  for (int c = 0; c < 3; c++) f->view[c] = sel(level, c == 2 ? one : zero, f->view[c]);
   /* at the horizon nothing is seen but the hull's edge: no further than this */
-  vf slant = splat(1.0f) / vmax(k->f.view[2], splat(0.18f));
-  for (int c = 0; c < 3; c++) k->f.step[c] = (v[c] - k->f.n[c] * k->f.view[2]) * slant;
-  for (int c = 0; c < 2; c++) k->f.lean2[c] = k->f.view[c] * slant;
+  vf slant = one / vmin(vmax(f->view[2], splat(0.18f)), one);
+  for (int c = 0; c < 3; c++) f->step[c] = sel(level, zero, (v[c] - f->n[c] * f->view[2]) * slant);
+  for (int c = 0; c < 2; c++) f->lean2[c] = f->view[c] * slant;
   k->inverse[1] = slant;
 }
 
@@ -109,8 +114,7 @@ INLINE void stage_empty(const fibertex_constants *w, block *k) {
     k->sum.albedo[c] = k->sum.direct[c] = k->best.direction[c] = zero;
   }
   k->sum.bare = k->sum.depth = k->most = k->next = zero;
-  k->best.slope = k->best.across = k->best.second = k->best.bare = k->best.bright = zero;
-  k->best.detail = zero;
+  k->best.slope = k->best.across = k->best.bare = k->best.detail = zero;
   k->best.id = splatu(0);
 }
 
