@@ -68,8 +68,4 @@ typedef struct {
   } best;
 } block;
 
-INLINE void put(const kernel_io *io, const block *k, int channel, vf x) {
-  if (io->wanted >> channel & 1) store_active(io->in, io->out[channel], k->i, k->n, x);
-}
-
 #endif

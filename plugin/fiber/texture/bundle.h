@@ -19,6 +19,14 @@ typedef struct {
   vf lean2[2]; /* tangent of the view's slant along e1 and e2 */
 } hull_frame;
 
+INLINE vf dot3(const vf a[3], const vf b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+INLINE void cross(const vf a[3], const vf b[3], vf out[3]) {
+  out[0] = a[1] * b[2] - a[2] * b[1];
+  out[1] = a[2] * b[0] - a[0] * b[2];
+  out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
 /* The same turned into the lattice's space, which no face or diagonal of an object
  * lies along: a level of the lattice would be cut all at one height. */
 typedef struct {
@@ -45,17 +53,16 @@ INLINE void into_lattice(int which, const vf v[3], vf out[3]) {
   }
 }
 
-INLINE void lattice_of(const hull_frame *f, const vf at[3], lattice_frame g[LATTICES]) {
+/* level: as below. */
+INLINE void lattice_of(const hull_frame *f, const vf at[3], int level, lattice_frame g[LATTICES]) {
   for (int i = 0; i < LATTICES; i++) {
     into_lattice(i, at, g[i].at);
-    into_lattice(i, f->step, g[i].step);
+    if (!level) into_lattice(i, f->step, g[i].step);
     into_lattice(i, f->e1, g[i].e1);
     into_lattice(i, f->e2, g[i].e2);
-    into_lattice(i, f->n, g[i].n);
+    cross(g[i].e1, g[i].e2, g[i].n); /* none is a mirror */
   }
 }
-
-INLINE vf dot3(const vf a[3], const vf b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /* How much broader a cylinder's shadow along the view is, on a surface: `slant`
  * is the view's tangent across it. */

@@ -9,7 +9,7 @@ extern const fibertex_kernel KERNEL_NAME(fibertex_kernel_);
 
 /* From what is summed up to the output channels. */
 INLINE void stage_show(const fibertex_constants *w, int woven, const kernel_io *io, block *k,
-                       const looks *q, int light) {
+                       const looks *q, int light, output *out) {
   const vf zero = splat(0.0f), one = splat(1.0f);
   sums sum;
   shown near, mean;
@@ -29,7 +29,7 @@ INLINE void stage_show(const fibertex_constants *w, int woven, const kernel_io *
   vm nothing = le(one, k->far);
   for (int c = 0; c < 3; c++) t.along[c] = sel(nothing, zero, t.along[c]);
   k->best.id = (vu)seli(nothing, splati(0), (vi)k->best.id);
-  stage_put(w, woven, io, k, &near, &t, light);
+  stage_put(w, woven, io, k, &near, &t, light, out);
 }
 
 INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io *io, uint32_t from,
@@ -38,6 +38,7 @@ INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io 
   for (uint32_t i = from; i < to; i += BLOCKS_TOGETHER * LANES) {
     block of[BLOCKS_TOGETHER];
     looks all[BLOCKS_TOGETHER];
+    output out[BLOCKS_TOGETHER];
     uint32_t left = (to - i + LANES - 1) / LANES;
     uint32_t count = left < BLOCKS_TOGETHER ? left : BLOCKS_TOGETHER;
     EACH(b, count) {
@@ -47,7 +48,8 @@ INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io 
     }
     EACH(b, count) stage_view(io, &of[b]);
     EACH(b, count) stage_light(w, io, &of[b]);
-    EACH(b, count) stage_bundles(w, &of[b]);
+    int level = eye_level(of, count);
+    EACH(b, count) stage_bundles(w, level, &of[b]);
     EACH(b, count) stage_reach(w, &of[b]);
     EACH(b, count) {
       if (woven)
@@ -56,10 +58,11 @@ INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io 
         ground_hull(w, &of[b]);
     }
     EACH(b, count) stage_empty(w, &of[b]);
-    stage_layers(w, woven, of, count, light);
+    stage_layers(w, woven, of, count, level, light);
     stage_looks(w, woven, of, count, light, all);
     EACH(b, count) stage_deep(w, &of[b]);
-    EACH(b, count) stage_show(w, woven, io, &of[b], &all[b], light);
+    EACH(b, count) stage_show(w, woven, io, &of[b], &all[b], light, &out[b]);
+    stage_store(io, of, count, out);
   }
 }
 

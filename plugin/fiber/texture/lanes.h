@@ -95,6 +95,7 @@ typedef struct {
   vf cover, slope, lo, hi, r;
   vf off, thick; /* from its centreline; half of its thickness, seen squarely */
   vf from;       /* its middle, along it */
+  vf frequency, turns, tilt; /* of its swing and its drift */
   vu id;
 } lane_strand;
 
@@ -120,10 +121,10 @@ INLINE vf lane_second(const fibertex_constants *w, vu id) {
   return sel(lti(chance, splati(w->second_chance << 8)), splat(1.0f), splat(0.0f));
 }
 
-/* What chance gives a strand, and its centreline; second: which lane of the two. Two things share
- * a field where nobody sees that they go together. */
-INLINE void lane_course(const fibertex_constants *w, const fibertex_layer *c, int ends,
-                        const lane_place *p, const lane_pair *pair, int second, lane_strand *q) {
+/* What chance gives a strand; second: which lane of the two. Two things share a field where nobody
+ * sees that they go together. */
+INLINE void lane_draw(const fibertex_constants *w, const fibertex_layer *c, int ends,
+                      const lane_place *p, const lane_pair *pair, int second, lane_strand *q) {
   /* the place's hash is a good one: a round is enough */
   vu id = second ? pair->key + splatu(HASH_X) : pair->key;
   id ^= id >> 15;
@@ -131,14 +132,20 @@ INLINE void lane_course(const fibertex_constants *w, const fibertex_layer *c, in
   id ^= id >> 13;
   q->id = id;
   vf aside = field_of(id, 0), phase = field_of(id, 1), thick = field_of(id, 2);
-  vf f = splat(w->own_frequency) + splat(w->own_vary) * thick, rate;
-  vf own = wave(p->x * f + splat(FIELD(0.5f)) * phase, &rate);
-  vf sway = splat(c->sway), tilt = splat(c->tilt) * aside;
-  q->slope = p->bend + (sway * rate * f + tilt);
+  q->frequency = splat(w->own_frequency) + splat(w->own_vary) * thick;
+  q->turns = p->x * q->frequency + splat(FIELD(0.5f)) * phase;
   vf off = second ? pair->off - splat(c->spacing) : pair->off;
-  q->off = off - splat(c->shift) * aside - (sway * own + tilt * p->x);
+  q->off = off - splat(c->shift) * aside;
+  q->tilt = splat(c->tilt) * aside;
   q->thick = splat(c->radius) + splat(c->radius_vary) * thick;
   if (ends) q->from = vabs(p->x - p->thin * phase);
+}
+
+/* Its centreline. */
+INLINE void lane_course(const fibertex_layer *c, const lane_place *p, lane_strand *q) {
+  vf rate, own = wave(q->turns, &rate), sway = splat(c->sway);
+  q->slope = p->bend + (sway * rate * q->frequency + q->tilt);
+  q->off = q->off - (sway * own + q->tilt * p->x);
 }
 
 /* What of it a footprint has. */
@@ -222,19 +229,11 @@ INLINE void lane_choose(const fibertex_constants *w, const fibertex_layer *c, in
   q->detail = one;
 }
 
-/* What a bundle shows from afar. */
-INLINE void lane_mean(const fibertex_constants *w, const fibertex_layer *c, int ends,
-                      const lane_place *p, lane_hit *q) {
-  const vf zero = splat(0.0f);
-  *q = (lane_hit){lane_expected(c, ends, p), p->bend + zero,   zero, zero, splat(w->second_share),
-                  splat(1.0f),               splat(c->soft), zero, splatu(0)};
-}
-
 /* Between the two. The mean of what is covered has its strands in proportion to coverage. */
-INLINE void lane_blend(const fibertex_constants *w, const fibertex_layer *c, int ends,
-                       const lane_place *p, vf far, lane_hit *q) {
+INLINE void lane_blend(const fibertex_constants *w, const fibertex_layer *c,
+                       const lane_place *p, vf far, vf expected, lane_hit *q) {
   const vf one = splat(1.0f), zero = splat(0.0f);
-  vf near = one - far, seen = near * q->cover, all = seen + far * lane_expected(c, ends, p);
+  vf near = one - far, seen = near * q->cover, all = seen + far * expected;
   vf part = sel(gt(far, zero), seen / vmax(all, splat(1e-6f)), one), rest = one - part;
   q->cover = all;
   q->slope = q->slope * part + (p->bend * rest + zero);
@@ -245,18 +244,6 @@ INLINE void lane_blend(const fibertex_constants *w, const fibertex_layer *c, int
   q->bright = q->bright * part + rest;
   q->soft = q->soft * near + splat(c->soft) * far;
   q->detail = near;
-}
-
-/* The last two stages, as far as the block needs them: `both` only where it is near. */
-INLINE void lane_show(const fibertex_constants *w, const fibertex_layer *c, int ends,
-                      const lane_place *p, const lane_filter *t, vf far, const lane_strand both[2],
-                      lane_hit *q) {
-  if (!any(lt(far, splat(1.0f)))) {
-    lane_mean(w, c, ends, p, q);
-    return;
-  }
-  lane_choose(w, c, ends, p, t, both, q);
-  if (any(gt(far, splat(0.0f)))) lane_blend(w, c, ends, p, far, q);
 }
 
 #endif

@@ -56,7 +56,7 @@ INLINE void yarn_place(const fibertex_layer *c, const vf at[2], vu h, lane_place
 typedef struct {
   bundle_cell cell;
   lane_place p;
-  vf direction[2], far;
+  vf direction[2], far, expected;
   lane_pair pair;
   lane_strand both[2];
   lane_hit hit;
@@ -70,21 +70,36 @@ typedef layer_work layers_work[LAYERS_TOGETHER][BLOCKS_TOGETHER];
 
 INLINE void stages_of_lanes(const fibertex_constants *w, const fibertex_layer *c, uint32_t layers,
                             int ends, const block *k, uint32_t blocks, layers_work of) {
-  int some = 0;
-  EACH_LAYER {
-    of[l][b].far = lane_far(&c[l], k[b].s);
-    if (any(lt(of[l][b].far, splat(1.0f)))) some = 1;
-  }
-  if (some) {
-    EACH_LAYER lane_pair_of(&c[l], &of[l][b].p, &of[l][b].pair);
-    EACH_LAYER lane_course(w, &c[l], ends, &of[l][b].p, &of[l][b].pair, 0, &of[l][b].both[0]);
-    EACH_LAYER lane_course(w, &c[l], ends, &of[l][b].p, &of[l][b].pair, 1, &of[l][b].both[1]);
-    EACH_LAYER lane_cover(ends, &of[l][b].p, &k[b].filter, &of[l][b].both[0]);
-    EACH_LAYER lane_cover(ends, &of[l][b].p, &k[b].filter, &of[l][b].both[1]);
-  }
+  const vf zero = splat(0.0f), one = splat(1.0f);
+  vm strands = lt(one, zero), means = strands;
   EACH_LAYER {
     layer_work *q = &of[l][b];
-    lane_show(w, &c[l], ends, &q->p, &k[b].filter, q->far, q->both, &q->hit);
+    lane_pair_of(&c[l], &q->p, &q->pair);
+    q->far = lane_far(&c[l], k[b].s);
+    strands = or_(strands, lt(q->far, one));
+    means = or_(means, gt(q->far, zero));
+    q->expected = lane_expected(&c[l], ends, &q->p);
+  }
+  if (any(strands)) {
+    EACH_LAYER lane_draw(w, &c[l], ends, &of[l][b].p, &of[l][b].pair, 0, &of[l][b].both[0]);
+    EACH_LAYER lane_draw(w, &c[l], ends, &of[l][b].p, &of[l][b].pair, 1, &of[l][b].both[1]);
+    EACH_LAYER lane_course(&c[l], &of[l][b].p, &of[l][b].both[0]);
+    EACH_LAYER lane_course(&c[l], &of[l][b].p, &of[l][b].both[1]);
+    EACH_LAYER lane_cover(ends, &of[l][b].p, &k[b].filter, &of[l][b].both[0]);
+    EACH_LAYER lane_cover(ends, &of[l][b].p, &k[b].filter, &of[l][b].both[1]);
+    EACH_LAYER {
+      layer_work *q = &of[l][b];
+      lane_choose(w, &c[l], ends, &q->p, &k[b].filter, q->both, &q->hit);
+    }
+  } else {
+    EACH_LAYER {
+      of[l][b].hit = (lane_hit){zero, zero, zero, zero, zero, zero, zero, zero, splatu(0)};
+    }
+  }
+  if (!any(means)) return;
+  EACH_LAYER {
+    layer_work *q = &of[l][b];
+    lane_blend(w, &c[l], &q->p, q->far, q->expected, &q->hit);
   }
 }
 
@@ -102,11 +117,9 @@ INLINE void stages_of_hull(const fibertex_constants *w, const fibertex_layer *c,
 }
 
 STAGE void layers_of_hull(const fibertex_constants *w, const fibertex_layer *c, uint32_t layers,
-                          block *k, uint32_t blocks, int light) {
+                          block *k, uint32_t blocks, int level, int light) {
   layers_work of;
-  vm slant = lt(splat(1.0f), splat(0.0f));
-  EACH(b, blocks) slant = or_(slant, gt(k[b].inverse[1], splat(1.0f)));
-  stages_of_hull(w, c, layers, k, blocks, !any(slant), of);
+  stages_of_hull(w, c, layers, k, blocks, level, of);
   EACH_LAYER {
     compose(w, &c[l], &k[b], &of[l][b].hit, of[l][b].direction, splat(c[l].depth), light);
   }
@@ -136,7 +149,7 @@ INLINE int layers_wanted(const block *k, uint32_t blocks) {
 
 /* Down through the shell. */
 INLINE void stage_layers(const fibertex_constants *w, int woven, block *k, uint32_t blocks,
-                         int light) {
+                         int level, int light) {
   /* of a cloth what stands off it first */
   uint32_t all = (uint32_t)w->layers, first = woven ? (uint32_t)w->layer[0].ends : 0, layers;
   for (uint32_t l = 0; l < all && layers_wanted(k, blocks); l += layers) {
@@ -145,7 +158,7 @@ INLINE void stage_layers(const fibertex_constants *w, int woven, block *k, uint3
     if (woven && l >= first)
       layers_of_yarn(w, w->layer + l, layers, k, blocks, light);
     else
-      layers_of_hull(w, w->layer + l, layers, k, blocks, light);
+      layers_of_hull(w, w->layer + l, layers, k, blocks, level, light);
   }
 }
 

@@ -72,7 +72,7 @@ static void measure(const fibertex_constants *w, uint32_t count, fibertex_means 
       layers_work of;
       const lane_hit *q = &of[0][0].hit;
       if (c->ends) {
-        lattice_of(&k.f, at, k.g);
+        lattice_of(&k.f, at, 1, k.g);
         stages_of_hull(w, c, 1, &k, 1, 1, of);
       } else {
         yarn_place(c, at, splatu(0), &of[0][0].p);

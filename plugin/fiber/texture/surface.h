@@ -31,9 +31,7 @@ INLINE void frame_axes(const fibertex_constants *w, const vf given[3], hull_fram
   for (int c = 0; c < 3; c++) f->e1[c] = axis[c] - along * f->n[c];
   vf k = inverse_root(vmax(dot3(f->e1, f->e1), splat(1e-6f)));
   for (int c = 0; c < 3; c++) f->e1[c] = f->e1[c] * k;
-  f->e2[0] = f->n[1] * f->e1[2] - f->n[2] * f->e1[1];
-  f->e2[1] = f->n[2] * f->e1[0] - f->n[0] * f->e1[2];
-  f->e2[2] = f->n[0] * f->e1[1] - f->n[1] * f->e1[0];
+  cross(f->n, f->e1, f->e2);
 }
 
 INLINE void into_frame(const hull_frame *f, const vf v[3], vf out[3]) {
@@ -80,8 +78,15 @@ INLINE void stage_view(const kernel_io *io, block *k) {
   k->inverse[1] = slant;
 }
 
-INLINE void stage_bundles(const fibertex_constants *w, block *k) {
-  lattice_of(&k->f, k->at, k->g);
+/* Whether all are looked at squarely. */
+INLINE int eye_level(const block *k, uint32_t blocks) {
+  vm slant = lt(splat(1.0f), splat(0.0f));
+  EACH(b, blocks) slant = or_(slant, not_(eq(k[b].inverse[1], splat(1.0f))));
+  return !any(slant);
+}
+
+INLINE void stage_bundles(const fibertex_constants *w, int level, block *k) {
+  lattice_of(&k->f, k->at, level, k->g);
   k->filter = lane_filter_of(w->layer[0].radius, k->s);
 }
 
