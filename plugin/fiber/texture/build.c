@@ -14,13 +14,13 @@
 #define PI 3.14159265358979324
 #define RADIANS (PI / 180.0)
 #define CERTAIN 4294967296.0
-#define FULL (0.8f * 4294967296.0f)  /* presence that leaves room for a bundle to have more */
+#define FULL (0.8f * 4294967296.0f) /* presence that leaves room for a bundle to have more */
 #define MEASURED 16384u /* points, for means that have no formula; whole blocks of every width */
 #define FILL 0.55       /* of space by bundles, less the ends of their strands; about */
 #define ON_YARN 4       /* layers */
 #define HULL_LOOKS 4
-#define FIELD 2147483648.0 /* a hash's field is within this of 0 */
-#define WAVE 8.0           /* over the wave's amplitude */
+#define FIELD 2147483648.0  /* a hash's field is within this of 0 */
+#define WAVE 8.0            /* over the wave's amplitude */
 #define WAVE_SLOPE2 21.3333 /* mean square of the wave's slope: of +-8, evenly */
 
 static uint32_t seed_of(const settings *s) {

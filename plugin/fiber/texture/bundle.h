@@ -76,7 +76,7 @@ INLINE vf widening(vf slant, float most) {
 /* Where in its cell a point is, from the middle, in cells; and which cell. */
 typedef struct {
   vf from[3];
-  vi twice[3]; /* of the cube */
+  vf low[3]; /* of the cube */
   vu h;
   vf x1, x2, above2;
 } bundle_cell;
@@ -88,10 +88,8 @@ INLINE void bundle_cube(const fibertex_layer *c, const lattice_frame *frames, in
   for (int k = 0; k < 3; k++) {
     vf at = g->at[k] * splat(c->inverse_size) + splat(c->offset[k]);
     if (!level) at = at - g->step[k] * splat(c->depth_cells);
-    vf low = whole_of(at);
-    vi i = to_int(low);
-    q->from[k] = at - low - splat(0.5f);
-    q->twice[k] = i + i;
+    q->low[k] = whole_of(at);
+    q->from[k] = at - q->low[k] - splat(0.5f);
   }
 }
 
@@ -102,13 +100,12 @@ INLINE void bundle_find(const fibertex_layer *c, bundle_cell *q) {
   vf *b = q->from;
   vm centre = lt(vabs(b[0]) + vabs(b[1]) + vabs(b[2]), splat(0.75f));
   vu h = splatu(c->seed);
+  vi half = seli(centre, splati(0), bits_of(splat(0.5f))); /* of b's sign */
+  vi sign = seli(centre, splati(0), splati(INT32_MIN));
   for (int k = 0; k < 3; k++) {
-    vi sign = bits_of(b[k]) & splati(INT32_MIN);
-    vf corner = float_of(sign | bits_of(splat(0.5f)));
-    /* -1, 0 or 1 in half cells, of the centre */
-    vi aside = seli(centre, splati(0), (sign >> 31) | splati(1));
-    h += (vu)(q->twice[k] + aside) * splatu(odd[k]);
-    b[k] = sel(centre, b[k], b[k] - corner);
+    vf aside = float_of((bits_of(b[k]) & sign) | half), cell = q->low[k] + aside;
+    h += (vu)to_int(cell + cell) * splatu(odd[k]);
+    b[k] = b[k] - aside;
   }
   q->h = hash_mix(h);
 }

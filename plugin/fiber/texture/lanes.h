@@ -93,8 +93,8 @@ typedef struct {
 /* One lane's strand at the point. */
 typedef struct {
   vf cover, slope, lo, hi, r;
-  vf off, thick; /* from its centreline; half of its thickness, seen squarely */
-  vf from;       /* its middle, along it */
+  vf off, thick;             /* from its centreline; half of its thickness, seen squarely */
+  vf from;                   /* its middle, along it */
   vf frequency, turns, tilt; /* of its swing and its drift */
   vu id;
 } lane_strand;
@@ -149,8 +149,7 @@ INLINE void lane_course(const fibertex_layer *c, const lane_place *p, lane_stran
 }
 
 /* What of it a footprint has. */
-INLINE void lane_cover(int ends, const lane_place *p,
-                       const lane_filter *t, lane_strand *q) {
+INLINE void lane_cover(int ends, const lane_place *p, const lane_filter *t, lane_strand *q) {
   const vf zero = splat(0.0f), half = splat(0.5f);
   vf e = q->off * lane_inverse_root(q->slope * q->slope);
   vf r = q->thick * p->widen;
@@ -230,8 +229,8 @@ INLINE void lane_choose(const fibertex_constants *w, const fibertex_layer *c, in
 }
 
 /* Between the two. The mean of what is covered has its strands in proportion to coverage. */
-INLINE void lane_blend(const fibertex_constants *w, const fibertex_layer *c,
-                       const lane_place *p, vf far, vf expected, lane_hit *q) {
+INLINE void lane_blend(const fibertex_constants *w, const fibertex_layer *c, const lane_place *p,
+                       vf far, vf expected, lane_hit *q) {
   const vf one = splat(1.0f), zero = splat(0.0f);
   vf near = one - far, seen = near * q->cover, all = seen + far * expected;
   vf part = sel(gt(far, zero), seen / vmax(all, splat(1e-6f)), one), rest = one - part;

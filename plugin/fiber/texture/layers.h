@@ -81,12 +81,21 @@ INLINE void stages_of_lanes(const fibertex_constants *w, const fibertex_layer *c
     q->expected = lane_expected(&c[l], ends, &q->p);
   }
   if (any(strands)) {
-    EACH_LAYER lane_draw(w, &c[l], ends, &of[l][b].p, &of[l][b].pair, 0, &of[l][b].both[0]);
-    EACH_LAYER lane_draw(w, &c[l], ends, &of[l][b].p, &of[l][b].pair, 1, &of[l][b].both[1]);
-    EACH_LAYER lane_course(&c[l], &of[l][b].p, &of[l][b].both[0]);
-    EACH_LAYER lane_course(&c[l], &of[l][b].p, &of[l][b].both[1]);
-    EACH_LAYER lane_cover(ends, &of[l][b].p, &k[b].filter, &of[l][b].both[0]);
-    EACH_LAYER lane_cover(ends, &of[l][b].p, &k[b].filter, &of[l][b].both[1]);
+    EACH_LAYER {
+      layer_work *q = &of[l][b];
+      lane_draw(w, &c[l], ends, &q->p, &q->pair, 0, &q->both[0]);
+      lane_draw(w, &c[l], ends, &q->p, &q->pair, 1, &q->both[1]);
+    }
+    EACH_LAYER {
+      layer_work *q = &of[l][b];
+      lane_course(&c[l], &q->p, &q->both[0]);
+      lane_course(&c[l], &q->p, &q->both[1]);
+    }
+    EACH_LAYER {
+      layer_work *q = &of[l][b];
+      lane_cover(ends, &q->p, &k[b].filter, &q->both[0]);
+      lane_cover(ends, &q->p, &k[b].filter, &q->both[1]);
+    }
     EACH_LAYER {
       layer_work *q = &of[l][b];
       lane_choose(w, &c[l], ends, &q->p, &k[b].filter, q->both, &q->hit);

@@ -124,7 +124,6 @@ STAGE void far_sums(const fibertex_constants *w, const block *k, int light, sums
            (depth + under * splat(w->deep_depth)) * splat(w->solid));
 }
 
-
 /* What is below the layers, seen between their strands. */
 INLINE void stage_deep(const fibertex_constants *w, block *k) {
   vf under = k->sum.left * splat(w->deep) * k->ground.solid, shaded = under * k->shade;

@@ -41,19 +41,19 @@ typedef struct {
   float tilt;        /* how far it drifts per mm, over 2^31 */
   float vague, vague_inverse; /* footprint from which lanes give way to a mean; 1 over how far on
                                nothing is left of them */
-  float widen_most;  /* how much broader a strand may look at a slant */
-  float depth, depth_cells; /* of the layer below the hull; in cells of the lattice */
+  float widen_most;           /* how much broader a strand may look at a slant */
+  float depth, depth_cells;   /* of the layer below the hull; in cells of the lattice */
   float chord_least;
-  float ambient;     /* of the light that comes from around, what reaches it */
-  float mean;        /* share that its strands cover, seen squarely */
-  float formula;     /* a bundle's mean, at its middle */
-  float soft;        /* mean nearness of strands where they do not cover */
-  float lift;        /* 1 over the mean brightness of its strands, which is to be 1 */
-  float slope2;      /* variance of the strands' slope within their bundle */
-  float twist[2];    /* on a yarn: cosine and sine of the strands' angle */
-  float presence;    /* chance of a lane to have a strand, of 2^32 */
-  int32_t lattice;   /* which of the turned ones */
-  int32_t ends;      /* strands end within their bundle; else they follow a yarn */
+  float ambient;   /* of the light that comes from around, what reaches it */
+  float mean;      /* share that its strands cover, seen squarely */
+  float formula;   /* a bundle's mean, at its middle */
+  float soft;      /* mean nearness of strands where they do not cover */
+  float lift;      /* 1 over the mean brightness of its strands, which is to be 1 */
+  float slope2;    /* variance of the strands' slope within their bundle */
+  float twist[2];  /* on a yarn: cosine and sine of the strands' angle */
+  float presence;  /* chance of a lane to have a strand, of 2^32 */
+  int32_t lattice; /* which of the turned ones */
+  int32_t ends;    /* strands end within their bundle; else they follow a yarn */
   uint32_t seed;
 } fibertex_layer;
 
@@ -90,10 +90,10 @@ typedef struct {
   /* ..._vary: how far from it, over a field's 2^31 */
   float crimp, crimp_frequency, crimp_vary; /* shared in a bundle: mm; 1/mm */
   float own_frequency, own_vary;            /* of a strand's swing, 1/mm */
-  float curl;                   /* curvature of a bundle, 1/mm, over a field's 2^31 */
-  float slope2;                 /* variance of the slope of what bundles share */
-  float scatter, scatter_up;    /* of strands about their bundle's course, when not told apart */
-  float lean, rise, rise2;      /* tangent of the elevation: mean, how far from it, variance */
+  float curl;                               /* curvature of a bundle, 1/mm, over a field's 2^31 */
+  float slope2;                             /* variance of the slope of what bundles share */
+  float scatter, scatter_up; /* of strands about their bundle's course, when not told apart */
+  float lean, rise, rise2;   /* tangent of the elevation: mean, how far from it, variance */
   float radius_spread;
   float contact;         /* how much of the light strands take from what is close below */
   float step, step_more; /* optical depth of the first layer; and what each next has more */
