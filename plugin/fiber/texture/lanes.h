@@ -67,10 +67,10 @@ typedef struct {
 
 INLINE lane_filter lane_filter_of(float radius, vf s) {
   vf box = vmax(s, splat(0.02f * radius));
-  /* what lies bare within a footprint as wide as a strand is near it on the average */
+  /* what lies bare within a footprint of some strands is near them on the average */
   return (lane_filter){s, splat(1.0f) / box, box * splat(0.5f),
                        splat(1.0f) / vmax(s, splat(2.0f * radius)),
-                       smooth_step(splat(0.2f * radius), splat(1.6f * radius), s)};
+                       smooth_step(splat(1.2f * radius), splat(5.0f * radius), s)};
 }
 
 /* From lanes, 0, to their bundle's mean, 1. */
