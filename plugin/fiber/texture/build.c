@@ -13,11 +13,14 @@
 
 #define PI 3.14159265358979324
 #define RADIANS (PI / 180.0)
-#define FULL 52400.0f   /* presence that leaves room for a bundle to have more */
+#define CERTAIN 4294967296.0
+#define FULL (0.8f * 4294967296.0f) /* presence that leaves room for a bundle to have more */
 #define MEASURED 16384u /* points, for means that have no formula; whole blocks of every width */
 #define FILL 0.55       /* of space by bundles, less the ends of their strands; about */
 #define ON_YARN 4       /* layers */
 #define HULL_LOOKS 4
+#define FIELD 2147483648.0  /* a hash's field is within this of 0 */
+#define WAVE 8.0            /* over the wave's amplitude */
 #define WAVE_SLOPE2 21.3333 /* mean square of the wave's slope: of +-8, evenly */
 
 static uint32_t seed_of(const settings *s) {
@@ -47,8 +50,11 @@ static void place_layer(fibertex_constants *w, int l, double size, double radius
   c->radius = (float)radius;
   c->inverse_radius = (float)(1.0 / radius);
   c->lattice = l % 3;
-  c->presence = (float)(65536.0 * least(wanted * spacing / (2.0 * radius * FILL), 0.95));
+  c->presence = (float)(CERTAIN * least(wanted * spacing / (2.0 * radius * FILL), 0.95));
+  c->radius_vary = (float)(radius * (double)w->radius_spread / FIELD);
   c->depth = (float)level;
+  c->depth_cells = (float)(level / size);
+  c->chord_least = (float)(1e-3 * size);
   c->ends = 1;
   c->seed = hash1(w->seed + 0x9e3779b9u * (uint32_t)(l + 1));
   for (uint32_t k = 0; k < 3; k++) {
@@ -64,7 +70,7 @@ static void place_round(fibertex_constants *w, int l, double radius, double want
   double spacing = 4.0 * radius;
   c->spacing = (float)spacing;
   c->inverse_spacing = (float)(1.0 / spacing);
-  c->presence = (float)(65536.0 * least(wanted * spacing / (2.0 * radius), 0.95));
+  c->presence = (float)(CERTAIN * least(wanted * spacing / (2.0 * radius), 0.95));
   c->ends = 0;
   c->twist[0] = (float)scalar_cos(twist);
   c->twist[1] = (float)scalar_sin(twist);
@@ -77,11 +83,12 @@ static void let_stray(fibertex_constants *w, fibertex_layer *c, double waver) {
   double thick = (double)c->radius * (1.0 + (double)w->radius_spread) / spacing;
   double stray = least(waver * 0.85, most(1.0 - 1.2 * thick, 0.0)) * spacing;
   c->widen_most = (float)most(least((1.0 - stray / spacing) / thick, 3.0), 1.0);
-  c->shift = (float)(0.3 * stray / 128.0);
-  c->sway = (float)((c->ends ? 0.4 : 0.6) * stray);
-  c->tilt = (float)(c->ends ? 0.3 * stray * 2.0 / (double)c->size / 128.0 : 0.0);
-  c->vague = (float)(1.8 * spacing);
-  double swing = (double)c->sway * (double)w->own_frequency, tilt = 128.0 * (double)c->tilt;
+  c->shift = (float)(0.3 * stray / FIELD);
+  c->sway = (float)(WAVE * (c->ends ? 0.4 : 0.6) * stray);
+  c->tilt = (float)(c->ends ? 0.3 * stray * 2.0 / (double)c->size / FIELD : 0.0);
+  c->vague = (float)(0.6 * spacing);
+  c->vague_inverse = (float)(1.0 / ((1.8 - 0.6) * spacing));
+  double swing = (double)c->sway / WAVE * (double)w->own_frequency, tilt = FIELD * (double)c->tilt;
   c->slope2 = (float)(swing * swing * WAVE_SLOPE2 * 1.053 + tilt * tilt / 3.0);
 }
 
@@ -89,7 +96,7 @@ static void let_stray(fibertex_constants *w, fibertex_layer *c, double waver) {
 static void set_formulas(fibertex_constants *w) {
   for (int l = 0; l < w->layers; l++) {
     fibertex_layer *c = &w->layer[l];
-    c->formula = 2.0f * c->radius * c->inverse_spacing * c->presence / 65536.0f;
+    c->formula = 2.0f * c->radius * c->inverse_spacing * c->presence / (float)CERTAIN;
   }
 }
 
@@ -192,11 +199,13 @@ static double build_shell(fibertex_constants *w, const settings *s, const fibert
 static void build_bundles(fibertex_constants *w, const settings *s) {
   double bundle = number_at(s, P_BUNDLE), per_mm = 0.1 * number_at(s, P_CRIMP);
   double height = per_mm > 0.0 ? least(number_at(s, P_CRIMP_HEIGHT), 1.0 / (8.0 * per_mm)) : 0.0;
-  w->crimp = (float)height;
+  w->crimp = (float)(WAVE * height);
   w->crimp_frequency = (float)per_mm;
+  w->crimp_vary = (float)(0.25 * per_mm / FIELD);
   w->own_frequency = (float)(2.2 / bundle);
+  w->own_vary = (float)(0.4 * 2.2 / bundle / FIELD);
   w->contact = (float)(0.75 * number_at(s, P_DARKENING));
-  w->curl = (float)(0.7 / bundle / 128.0);
+  w->curl = (float)(0.7 / bundle / FIELD);
   w->radius_spread = (float)number_at(s, P_DIAMETER_SPREAD);
   double steep = height * per_mm, arc = 0.7 * 0.25;
   w->slope2 = (float)(steep * steep * WAVE_SLOPE2 * 1.02 + arc * arc / 9.0);
@@ -242,8 +251,8 @@ static void build_yarns(fibertex_constants *w, const settings *s) {
     y->height = (float)(0.5 * thin * number_at(s, P_YARN_FLATNESS));
     y->rise = (float)rise;
     y->over = (float)(i ? -over : over);
-    y->wander = (float)(0.16 * slub);
-    y->tone = (float)(0.22 * slub / 128.0);
+    y->wander = (float)(WAVE * 0.16 * slub);
+    y->tone = (float)(0.22 * slub / FIELD);
     y->frequency = (float)(0.11 / spacing[i]);
   }
   double high = rise + over + (double)w->yarn[0].height, low = 0.1 * high;

@@ -19,6 +19,14 @@ typedef struct {
   vf lean2[2]; /* tangent of the view's slant along e1 and e2 */
 } hull_frame;
 
+INLINE vf dot3(const vf a[3], const vf b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+INLINE void cross(const vf a[3], const vf b[3], vf out[3]) {
+  out[0] = a[1] * b[2] - a[2] * b[1];
+  out[1] = a[2] * b[0] - a[0] * b[2];
+  out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
 /* The same turned into the lattice's space, which no face or diagonal of an object
  * lies along: a level of the lattice would be cut all at one height. */
 typedef struct {
@@ -45,17 +53,16 @@ INLINE void into_lattice(int which, const vf v[3], vf out[3]) {
   }
 }
 
-INLINE void lattice_of(const hull_frame *f, const vf at[3], lattice_frame g[LATTICES]) {
+/* level: as below. */
+INLINE void lattice_of(const hull_frame *f, const vf at[3], int level, lattice_frame g[LATTICES]) {
   for (int i = 0; i < LATTICES; i++) {
     into_lattice(i, at, g[i].at);
-    into_lattice(i, f->step, g[i].step);
+    if (!level) into_lattice(i, f->step, g[i].step);
     into_lattice(i, f->e1, g[i].e1);
     into_lattice(i, f->e2, g[i].e2);
-    into_lattice(i, f->n, g[i].n);
+    cross(g[i].e1, g[i].e2, g[i].n); /* none is a mirror */
   }
 }
-
-INLINE vf dot3(const vf a[3], const vf b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /* How much broader a cylinder's shadow along the view is, on a surface: `slant`
  * is the view's tangent across it. */
@@ -66,57 +73,85 @@ INLINE vf widening(vf slant, float most) {
               splat(most));
 }
 
-INLINE void bundle_at(const fibertex_constants *w, const fibertex_layer *c, const hull_frame *hull,
-                      const lattice_frame *frames, lane_place *p, vf direction[2]) {
-  const vf half = splat(0.5f);
-  const lattice_frame *g = &frames[c->lattice];
-  vf a[3], b[3];
-  vu ha = splatu(c->seed), hb;
-  static const uint32_t odd[3] = {HASH_X, HASH_Y, HASH_Z};
-  for (int k = 0; k < 3; k++) {
-    vf q = (g->at[k] - g->step[k] * splat(c->depth)) * splat(c->inverse_size) + splat(c->offset[k]);
-    vi i;
-    vf low = vfloor(q, &i), part = q - low;
-    /* the cube's centre; and the nearest of its corners */
-    b[k] = part - half;
-    vm upper = gt(b[k], splat(0.0f));
-    a[k] = part - sel(upper, splat(1.0f), splat(0.0f));
-    ha += (vu)(i + i + seli(upper, splati(2), splati(0))) * splatu(odd[k]);
-    if (k == 0)
-      hb = (vu)(i + i + splati(1)) * splatu(odd[0]);
-    else
-      hb += (vu)(i + i + splati(1)) * splatu(odd[k]);
-  }
-  hb += splatu(c->seed);
-  vm centre = lt(dot3(b, b), dot3(a, a));
-  for (int k = 0; k < 3; k++) a[k] = sel(centre, b[k], a[k]) * splat(c->size);
-  vu h = hash_mix((vu)seli(centre, (vi)hb, (vi)ha));
-  p->h = h;
+/* Where in its cell a point is, from the middle, in cells; and which cell. */
+typedef struct {
+  vf from[3];
+  vf low[3]; /* of the cube */
+  vu h;
+  vf x1, x2, above2;
+} bundle_cell;
 
-  vf x1 = dot3(a, g->e1), x2 = dot3(a, g->e2), above = dot3(a, g->n);
+/* level: the eye looks at all the points squarely. */
+INLINE void bundle_cube(const fibertex_layer *c, const lattice_frame *frames, int level,
+                        bundle_cell *q) {
+  const lattice_frame *g = &frames[c->lattice];
+  for (int k = 0; k < 3; k++) {
+    vf at = g->at[k] * splat(c->inverse_size) + splat(c->offset[k]);
+    if (!level) at = at - g->step[k] * splat(c->depth_cells);
+    q->low[k] = whole_of(at);
+    q->from[k] = at - q->low[k] - splat(0.5f);
+  }
+}
+
+/* The cube's centre is nearest, or the nearest of its corners: cells have the shape of an
+ * octahedron whose corners are cut off. */
+INLINE void bundle_find(const fibertex_layer *c, bundle_cell *q) {
+  static const uint32_t odd[3] = {HASH_X, HASH_Y, HASH_Z};
+  vf *b = q->from;
+  vm centre = lt(vabs(b[0]) + vabs(b[1]) + vabs(b[2]), splat(0.75f));
+  vu h = splatu(c->seed);
+  vi half = seli(centre, splati(0), bits_of(splat(0.5f))); /* of b's sign */
+  vi sign = seli(centre, splati(0), splati(INT32_MIN));
+  for (int k = 0; k < 3; k++) {
+    vf aside = float_of((bits_of(b[k]) & sign) | half), cell = q->low[k] + aside;
+    h += (vu)to_int(cell + cell) * splatu(odd[k]);
+    b[k] = b[k] - aside;
+  }
+  q->h = hash_mix(h);
+}
+
+/* Where it lies about its bundle's middle, on the surface and above. */
+INLINE void bundle_middle(const fibertex_constants *w, const fibertex_layer *c,
+                          const hull_frame *hull, const lattice_frame *frames, int level,
+                          bundle_cell *q, lane_place *p, vf direction[2]) {
+  const lattice_frame *g = &frames[c->lattice];
+  vu h = p->h = q->h;
   /* a bundle stands off its cell's middle, so that no rows are seen, and is more or
    * less full */
   vu more = h * splatu(HASH_Z);
-  vf off = splat(0.16f / 128.0f * c->size);
-  x1 = x1 + off * byte_of(more, 1);
-  x2 = x2 + off * byte_of(more, 2);
-  above = above + off * byte_of(more, 3);
-  p->full = splat(1.0f) + splat(0.25f / 128.0f) * byte_of(more, 0);
-  vf co = lookup16(w->turn[0], h & splatu(15)), si = lookup16(w->turn[1], h & splatu(15));
+  const vf size = splat(c->size), off = splat(FIELD(0.16f));
+  vf x1 = (dot3(q->from, g->e1) + off * field_of(more, 1)) * size;
+  vf x2 = (dot3(q->from, g->e2) + off * field_of(more, 2)) * size;
+  vf above = (dot3(q->from, g->n) + off * field_of(more, 3)) * size;
+  p->many = splat(1.0f) + splat(FIELD(0.25f)) * field_of(more, 0);
+  p->full = p->many * splat(c->presence) - splat(HASH_ONE);
+  vf co = lookup16(w->turn[0], h), si = lookup16(w->turn[1], h);
   direction[0] = co;
   direction[1] = si;
-  p->x = x1 * co + x2 * si;
-  vf y = x2 * co - x1 * si;
-  p->rest2 = splat(c->reach2) - above * above;
-  vf curl = splat(w->curl) * byte_of(h, 0), slope;
-  vf f = splat(w->crimp_frequency) * (splat(1.0f) + splat(0.25f / 128.0f) * byte_of(h, 1));
-  vf swing = wave(p->x * f + splat(1.0f / 256.0f) * byte_of(h, 2), &slope) * splat(w->crimp);
-  p->bend = curl * p->x + slope * f * splat(w->crimp);
-  p->y = y - half * curl * p->x * p->x - swing;
-  vf chord2 = p->rest2 - p->y * p->y;
-  p->chord = vsqrt(vmax(chord2, splat(0.0f)));
-  p->inverse_length = splat(1.0f / LANE_ENDS) / vmax(p->chord, splat(1e-3f * c->size));
-  p->widen = widening(hull->lean2[1] * co - hull->lean2[0] * si, c->widen_most);
+  q->x1 = x1 * co + x2 * si;
+  q->x2 = x2 * co - x1 * si;
+  q->above2 = above * above;
+  p->widen = splat(1.0f);
+  if (!level) p->widen = widening(hull->lean2[1] * co - hull->lean2[0] * si, c->widen_most);
+}
+
+/* Its course there. */
+INLINE void bundle_course(const fibertex_constants *w, const bundle_cell *q, lane_place *p) {
+  vf x = p->x = q->x1;
+  vf arc = splat(w->curl) * field_of(q->h, 0) * x, slope;
+  vf f = splat(w->crimp_frequency) + splat(w->crimp_vary) * field_of(q->h, 1);
+  vf swing = wave(x * f + splat(FIELD(0.5f)) * field_of(q->h, 2), &slope) * splat(w->crimp);
+  p->bend = arc + slope * f * splat(w->crimp);
+  p->y = q->x2 - splat(0.5f) * arc * x - swing;
+}
+
+INLINE void bundle_chord(const fibertex_layer *c, const bundle_cell *q, lane_place *p) {
+  vf chord2 = splat(c->reach2) - q->above2 - p->y * p->y;
+  /* half of the bundle's extent along x there */
+  vf chord = vsqrt(vmax(chord2, splat(0.0f)));
+  p->thin = chord * splat(FIELD(1.0f - LANE_ENDS));
+  p->reach = chord * splat(LANE_ENDS);
+  p->inverse_length = splat(1.0f / LANE_ENDS) / vmax(chord, splat(c->chord_least));
 }
 
 #endif

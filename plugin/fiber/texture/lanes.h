@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * The strands of a bundle: lanes side by side, each of which may hold one.
+ *
+ * In stages, each run over several layers before the next: a stage's work waits for its own
+ * results most of the time, and does not for another layer's.
  */
 #ifndef SOZAI_FIBERTEX_LANES_H
 #define SOZAI_FIBERTEX_LANES_H
@@ -15,17 +18,27 @@
 #define LANE_RIM 0.5f
 #define LANE_ENDS 0.7f /* a strand's length over its lane's */
 
-/* A wave of period and amplitude 1, of parabolas, with its slope. */
-INLINE vf wave(vf turns, vf *slope) {
+/* The greatest whole number not above x; its sign where it is 0 is either. */
+INLINE vf whole_of(vf x) {
+#ifdef ROUND_DOWN_
+  return ROUND_DOWN_(x);
+#else
   vi whole;
-  vf t = turns - vfloor(turns + splat(0.5f), &whole);
-  vf a = vabs(t);
-  *slope = splat(8.0f) - splat(32.0f) * a;
-  return t * (splat(8.0f) - splat(16.0f) * a);
+  return vfloor(x, &whole);
+#endif
 }
 
-/* The k-th byte of a hash, from the top, within -128 to 127. */
-INLINE vf byte_of(vu h, int k) { return to_float((vi)(h << (8 * k)) >> 24); }
+/* A wave of period 1 and amplitude 1/8, of parabolas, with its slope. */
+INLINE vf wave(vf turns, vf *slope) {
+  vf t = turns - whole_of(turns + splat(0.5f));
+  vf a = vabs(t) + vabs(t), b = splat(1.0f) - a;
+  *slope = b - a;
+  return t * b;
+}
+
+/* A hash from its k-th byte on, from the top: a number within +-HASH_ONE. */
+INLINE vf field_of(vu h, int k) { return to_float((vi)(h << (8 * k))); }
+#define FIELD(x) ((x) / HASH_ONE) /* what it is multiplied by to lie within +-x */
 
 /* 1 / sqrt(1 + x) for 0 <= x <= 1.6, within 0.003; what is steeper counts as that. */
 INLINE vf lane_inverse_root(vf x) {
@@ -36,11 +49,12 @@ INLINE vf lane_inverse_root(vf x) {
 typedef struct {
   vf x, y;           /* place in the bundle, mm: along; across, straightened */
   vf bend;           /* slope of the bundle itself there */
-  vf rest2;          /* what the bundle's radius leaves at this level, squared */
-  vf chord;          /* half of the bundle's extent along x there */
   vf inverse_length; /* of a strand there, half */
   vf widen;          /* how much broader strands look at the eye's slant */
-  vf full;           /* how many strands it has, of what is usual */
+  vf thin, reach;    /* how far a strand's middle lies off that's, over a field's 2^31; half of
+                      * its own */
+  vf many;           /* how many strands it has, of what is usual */
+  vf full;           /* the same as what b is below where there is one */
   vu h;              /* the bundle */
 } lane_place;
 
@@ -48,12 +62,21 @@ typedef struct {
 typedef struct {
   vf s, inverse_box, half; /* of the box that stands for the footprint */
   vf inverse_end;
+  vf wide; /* 0 where nearness is a strand's, 1 where it is the mean's */
 } lane_filter;
 
 INLINE lane_filter lane_filter_of(float radius, vf s) {
   vf box = vmax(s, splat(0.02f * radius));
+  /* what lies bare within a footprint of some strands is near them on the average */
   return (lane_filter){s, splat(1.0f) / box, box * splat(0.5f),
-                       splat(1.0f) / vmax(s, splat(2.0f * radius))};
+                       splat(1.0f) / vmax(s, splat(2.0f * radius)),
+                       smooth_step(splat(1.2f * radius), splat(5.0f * radius), s)};
+}
+
+/* From lanes, 0, to their bundle's mean, 1. */
+INLINE vf lane_far(const fibertex_layer *c, vf s) {
+  vf t = clamp01((s - splat(c->vague)) * splat(c->vague_inverse));
+  return t * t * (splat(3.0f) - splat(2.0f) * t);
 }
 
 /* What a layer shows: coverage, and of the strand that covers most the rest. */
@@ -69,52 +92,98 @@ typedef struct {
 
 /* One lane's strand at the point. */
 typedef struct {
-  vf cover, slope, lo, hi, r, from, near;
-  vu a, b;
+  vf cover, slope, lo, hi, r;
+  vf off, thick;             /* from its centreline; half of its thickness, seen squarely */
+  vf from;                   /* its middle, along it */
+  vf frequency, turns, tilt; /* of its swing and its drift */
+  vu id;
 } lane_strand;
 
-INLINE void lane_at(const fibertex_constants *w, const fibertex_layer *c, int ends,
-                    const lane_place *p, vi j, const lane_filter *t, lane_strand *q) {
-  const vf zero = splat(0.0f), one = splat(1.0f), half = splat(0.5f);
-  vu a = hash_mix(p->h + (vu)j * splatu(HASH_X));
-  vu b = (a ^ (a >> 15)) * splatu(0x2c1b3c6du);
-  b ^= b >> 13;
-  q->a = a;
-  q->b = b;
-  vm there = lt(to_float((vi)(b >> 16)), p->full * splat(c->presence));
-  vf f = splat(w->own_frequency) + splat(0.4f / 128.0f * w->own_frequency) * byte_of(b, 3), rate;
-  vf own = wave(p->x * f + splat(1.0f / 256.0f) * byte_of(a, 1), &rate);
-  vf tilt = splat(c->tilt) * byte_of(a ^ b, 0);
-  vf centre = (to_float(j) + half) * splat(c->spacing) + splat(c->shift) * byte_of(a, 0) +
-              splat(c->sway) * own + tilt * p->x;
-  q->slope = p->bend + splat(c->sway) * rate * f + tilt;
-  vf e = (p->y - centre) * lane_inverse_root(q->slope * q->slope);
-  vf thick = splat(w->radius_spread * (1.0f / 128.0f)) * byte_of(a, 2);
-  vf r = splat(c->radius) * (one + thick) * p->widen;
+/* Where the two lanes are that may cover the point: the first one's key, and how far off its
+ * middle. */
+typedef struct {
+  vu key;
+  vf off;
+} lane_pair;
+
+INLINE void lane_pair_of(const fibertex_layer *c, const lane_place *p, lane_pair *q) {
+  vf at = p->y * splat(c->inverse_spacing) - splat(0.5f), low = whole_of(at);
+  q->off = (at - low) * splat(c->spacing);
+  q->key = p->h + (vu)to_int(low) * splatu(HASH_X);
+}
+
+/* A second number of chance for a strand: its upper half is good. */
+INLINE vu lane_more(vu id) { return id * splatu(0x846ca68bu); }
+
+/* Whether it is of the second colour: 1, else 0. */
+INLINE vf lane_second(const fibertex_constants *w, vu id) {
+  vi chance = (vi)(lane_more(id) & splatu(0xff00u));
+  return sel(lti(chance, splati(w->second_chance << 8)), splat(1.0f), splat(0.0f));
+}
+
+/* What chance gives a strand; second: which lane of the two. Two things share a field where nobody
+ * sees that they go together. */
+INLINE void lane_draw(const fibertex_constants *w, const fibertex_layer *c, int ends,
+                      const lane_place *p, const lane_pair *pair, int second, lane_strand *q) {
+  /* the place's hash is a good one: a round is enough */
+  vu id = second ? pair->key + splatu(HASH_X) : pair->key;
+  id ^= id >> 15;
+  id *= splatu(0x7feb352du);
+  id ^= id >> 13;
+  q->id = id;
+  vf aside = field_of(id, 0), phase = field_of(id, 1), thick = field_of(id, 2);
+  q->frequency = splat(w->own_frequency) + splat(w->own_vary) * thick;
+  q->turns = p->x * q->frequency + splat(FIELD(0.5f)) * phase;
+  vf off = second ? pair->off - splat(c->spacing) : pair->off;
+  q->off = off - splat(c->shift) * aside;
+  q->tilt = splat(c->tilt) * aside;
+  q->thick = splat(c->radius) + splat(c->radius_vary) * thick;
+  if (ends) q->from = vabs(p->x - p->thin * phase);
+}
+
+/* Its centreline. */
+INLINE void lane_course(const fibertex_layer *c, const lane_place *p, lane_strand *q) {
+  vf rate, own = wave(q->turns, &rate), sway = splat(c->sway);
+  q->slope = p->bend + (sway * rate * q->frequency + q->tilt);
+  q->off = q->off - (sway * own + q->tilt * p->x);
+}
+
+/* What of it a footprint has. */
+INLINE void lane_cover(int ends, const lane_place *p, const lane_filter *t, lane_strand *q) {
+  const vf zero = splat(0.0f), half = splat(0.5f);
+  vf e = q->off * lane_inverse_root(q->slope * q->slope);
+  vf r = q->thick * p->widen;
   vf lo = vmax(e - t->half, zero - r), hi = vmin(e + t->half, r);
   vf cover = vmax(hi - lo, zero) * t->inverse_box;
+  q->off = e;
   q->lo = lo;
   q->hi = hi;
   q->r = r;
-  /* of a thickness between that and its shadow's: then its mean hardly changes with the slant */
-  vf blur = splat(0.5f) * r + splat(1.1f * c->radius) * (one + thick);
-  vf near = clamp01((blur - half * vabs(e)) * splat(c->inverse_radius));
-  q->from = zero;
   if (ends) {
-    q->from = vabs(p->x - p->chord * (splat((1.0f - LANE_ENDS) / 128.0f) * byte_of(b, 2)));
-    vf end = clamp01((p->chord * splat(LANE_ENDS) - q->from) * t->inverse_end + half);
-    cover = cover * end;
-    near = near * end;
+    vf end = (p->reach - q->from) * t->inverse_end + half;
+    cover = cover * clamp01(end);
   }
-  q->near = sel(there, near, zero);
+  vm there = lt(to_float((vi)lane_more(q->id)), p->full);
   q->cover = sel(there, cover, zero);
+}
+
+/* How near a strand is that may not cover: 1 on it. */
+INLINE vf lane_near(const fibertex_layer *c, int ends, const lane_place *p, const lane_filter *t,
+                    const lane_strand *q) {
+  const vf zero = splat(0.0f), half = splat(0.5f);
+  /* of a thickness between that and its shadow's: then its mean hardly changes with the slant */
+  vf near = (splat(1.1f) * q->thick + half * (q->r - vabs(q->off))) * splat(c->inverse_radius);
+  near = clamp01(near);
+  if (ends) near = near * clamp01((p->reach - q->from) * t->inverse_end + half);
+  vm there = lt(to_float((vi)lane_more(q->id)), p->full);
+  return sel(there, near, zero);
 }
 
 /* Coverage expected of a place in a bundle, whatever its lanes hold. */
 INLINE vf lane_expected(const fibertex_layer *c, int ends, const lane_place *p) {
   const vf one = splat(1.0f);
   vf steep = vmin(p->bend * p->bend, splat(2.0f));
-  vf wide = splat(c->formula) * p->full * p->widen *
+  vf wide = splat(c->formula) * p->many * p->widen *
             (one + steep * (splat(0.46f) - splat(0.06f) * steep));
   if (ends) {
     vf v = vabs(p->x) * p->inverse_length * splat(LANE_ENDS);
@@ -123,62 +192,57 @@ INLINE vf lane_expected(const fibertex_layer *c, int ends, const lane_place *p) 
   return vmin(wide, one);
 }
 
-INLINE void lanes_at(const fibertex_constants *w, const fibertex_layer *c, int ends,
-                     const lane_place *p, const lane_filter *t, lane_hit *q) {
-  const vf zero = splat(0.0f), one = splat(1.0f), half = splat(0.5f);
-  vf far = smooth_step(splat(0.6f * c->spacing), splat(c->vague), t->s);
-  vm some = gt(far, zero);
-  *q = (lane_hit){zero, zero,           zero,      zero,     splat(w->second_share),
-                  one,  splat(c->soft), one - far, splatu(0)};
-  if (any(lt(far, one))) {
-    lane_strand m, n;
-    vi j;
-    (void)vfloor(p->y * splat(c->inverse_spacing) - half, &j);
-    lane_at(w, c, ends, p, j, t, &m);
-    lane_at(w, c, ends, p, j + splati(1), t, &n);
-    q->cover = vmin(m.cover + n.cover, one);
-    /* what lies bare within a footprint as wide as a strand is near it on the average */
-    vf wide = smooth_step(splat(0.2f * c->radius), splat(1.6f * c->radius), t->s);
-    q->soft = vmax(m.near, n.near);
-    q->soft = sel(gt(wide, zero), q->soft + (splat(c->soft) - q->soft) * wide, q->soft);
-    vm other = lt(m.cover, n.cover);
-    vu a = (vu)seli(other, (vi)n.a, (vi)m.a), b = (vu)seli(other, (vi)n.b, (vi)m.b);
-    q->slope = sel(other, n.slope, m.slope);
-    /* over the part of the footprint that is covered */
-    vf inverse = one / sel(other, n.r, m.r);
-    vf lo = sel(other, n.lo, m.lo) * inverse, hi = sel(other, n.hi, m.hi) * inverse;
-    vf across2 = vmin((lo * lo + lo * hi + hi * hi) * splat(1.0f / 3.0f), one);
-    q->across = clamp((lo + hi) * half, splat(-1.0f), one);
-    q->tone = splat(1.0f / 128.0f) * byte_of(a, 3);
-    q->id = a;
-    q->second = sel(lti((vi)(b & splatu(0xffu)), splati(w->second_chance)), one, zero);
-    vf bright = splat(1.0f / (1.0f - LANE_RIM / 3.0f)) -
-                splat(LANE_RIM / (1.0f - LANE_RIM / 3.0f)) * across2;
-    if (ends) {
-      vf v = vmin(sel(other, n.from, m.from) * p->inverse_length, one);
-      bright = bright * (splat(1.0f / (1.0f - LANE_DIVE / 3.0f)) -
-                         splat(LANE_DIVE / (1.0f - LANE_DIVE / 3.0f)) * v * v);
-    }
-    q->bright = bright * splat(c->lift);
+/* Of the two that which covers more. */
+INLINE void lane_choose(const fibertex_constants *w, const fibertex_layer *c, int ends,
+                        const lane_place *p, const lane_filter *t, const lane_strand both[2],
+                        lane_hit *q) {
+  const vf zero = splat(0.0f), one = splat(1.0f);
+  const lane_strand *m = &both[0], *n = &both[1];
+  q->cover = vmin(m->cover + n->cover, one);
+  q->soft = splat(c->soft) * t->wide;
+  if (any(lt(t->wide, one))) {
+    q->soft =
+        q->soft + vmax(lane_near(c, ends, p, t, m), lane_near(c, ends, p, t, n)) * (one - t->wide);
   }
-  if (!any(some)) return;
-  vf near = one - far, expected = lane_expected(c, ends, p);
-  if (!any(lt(far, one))) { /* what the rest would come to */
-    q->cover = expected;
-    q->slope = p->bend;
-    return;
+  vm other = lt(m->cover, n->cover);
+  vu id = (vu)seli(other, (vi)n->id, (vi)m->id);
+  q->slope = sel(other, n->slope, m->slope) + zero; /* no -0 */
+  /* over the part of the footprint that is covered */
+  vf inverse = one / sel(other, n->r, m->r);
+  vf lo = sel(other, n->lo, m->lo) * inverse, hi = sel(other, n->hi, m->hi) * inverse;
+  vf sum = lo + hi;
+  vf across2 = vmin((sum * sum - lo * hi) * splat(1.0f / 3.0f), one);
+  q->across = clamp(sum * splat(0.5f), splat(-1.0f), one) + zero;
+  q->tone = splat(FIELD(1.0f)) * field_of(id, 3);
+  q->id = id;
+  q->second = lane_second(w, id);
+  /* what is brighter in the middle: 1 at the mean */
+  vf bright = splat(c->lift) * (splat(1.0f / (1.0f - LANE_RIM / 3.0f)) -
+                                splat(LANE_RIM / (1.0f - LANE_RIM / 3.0f)) * across2);
+  if (ends) {
+    vf v = vmin(sel(other, n->from, m->from) * p->inverse_length, one);
+    bright = bright * (splat(1.0f / (1.0f - LANE_DIVE / 3.0f)) -
+                       splat(LANE_DIVE / (1.0f - LANE_DIVE / 3.0f)) * (v * v));
   }
-  /* the mean of what is covered has its strands in proportion to coverage */
-  vf seen = near * q->cover, all = seen + far * expected;
-  vf part = seen / vmax(all, splat(1e-6f)), rest = one - part;
-  q->cover = sel(some, all, q->cover);
-  q->slope = sel(some, q->slope * part + p->bend * rest, q->slope);
-  q->across = sel(some, q->across * part + zero, q->across); /* no -0 */
+  q->bright = bright;
+  q->detail = one;
+}
+
+/* Between the two. The mean of what is covered has its strands in proportion to coverage. */
+INLINE void lane_blend(const fibertex_constants *w, const fibertex_layer *c, const lane_place *p,
+                       vf far, vf expected, lane_hit *q) {
+  const vf one = splat(1.0f), zero = splat(0.0f);
+  vf near = one - far, seen = near * q->cover, all = seen + far * expected;
+  vf part = sel(gt(far, zero), seen / vmax(all, splat(1e-6f)), one), rest = one - part;
+  q->cover = all;
+  q->slope = q->slope * part + (p->bend * rest + zero);
+  q->across = q->across * part + zero; /* no -0 */
   q->id = (vu)seli(lt(far, one), (vi)q->id, splati(0));
-  q->tone = sel(some, q->tone * part, q->tone);
-  q->second = sel(some, q->second * part + splat(w->second_share) * rest, q->second);
-  q->bright = sel(some, q->bright * part + rest, q->bright);
-  q->soft = sel(some, q->soft * near + splat(c->soft) * far, q->soft);
+  q->tone = q->tone * part;
+  q->second = q->second * part + splat(w->second_share) * rest;
+  q->bright = q->bright * part + rest;
+  q->soft = q->soft * near + splat(c->soft) * far;
+  q->detail = near;
 }
 
 #endif

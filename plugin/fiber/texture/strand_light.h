@@ -44,35 +44,47 @@ typedef struct {
   vf white, glow, bulk, onward;
 } strand_lit;
 
-INLINE void strand_light(const fibertex_constants *w, const vf light[3], const vf view[3],
-                         vf between, const strand_axes *t, strand_lit *r) {
+/* What of it does not wait for a root. */
+typedef struct {
+  vf sum, spread, round, squares, cosine;
+} strand_angles;
+
+INLINE void strand_angles_of(const vf light[3], const vf view[3], vf between, const strand_axes *t,
+                             strand_angles *q) {
   const vf one = splat(1.0f), zero = splat(0.0f);
   vf shrink = one - splat(0.5f) * (t->across2 + t->up2);
   vf sl = strand_dot(t->along, light) * shrink, sv = strand_dot(t->along, view) * shrink;
   vf la = strand_dot(t->across, light), va = strand_dot(t->across, view);
   vf lu = strand_dot(t->up, light), vu_ = strand_dot(t->up, view);
-  vf sl2 = t->across2 * la * la + t->up2 * lu * lu, sv2 = t->across2 * va * va + t->up2 * vu_ * vu_;
-  vf both = t->across2 * la * va + t->up2 * lu * vu_;
-  vf spread = sl2 + sv2 + both + both;
-  vf cl2 = vmax(one - sl * sl - sl2, splat(0.01f)), cv2 = vmax(one - sv * sv - sv2, splat(0.01f));
-  vf round = clamp((between - sl * sv - both) * inverse_root(cl2 * cv2), splat(-1.0f), one);
-  vf sum = sl + sv;
-  vf back = one + round, ahead = vmax(splat(0.25f) - splat(0.5f) * round, zero);
+  vf a = t->across2 * la, u = t->up2 * lu;
+  vf sl2 = a * la + u * lu, sv2 = t->across2 * (va * va) + t->up2 * (vu_ * vu_);
+  vf both = a * va + u * vu_;
+  q->spread = sl2 + sv2 + both + both;
+  vf x = sl * sl;
+  q->squares = vmax(one - x - sl2, splat(0.01f)) * vmax(one - sv * sv - sv2, splat(0.01f));
+  q->round = between - sl * sv - both;
+  q->sum = sl + sv;
   /* the cosine of the inclination, as a polynomial of its sine: its mean is known */
-  vf x = sl * sl, fourth = x * x + splat(6.0f) * x * sl2 + splat(3.0f) * sl2 * sl2;
-  vf cosine = vmax(splat(0.985f) - splat(0.3f) * (x + sl2) - splat(0.55f) * fourth, zero);
+  vf fourth = x * x + splat(6.0f) * x * sl2 + splat(3.0f) * sl2 * sl2;
+  q->cosine = vmax(splat(0.985f) - splat(0.3f) * (x + sl2) - splat(0.55f) * fourth, zero);
+}
+
+INLINE void strand_lobes(const fibertex_constants *w, const strand_angles *q, strand_lit *r) {
+  const vf one = splat(1.0f), zero = splat(0.0f);
+  vf round = clamp(q->round * inverse_root(q->squares), splat(-1.0f), one);
+  vf ahead = vmax(splat(0.25f) - splat(0.5f) * round, zero);
   /* one variance; the other lobes' bells are R's by a factor */
-  vf sharp = inverse_root(splat(w->beta2) + spread);
+  vf sharp = inverse_root(splat(w->beta2) + q->spread);
   vf lobe[3];
   for (int i = 0; i < 3; i++) {
-    lobe[i] = bell(sum - splat(w->tilt[i]), sharp * splat(w->sharp[i]));
+    lobe[i] = bell(q->sum - splat(w->tilt[i]), sharp * splat(w->sharp[i]));
   }
   /* azimuthal parts: over all round each is 1 / 2 pi; times pi for the irradiance */
-  vf reflected = back * splat(0.5f) * cosine;
-  r->onward = lobe[1] * ahead * ahead * splat(2.82986f) * cosine;
+  vf reflected = (one + round) * splat(0.5f) * q->cosine;
+  r->onward = lobe[1] * (ahead * ahead) * splat(2.82986f) * q->cosine;
   r->white = splat(w->gloss[0]) * lobe[0] * reflected;
   r->glow = splat(w->gloss[1]) * r->onward + splat(w->gloss[2]) * lobe[2] * reflected;
-  r->bulk = splat(w->single) * cosine;
+  r->bulk = splat(w->single) * q->cosine;
 }
 
 #endif

@@ -36,22 +36,24 @@ typedef struct {
   float offset[3];          /* of the lattice, cells */
   float reach2;             /* a bundle's radius, squared */
   float spacing, inverse_spacing;
-  float radius, inverse_radius;
-  float shift, sway; /* how far a centreline lies off its lane's middle, and swings */
-  float tilt;        /* how far it drifts per mm */
-  float vague;       /* footprint from which lanes are a mean */
-  float widen_most;  /* how much broader a strand may look at a slant */
-  float depth;       /* of the layer below the hull */
-  float ambient;     /* of the light that comes from around, what reaches it */
-  float mean;        /* share that its strands cover, seen squarely */
-  float formula;     /* a bundle's mean, at its middle */
-  float soft;        /* mean nearness of strands where they do not cover */
-  float lift;        /* 1 over the mean brightness of its strands, which is to be 1 */
-  float slope2;      /* variance of the strands' slope within their bundle */
-  float twist[2];    /* on a yarn: cosine and sine of the strands' angle */
-  float presence;    /* chance of a lane to have a strand, of 65536 */
-  int32_t lattice;   /* which of the turned ones */
-  int32_t ends;      /* strands end within their bundle; else they follow a yarn */
+  float radius, inverse_radius, radius_vary;
+  float shift, sway; /* how far a centreline lies off its lane's middle, over 2^31; and swings */
+  float tilt;        /* how far it drifts per mm, over 2^31 */
+  float vague, vague_inverse; /* footprint from which lanes give way to a mean; 1 over how far on
+                               nothing is left of them */
+  float widen_most;           /* how much broader a strand may look at a slant */
+  float depth, depth_cells;   /* of the layer below the hull; in cells of the lattice */
+  float chord_least;
+  float ambient;   /* of the light that comes from around, what reaches it */
+  float mean;      /* share that its strands cover, seen squarely */
+  float formula;   /* a bundle's mean, at its middle */
+  float soft;      /* mean nearness of strands where they do not cover */
+  float lift;      /* 1 over the mean brightness of its strands, which is to be 1 */
+  float slope2;    /* variance of the strands' slope within their bundle */
+  float twist[2];  /* on a yarn: cosine and sine of the strands' angle */
+  float presence;  /* chance of a lane to have a strand, of 2^32 */
+  int32_t lattice; /* which of the turned ones */
+  int32_t ends;    /* strands end within their bundle; else they follow a yarn */
   uint32_t seed;
 } fibertex_layer;
 
@@ -73,7 +75,7 @@ typedef struct {
   float height;                   /* thickness, half */
   float rise, over;               /* how far its middle goes up and down, about what */
   float wander, frequency;        /* unevenness, of half; 1/mm */
-  float tone;                     /* from yarn to yarn, over a byte's 128 */
+  float tone;                     /* from yarn to yarn, over a field's 2^31 */
 } fibertex_yarn;
 
 typedef struct {
@@ -85,12 +87,13 @@ typedef struct {
   float turn[2][FIBERTEX_DIRECTIONS]; /* cosine and sine of the quantiles of direction */
   fibertex_look look[FIBERTEX_LOOKS];
 
-  float crimp, crimp_frequency; /* shared in a bundle: mm; 1/mm */
-  float own_frequency;          /* of a strand's swing, 1/mm */
-  float curl;                   /* curvature of a bundle, 1/mm, over a byte's 128 */
-  float slope2;                 /* variance of the slope of what bundles share */
-  float scatter, scatter_up;    /* of strands about their bundle's course, when not told apart */
-  float lean, rise, rise2;      /* tangent of the elevation: mean, how far from it, variance */
+  /* ..._vary: how far from it, over a field's 2^31 */
+  float crimp, crimp_frequency, crimp_vary; /* shared in a bundle: mm; 1/mm */
+  float own_frequency, own_vary;            /* of a strand's swing, 1/mm */
+  float curl;                               /* curvature of a bundle, 1/mm, over a field's 2^31 */
+  float slope2;                             /* variance of the slope of what bundles share */
+  float scatter, scatter_up; /* of strands about their bundle's course, when not told apart */
+  float lean, rise, rise2;   /* tangent of the elevation: mean, how far from it, variance */
   float radius_spread;
   float contact;         /* how much of the light strands take from what is close below */
   float step, step_more; /* optical depth of the first layer; and what each next has more */

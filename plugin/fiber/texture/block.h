@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Points on their way through the kernel.
+ */
+#ifndef SOZAI_FIBERTEX_BLOCK_H
+#define SOZAI_FIBERTEX_BLOCK_H
+
+#include "../../core/lanes.h"
+#include "bundle.h"
+#include "cloth.h"
+
+/* Work of several blocks goes through a stage side by side: a stage waits for its own
+ * results most of the time, and does not for another block's. */
+#define BLOCKS_TOGETHER (LANES == 1 ? 1 : 32 / LANES)
+
+#ifdef __clang__
+#define ROLLED PRAGMA_(clang loop unroll(disable))
+#else
+#define ROLLED PRAGMA_(GCC unroll 1)
+#endif
+/* A stage over `count` of whatever it is, as a loop: copied out it would not fit the cache. */
+#define EACH(k, count) ROLLED for (uint32_t k = 0; k < (count); k++)
+
+/* Sums over what is seen; of colours the shares of the first and the second. */
+typedef struct {
+  vf left;      /* what is not covered yet */
+  vf albedo[2]; /* in the shade of what is over it */
+  vf direct[2]; /* reached by the light straight */
+  vf bare;      /* as direct, whatever the colour */
+  vf depth;
+} sums;
+
+/* What a cloth's yarn does to its strands, and what is the hull's of an aggregate. */
+typedef struct {
+  vf along[3], across[3], up[3]; /* in the hull's frame */
+  vf weft, ambient, around, onward, straight;
+  vf place[2]; /* along and round the yarn, mm */
+  vf level, solid;
+  vu h;
+} ground;
+
+/* A block of LANES points on its way through the layers. */
+typedef struct {
+  uint32_t i, n;
+  cloth_place cloth;
+  vf turned; /* of a cloth: whether across is against e2, 1 or -1 */
+  vf at[3];
+  hull_frame f;
+  lattice_frame g[LATTICES];
+  lane_filter filter;
+  ground ground;
+  vf s;
+  sums sum;
+  vf shade;                    /* what is left of light by strands close above */
+  vf front;                    /* 0 behind, 1 in front, with a soft edge */
+  vf inverse[2];               /* 1 over the cosines of light and view, none too great */
+  vf inverse_up, step[2], lit; /* step: factors from layer to layer, of lit and of itself */
+  vf deep_lit;                 /* what of it reaches what is below the layers */
+  vf far;                      /* 0 where bundles are seen, 1 where only what all show together */
+  /* the strand that most is seen of, and how much of the next */
+  vf most, next;
+  struct {
+    vf direction[2], slope, across, bare, detail;
+    vu id;
+  } best;
+} block;
+
+#endif

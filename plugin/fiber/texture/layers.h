@@ -1,0 +1,174 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Layer by layer: strands over what is below them.
+ */
+#ifndef SOZAI_FIBERTEX_LAYERS_H
+#define SOZAI_FIBERTEX_LAYERS_H
+
+#include "block.h"
+
+/* A layer's strands over what is below them; direction: in the ground's frame. */
+INLINE void compose(const fibertex_constants *w, const fibertex_layer *c, block *k,
+                    const lane_hit *q, const vf direction[2], vf level, int light) {
+  const vf one = splat(1.0f);
+  sums *sum = &k->sum;
+  vf share = sum->left * q->cover;
+  sum->left = sum->left - share;
+  vf dark = k->shade * q->bright, part = share * dark * (one + splat(w->variation) * q->tone);
+  vf second = part * q->second, first = part - second, ambient = splat(c->ambient);
+  sum->albedo[0] = sum->albedo[0] + first * ambient;
+  sum->albedo[1] = sum->albedo[1] + second * ambient;
+  sum->depth = sum->depth + share * level;
+  vm more = gt(share, k->most);
+  k->next = vmax(k->next, vmin(share, k->most));
+  k->most = vmax(share, k->most);
+  k->best.id = (vu)seli(more, (vi)q->id, (vi)k->best.id);
+  for (int i = 0; i < 2; i++) {
+    k->best.direction[i] = sel(more, direction[i], k->best.direction[i]);
+  }
+  k->best.slope = sel(more, q->slope, k->best.slope);
+  k->best.across = sel(more, q->across, k->best.across);
+  k->best.detail = sel(more, q->detail, k->best.detail);
+  if (light) {
+    vf lit = k->lit;
+    sum->direct[0] = sum->direct[0] + first * lit;
+    sum->direct[1] = sum->direct[1] + second * lit;
+    lit = dark * lit;
+    sum->bare = sum->bare + share * lit;
+    k->best.bare = sel(more, lit, k->best.bare);
+    k->lit = k->lit * k->step[0];
+    k->step[0] = k->step[0] * k->step[1];
+  }
+  k->shade = k->shade * (one + splat(w->contact) * (splat(c->soft) - q->soft));
+}
+
+INLINE void yarn_place(const fibertex_layer *c, const vf at[2], vu h, lane_place *p) {
+  vf co = splat(c->twist[0]), si = splat(c->twist[1]), one = splat(1.0f);
+  p->x = at[0] * co + at[1] * si;
+  p->y = at[1] * co - at[0] * si;
+  p->bend = splat(0.0f);
+  p->thin = p->reach = p->inverse_length = p->widen = p->many = one;
+  p->full = splat(c->presence - HASH_ONE);
+  p->h = hash_mix(h + splatu(c->seed));
+}
+
+/* What the stages hand on from one to the next, of a layer of a block. */
+typedef struct {
+  bundle_cell cell;
+  lane_place p;
+  vf direction[2], far, expected;
+  lane_pair pair;
+  lane_strand both[2];
+  lane_hit hit;
+} layer_work;
+
+/* Of several blocks one layer goes through the stages at a time, of a point alone several:
+ * side by side, so that none waits long. */
+#define LAYERS_TOGETHER (LANES == 1 ? 8 : 1)
+typedef layer_work layers_work[LAYERS_TOGETHER][BLOCKS_TOGETHER];
+#define EACH_LAYER EACH(l, layers) EACH(b, blocks)
+
+INLINE void stages_of_lanes(const fibertex_constants *w, const fibertex_layer *c, uint32_t layers,
+                            int ends, const block *k, uint32_t blocks, layers_work of) {
+  const vf zero = splat(0.0f), one = splat(1.0f);
+  vm strands = lt(one, zero), means = strands;
+  EACH_LAYER {
+    layer_work *q = &of[l][b];
+    lane_pair_of(&c[l], &q->p, &q->pair);
+    q->far = lane_far(&c[l], k[b].s);
+    strands = or_(strands, lt(q->far, one));
+    means = or_(means, gt(q->far, zero));
+    q->expected = lane_expected(&c[l], ends, &q->p);
+  }
+  if (any(strands)) {
+    EACH_LAYER {
+      layer_work *q = &of[l][b];
+      lane_draw(w, &c[l], ends, &q->p, &q->pair, 0, &q->both[0]);
+      lane_draw(w, &c[l], ends, &q->p, &q->pair, 1, &q->both[1]);
+    }
+    EACH_LAYER {
+      layer_work *q = &of[l][b];
+      lane_course(&c[l], &q->p, &q->both[0]);
+      lane_course(&c[l], &q->p, &q->both[1]);
+    }
+    EACH_LAYER {
+      layer_work *q = &of[l][b];
+      lane_cover(ends, &q->p, &k[b].filter, &q->both[0]);
+      lane_cover(ends, &q->p, &k[b].filter, &q->both[1]);
+    }
+    EACH_LAYER {
+      layer_work *q = &of[l][b];
+      lane_choose(w, &c[l], ends, &q->p, &k[b].filter, q->both, &q->hit);
+    }
+  } else {
+    EACH_LAYER {
+      of[l][b].hit = (lane_hit){zero, zero, zero, zero, zero, zero, zero, zero, splatu(0)};
+    }
+  }
+  if (!any(means)) return;
+  EACH_LAYER {
+    layer_work *q = &of[l][b];
+    lane_blend(w, &c[l], &q->p, q->far, q->expected, &q->hit);
+  }
+}
+
+INLINE void stages_of_hull(const fibertex_constants *w, const fibertex_layer *c, uint32_t layers,
+                           const block *k, uint32_t blocks, int level, layers_work of) {
+  EACH_LAYER bundle_cube(&c[l], k[b].g, level, &of[l][b].cell);
+  EACH_LAYER bundle_find(&c[l], &of[l][b].cell);
+  EACH_LAYER {
+    layer_work *q = &of[l][b];
+    bundle_middle(w, &c[l], &k[b].f, k[b].g, level, &q->cell, &q->p, q->direction);
+  }
+  EACH_LAYER bundle_course(w, &of[l][b].cell, &of[l][b].p);
+  EACH_LAYER bundle_chord(&c[l], &of[l][b].cell, &of[l][b].p);
+  stages_of_lanes(w, c, layers, 1, k, blocks, of);
+}
+
+STAGE void layers_of_hull(const fibertex_constants *w, const fibertex_layer *c, uint32_t layers,
+                          block *k, uint32_t blocks, int level, int light) {
+  layers_work of;
+  stages_of_hull(w, c, layers, k, blocks, level, of);
+  EACH_LAYER {
+    compose(w, &c[l], &k[b], &of[l][b].hit, of[l][b].direction, splat(c[l].depth), light);
+  }
+}
+
+STAGE void layers_of_yarn(const fibertex_constants *w, const fibertex_layer *c, uint32_t layers,
+                          block *k, uint32_t blocks, int light) {
+  layers_work of;
+  EACH_LAYER yarn_place(&c[l], k[b].ground.place, k[b].ground.h, &of[l][b].p);
+  stages_of_lanes(w, c, layers, 0, k, blocks, of);
+  EACH_LAYER {
+    const vf d[2] = {splat(c[l].twist[0]), splat(c[l].twist[1])};
+    lane_hit *hit = &of[l][b].hit;
+    hit->cover = hit->cover * k[b].ground.solid;
+    compose(w, &c[l], &k[b], hit, d, splat(c[l].depth) + k[b].ground.level, light);
+  }
+}
+
+/* Whether any of the blocks has strands to show, and anything left to be covered. */
+INLINE int layers_wanted(const block *k, uint32_t blocks) {
+  vm some = lt(splat(1.0f), splat(0.0f));
+  EACH(b, blocks) {
+    some = or_(some, and_(gt(k[b].sum.left, splat(0.0f)), lt(k[b].far, splat(1.0f))));
+  }
+  return any(some);
+}
+
+/* Down through the shell. */
+INLINE void stage_layers(const fibertex_constants *w, int woven, block *k, uint32_t blocks,
+                         int level, int light) {
+  /* of a cloth what stands off it first */
+  uint32_t all = (uint32_t)w->layers, first = woven ? (uint32_t)w->layer[0].ends : 0, layers;
+  for (uint32_t l = 0; l < all && layers_wanted(k, blocks); l += layers) {
+    uint32_t to = l < first ? first : all;
+    layers = to - l < LAYERS_TOGETHER ? to - l : LAYERS_TOGETHER;
+    if (woven && l >= first)
+      layers_of_yarn(w, w->layer + l, layers, k, blocks, light);
+    else
+      layers_of_hull(w, w->layer + l, layers, k, blocks, level, light);
+  }
+}
+
+#endif

@@ -1,0 +1,158 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * From sums over layers to what is seen, of each of the palette.
+ */
+#ifndef SOZAI_FIBERTEX_SHOWN_H
+#define SOZAI_FIBERTEX_SHOWN_H
+
+#include "means.h"
+
+/* What a point's sums come to, of each of the palette. */
+typedef struct {
+  vf cover, depth, white;
+  vf albedo[FIBERTEX_COLOURS], glow[FIBERTEX_COLOURS], bulk[FIBERTEX_COLOURS];
+} shown;
+
+/* From afar: by the means of all directions. */
+INLINE void show_far(const fibertex_constants *w, const block *k, const sums *s, const looks *q,
+                     shown *o) {
+  o->cover = splat(1.0f) - s->left;
+  o->depth = s->depth;
+  o->white = s->bare * (q->white[0] + q->white[1]);
+  vf often[2];
+  for (int i = 0; i < 2; i++) often[i] = splat(w->multiple) * q->around[i];
+  o->albedo[COLOUR_FIRST] = s->albedo[0] * q->albedo[0];
+  o->albedo[COLOUR_WEFT] = s->albedo[0] * q->albedo[1];
+  o->albedo[COLOUR_SECOND] = s->albedo[1] * (q->albedo[0] + q->albedo[1]);
+  vf onward = q->onward * k->ground.onward;
+  o->glow[COLOUR_FIRST] = s->direct[0] * q->glow[0] + s->albedo[0] * onward;
+  o->glow[COLOUR_WEFT] = s->direct[0] * q->glow[1];
+  o->glow[COLOUR_SECOND] = s->direct[1] * (q->glow[0] + q->glow[1]) + s->albedo[1] * onward;
+  o->bulk[COLOUR_FIRST] = s->direct[0] * q->bulk[0] + s->albedo[0] * often[0];
+  o->bulk[COLOUR_WEFT] = s->direct[0] * q->bulk[1] + s->albedo[0] * often[1];
+  o->bulk[COLOUR_SECOND] =
+      s->direct[1] * (q->bulk[0] + q->bulk[1]) + s->albedo[1] * (often[0] + often[1]);
+}
+
+/* The strand that is seen: its axes in the hull's frame. */
+INLINE void best_axes(const fibertex_constants *w, int woven, const block *k, strand_axes *t) {
+  const vf one = splat(1.0f), zero = splat(0.0f);
+  const ground *g = &k->ground;
+  vf slope = k->best.slope, lost = one - k->best.detail;
+  vf rise =
+      splat(w->lean) + splat(w->rise * FIELD(1.0f)) * field_of(k->best.id, 2) * k->best.detail;
+  vf flat = inverse_root(one + slope * slope), steep = inverse_root(one + rise * rise);
+  vf x = (k->best.direction[0] - slope * k->best.direction[1]) * flat;
+  vf y = (k->best.direction[1] + slope * k->best.direction[0]) * flat;
+  if (woven) {
+    for (int c = 0; c < 3; c++) {
+      vf level = x * g->along[c] + y * g->across[c];
+      t->along[c] = (level + rise * g->up[c]) * steep;
+      t->across[c] = x * g->across[c] - y * g->along[c];
+      t->up[c] = (g->up[c] - rise * level) * steep;
+    }
+  } else {
+    vf up = rise * steep;
+    t->along[0] = x * steep;
+    t->along[1] = y * steep;
+    t->along[2] = up;
+    t->across[0] = zero - y;
+    t->across[1] = x;
+    t->across[2] = zero;
+    t->up[0] = zero - up * x;
+    t->up[1] = zero - up * y;
+    t->up[2] = steep;
+  }
+  t->across2 = lost * splat(w->scatter);
+  t->up2 = lost * splat(w->scatter_up);
+}
+
+/* How much of what has gone on through many strands keeps the last one's lobe: the less, the
+ * better a footprint's mean stands for its strands. */
+#define ONWARD_LAST 0.5f
+
+/* What one strand shows beyond its means, given to the colours; second: its share of the second. */
+INLINE void share_out(int woven, const block *k, vf mean, vf change, vf second, const vf often[2],
+                      vf out[]) {
+  const vf zero = splat(0.0f), one = splat(1.0f);
+  const sums *s = &k->sum;
+  vf b = change * second, a = s->direct[0] * mean + (change - b);
+  b = s->direct[1] * mean + b;
+  if (woven) {
+    a = a * k->ground.straight;
+    b = b * k->ground.straight;
+  }
+  a = vmax(a + often[0], zero);
+  out[COLOUR_SECOND] = vmax(b + often[1], zero);
+  out[COLOUR_FIRST] = woven ? a * (one - k->ground.weft) : a;
+  out[COLOUR_WEFT] = woven ? a * k->ground.weft : zero;
+}
+
+/* Near: by the strand that is seen; what else is there by the means. */
+INLINE void show_near(const fibertex_constants *w, int woven, const block *k, const looks *q,
+                      const strand_axes *t, int light, shown *o) {
+  const vf zero = splat(0.0f), one = splat(1.0f);
+  const ground *g = &k->ground;
+  const sums *s = &k->sum;
+  o->cover = one - s->left;
+  o->depth = s->depth;
+  for (int i = 0; i < FIBERTEX_COLOURS; i++) o->albedo[i] = o->glow[i] = o->bulk[i] = zero;
+  o->albedo[COLOUR_FIRST] = s->albedo[0];
+  o->albedo[COLOUR_SECOND] = s->albedo[1];
+  if (woven) {
+    vf first = s->albedo[0] * g->ambient;
+    o->albedo[COLOUR_FIRST] = first * (one - g->weft);
+    o->albedo[COLOUR_WEFT] = first * g->weft;
+    o->albedo[COLOUR_SECOND] = s->albedo[1] * g->ambient;
+  }
+  o->white = zero;
+  if (!light) return;
+  vf white = q->white[0], glow = q->glow[0], bulk = q->bulk[0];
+  if (woven) {
+    vf inverse = one / vmax(q->straight, splat(0.05f));
+    white = (white + q->white[1]) * inverse;
+    glow = (glow + q->glow[1]) * inverse;
+    bulk = (bulk + q->bulk[1]) * inverse;
+  }
+  strand_angles angles;
+  strand_lit r;
+  strand_angles_of(k->f.light, k->f.view, k->f.between, t, &angles);
+  strand_lobes(w, &angles, &r);
+  /* a strand is brighter on the side that the light is on */
+  vf facing = k->best.across * dot3(t->across, k->f.light), side = one + splat(0.6f) * facing;
+  /* what chance gave it; of what is a mean the mean's */
+  vf detail = k->best.detail;
+  vf tone = splat(FIELD(1.0f) * w->variation) * field_of(k->best.id, 3) * detail;
+  vf second = lane_second(w, k->best.id) * detail + splat(w->second_share) * (one - detail);
+  vf part = k->most - k->next, lit = part * k->best.bare, bright = lit + lit * tone;
+  vf around = splat(w->multiple) * g->around;
+  around = woven ? around * g->ambient : around * (one + splat(0.25f) * part * facing);
+  const vf often[2] = {s->albedo[0] * around, s->albedo[1] * around};
+  /* the last of the strands that it went through is the one that is seen */
+  vf last = (q->onward + splat(ONWARD_LAST) * part * (r.onward - q->onward)) * g->onward;
+  const vf onward[2] = {s->albedo[0] * last, s->albedo[1] * last};
+  share_out(woven, k, glow, bright * (r.glow * side - glow), second, onward, o->glow);
+  share_out(woven, k, bulk, bright * (r.bulk * side - bulk), second, often, o->bulk);
+  o->white = s->bare * white + lit * (r.white - white);
+  if (woven) o->white = o->white * g->straight;
+  o->white = vmax(o->white, zero);
+}
+
+INLINE void blend(shown *a, const shown *b, vf far, int woven, int light) {
+  vm some = gt(far, splat(0.0f)), all = le(splat(1.0f), far);
+  vf near = splat(1.0f) - far;
+#define BLEND_(x) a->x = sel(some, sel(all, b->x, a->x * near + b->x * far), a->x)
+  BLEND_(cover);
+  BLEND_(depth);
+  const int colours = woven ? FIBERTEX_COLOURS : COLOUR_WEFT;
+  for (int i = 0; i < colours; i++) BLEND_(albedo[i]);
+  if (!light) return;
+  BLEND_(white);
+  for (int i = 0; i < colours; i++) {
+    BLEND_(glow[i]);
+    BLEND_(bulk[i]);
+  }
+#undef BLEND_
+}
+
+#endif
