@@ -27,6 +27,7 @@ enum { OF_OWN = 1, OF_FIRST = 2, OF_LAST = 4 };
 
 typedef struct {
   uint32_t count;
+  int alone; /* points that follow one another, each of one ply: answers need no averaging */
   uint32_t point[TAPS_ROOM]; /* whose it is */
   float weight[TAPS_ROOM];
   uint8_t flags[TAPS_ROOM];
@@ -69,6 +70,14 @@ static void taps_store(const kernel_io *io, const ply_queue *q) {
   }
 }
 
+/* A column of the batch's, for the queue's points. */
+static const float *taps_given(const ply_queue *q, const float *all, float *room) {
+  if (!all) return NULL;
+  if (q->alone) return all + q->point[0];
+  for (uint32_t k = 0; k < q->count; k++) room[k] = all[q->point[k]];
+  return room;
+}
+
 static void taps_ask(const wood_constants *w, const kernel_io *io, const wood_wants *want,
                      ply_queue *q) {
   if (!q->count) return;
@@ -81,17 +90,19 @@ static void taps_ask(const wood_constants *w, const kernel_io *io, const wood_wa
   for (int c = 0; c < 3; c++) {
     in.point[c] = q->in[IN_POINT + c];
     if (in.normal[c]) in.normal[c] = q->in[IN_NORMAL + c];
-    if (in.light[c]) in.light[c] = q->in[IN_LIGHT + c];
-    if (in.view[c]) in.view[c] = q->in[IN_VIEW + c];
-    if (in.light_colour[c]) in.light_colour[c] = q->in[IN_COLOUR + c];
+    in.light[c] = taps_given(q, in.light[c], q->in[IN_LIGHT + c]);
+    in.view[c] = taps_given(q, in.view[c], q->in[IN_VIEW + c]);
+    in.light_colour[c] = taps_given(q, in.light_colour[c], q->in[IN_COLOUR + c]);
   }
-  for (int c = 0; c < WOOD_COMPONENTS; c++) out[c] = io->out[c] ? q->out[c] : NULL;
+  for (int c = 0; c < WOOD_COMPONENTS; c++) {
+    out[c] = !io->out[c] ? NULL : q->alone ? io->out[c] + q->point[0] : q->out[c];
+  }
   for (int c = 0; c < TAP_COLUMNS; c++) told.column[c] = q->told[c];
   wood_wants asked = *want;
   asked.taps = &told;
   kernel_io part = {&in, out, io->wanted};
   evaluate_points(w, &part, &asked, 1, 0, q->count);
-  taps_store(io, q);
+  if (!q->alone) taps_store(io, q);
   q->count = 0;
 }
 
@@ -134,6 +145,18 @@ static glue_line taps_line(const wood_plies *p, const float at[3], int32_t k) {
   return line;
 }
 
+/* The same for one who looks at depths from..to alone: a line that cannot reach
+ * there is told as if it were even, and lies on the side where it does. */
+static glue_line taps_line_by(const wood_plies *p, const float at[3], int32_t k, float from,
+                              float to) {
+  if (k > 0 && k < plies_of_all(p) && p->wander > 0.0f) {
+    glue_line even = {(float)(k / p->count) * p->thick + p->top[k % p->count], 0.5f * p->glue};
+    float most = 1.001f * p->wander + even.half * (1.001f + p->swell) + 1e-6f * even.at;
+    if (even.at + most < from || even.at - most > to) return even;
+  }
+  return taps_line(p, at, k);
+}
+
 /* The ply at a depth. */
 static int32_t ply_number(const wood_plies *p, const float at[3], float depth) {
   float within = depth;
@@ -154,8 +177,8 @@ static int32_t ply_number(const wood_plies *p, const float at[3], float depth) {
   }
   int32_t k = sheet * p->count + low;
   if (p->wander > 0.0f) {
-    if (depth < taps_line(p, at, k).at) return k - 1;
-    if (depth >= taps_line(p, at, k + 1).at) return k + 1;
+    if (depth < taps_line_by(p, at, k, depth, depth).at) return k - 1;
+    if (depth >= taps_line_by(p, at, k + 1, depth, depth).at) return k + 1;
   }
   return k;
 }
@@ -181,9 +204,9 @@ static float taps_overlap(float a, float b, float c, float d) {
 static void taps_step(const wood_plies *p, taps_point *pt, int32_t k) {
   float e = pt->reach > p->step_ramp ? pt->reach : p->step_ramp, sum = 0.0f, ends = 0.0f;
   float from = pt->depth - 0.5f * e, to = pt->depth + 0.5f * e;
-  while (k > 0 && taps_line(p, pt->at, k).at > from) k--;
+  while (k > 0 && taps_line_by(p, pt->at, k, from, to).at > from) k--;
   for (int n = 0; n < PLIES_TAPS; n++, k++) {
-    glue_line line = taps_line(p, pt->at, k);
+    glue_line line = taps_line_by(p, pt->at, k, from, to);
     float a = line.at - line.half, b = line.at + line.half;
     if (a > to) break;
     sum += taps_overlap(from, to, a, b);
@@ -218,9 +241,10 @@ static void taps_add(const wood_constants *w, const kernel_io *io, const wood_wa
   const sozai_batch *in = io->in;
   for (int c = 0; c < 3; c++) {
     if (in->normal[c]) q->in[IN_NORMAL + c][k] = pt->n[c];
-    if (in->light[c]) q->in[IN_LIGHT + c][k] = in->light[c][pt->i];
-    if (in->view[c]) q->in[IN_VIEW + c][k] = in->view[c][pt->i];
-    if (in->light_colour[c]) q->in[IN_COLOUR + c][k] = in->light_colour[c][pt->i];
+  }
+  if (k == 0) q->alone = 1;
+  if (flags != (OF_OWN | OF_FIRST | OF_LAST) || weight != 1.0f || pt->i != q->point[0] + k) {
+    q->alone = 0;
   }
   q->footprint[k] = pt->s;
   float share = pt->reach > PLY_LEAST ? wood / pt->reach : 1.0f;
@@ -249,10 +273,13 @@ static void taps_of(const wood_constants *w, const kernel_io *io, const wood_wan
   int32_t first = ply_number(p, pt->at, from), last = ply_number(p, pt->at, to);
   int32_t here = ply_number(p, pt->at, pt->depth);
   if (p->step != 0.0f && pt->steep > 1e-3f) taps_step(p, pt, first);
-  glue_line above = taps_line(p, pt->at, first);
   if (last - first < PLIES_TAPS) {
+    /* how far the next line is, only where someone asks */
+    int edge = kernel_wants(io, WOOD_BOARD_EDGE, 1);
+    float low = edge ? -1e30f : from, high = edge ? 1e30f : to;
+    glue_line above = taps_line_by(p, pt->at, first, low, high);
     for (int32_t k = first; k <= last; k++) {
-      glue_line below = taps_line(p, pt->at, k + 1);
+      glue_line below = taps_line_by(p, pt->at, k + 1, low, high);
       float a = k == first ? from : above.at, b = k == last ? to : below.at;
       if (!(b > a)) b = a;
       int flags =
