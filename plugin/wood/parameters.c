@@ -226,7 +226,7 @@ static const sozai_parameter curl_slope = {
    .id = "curl_slope", .label = "Curl slope", .group = "grain", .unit = "",
    .doc = "Greatest slope of the fibres in and out, in waves that the rings follow; where they are "
    "irregular, of a strong one. The radial half of curly and fiddleback figure, wave_slope being "
-   "the tangential. At most 0.8 times curl_reach over curl_length and a factor from 0 to 5.1 that "
+   "the tangential. At most 0.8 times curl_reach over curl_length and a factor from 0 to 4.9 that "
    "grows with curl_irregularity. 0 for none.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 0.4, .default_number = {0}};
 
