@@ -141,6 +141,17 @@ static bool make_picture(gallery *g, const shot *s, const char *name, const char
   return ok;
 }
 
+static bool gives(const sozai_preset *preset, const char *id) {
+  for (uint32_t i = 0; i < preset->value_count; i++)
+    if (strcmp(preset->values[i].id, id) == 0) return true;
+  return false;
+}
+
+static bool is_of(const shot *s, const sozai_preset *preset) {
+  if (s->with && !gives(preset, s->with)) return false;
+  return !s->without || !gives(preset, s->without);
+}
+
 /* The `count` shots that every preset of a material has, of one preset after
  * another. */
 static bool make_of_each(gallery *g, const shot *shots, uint32_t count, failure *why) {
@@ -148,6 +159,7 @@ static bool make_of_each(gallery *g, const shot *shots, uint32_t count, failure 
   for (uint32_t i = 0; info && i < info->preset_count; i++)
     for (const shot *s = shots; s < shots + count; s++) {
       char name[128], title[256];
+      if (!is_of(s, info->presets[i])) continue;
       snprintf(name, sizeof name, "%s-%s", s->name, info->presets[i]->id);
       snprintf(title, sizeof title, "%s, %s", info->presets[i]->label, s->title);
       if (!make_picture(g, s, name, title, info->presets[i]->id, why)) return false;

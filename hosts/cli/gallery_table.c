@@ -103,10 +103,19 @@ const shot_sheet gallery_sheets[GALLERY_SHEETS] = {
     .zoom = closer, .width = 600, .height = 400                                                    \
   }
 
+/* Panels have no cut: their face, an edge and a section stand in for the three. */
+#define GLUED(id, words, a, b, mm, of, from, az, closer)                                           \
+  {                                                                                                \
+    .name = id, .title = words, .each_preset = true, .with = "construction", .sheet = "gallery",   \
+    .params = {a, b}, .size = mm, .shape = of, .camera = from, .light = az, .zoom = closer,        \
+    .width = 200, .height = 150                                                                    \
+  }
+
 const shot gallery_shots[] = {
     {.name = "flat",
      .title = "flat-sawn, 120 mm across",
      .each_preset = true,
+     .without = "construction",
      .sheet = "gallery",
      .params = {"cut=flat"},
      .size = "120x90",
@@ -114,6 +123,7 @@ const shot gallery_shots[] = {
     {.name = "quarter",
      .title = "quarter-sawn, 120 mm across",
      .each_preset = true,
+     .without = "construction",
      .sheet = "gallery",
      .params = {"cut=quarter"},
      .size = "120x90",
@@ -121,10 +131,16 @@ const shot gallery_shots[] = {
     {.name = "end",
      .title = "end grain, 32 mm across",
      .each_preset = true,
+     .without = "construction",
      .sheet = "gallery",
      .params = {"cut=end"},
      .size = "32x24",
      TILE},
+    GLUED("face", "the face, 400 mm across", NULL, NULL, "400x300", "plane", "front", NULL, 0),
+    GLUED("edge", "the long edge, 28 mm across", "sheet_thickness=18", "face_height=9", "80x80x18",
+          NULL, "0,3,10", "30,40", 3.2),
+    GLUED("section", "across the face's grain", "sheet_thickness=18", "face_height=9", "80x80x18",
+          NULL, "-90,3,10", "-60,40", 3.2),
     {.name = "block",
      .title = "Mizunara, an end-grain block",
      .preset = "mizunara",

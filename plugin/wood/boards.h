@@ -24,6 +24,8 @@ typedef struct {
   vf ending;           /* share of end grain's colour */
   vf down[3], squeeze; /* log space: down the surface; how much shorter the footprint is there */
   vf wide;             /* mm: the footprint, where rings curve under it, else 0 */
+  vf bent;             /* mm: the footprint on peeled veneer, else 0 */
+  vf lead;             /* mm: of the knife to a radian, of peeled veneer */
   vf tilt[3], step;    /* slope of the glue's step, object space, and its height */
   vf number, place[2], to_glue;
 } wood_board;
@@ -49,7 +51,7 @@ INLINE vf board_cut(const wood_boards *b, vf which, vf place) {
 /* A sheet peeled off the log: x along it, y up the stem, its face outwards. What
  * lay at the angle a has the length x = R a - thickness a^2 / 4 pi before it, and
  * the radius s = sqrt(R^2 - thickness x / pi): a = 2 x / (R + s). */
-INLINE void veneer_at(const wood_constants *w, const vf p[3], wood_board *out, vf log[3]) {
+INLINE void veneer_at(const wood_constants *w, const vf p[3], vf e, wood_board *out, vf log[3]) {
   vf zero = splat(0.0f), one = splat(1.0f), big = splat(w->peel_radius);
   vf left = vmax(big * big - splat(w->peel_lead) * p[0], splat(0.25f)), r = vsqrt(left);
   vf s, c, angle = (p[0] + p[0]) / (big + r);
@@ -60,6 +62,8 @@ INLINE void veneer_at(const wood_constants *w, const vf p[3], wood_board *out, v
   out->own = splatu(0);
   out->tone = one;
   out->wide = zero; /* rings that curved about the log were laid flat with it */
+  out->bent = e;
+  out->lead = splat(0.5f * w->peel_lead);
   r = r + p[2];
   log[0] = r * c + splat(w->shift[0]);
   log[1] = p[1] + splat(w->shift[1]);
@@ -69,7 +73,7 @@ INLINE void veneer_at(const wood_constants *w, const vf p[3], wood_board *out, v
 /* p: object space, mm; log[3]: where that is in the board's log. */
 INLINE void board_at(const wood_constants *w, const vf p[3], vf e, wood_board *out, vf log[3]) {
   if (w->peeled) {
-    veneer_at(w, p, out, log);
+    veneer_at(w, p, e, out, log);
     return;
   }
   const wood_boards *b = &w->boards;

@@ -276,6 +276,23 @@ static int32_t build_rings(wood_constants *w, const settings *s, const knot_sour
 
 /* ---- grain ------------------------------------------------------------ */
 
+/* Irregularity 0..1 of waves of a length. The noises' lattices are no multiples of
+ * the wave's, nor of each other's: where they are zero nothing lines up. The phase
+ * strays by 0.5 * 1.5 turns at most over 6.3 lengths: its slope stays within 1.3472 *
+ * 1.5 / 6.3 = 0.32 of a turn a length, so that waves never run backwards. variance:
+ * of the swell's noises, 1/3 times 26/35 for each axis. */
+static wood_irregular build_irregular(double amount, double length, double variance) {
+  double steady = 1.0 - 0.75 * amount, swell = 1.3 * amount;
+  return (wood_irregular){
+      .steady = (float)steady,
+      .swell = (float)swell,
+      .power = (float)(steady * steady + 2.0 * variance * swell * swell),
+      .stray = (float)(1.5 * amount),
+      .stray_frequency = (float)(1.0 / (6.3 * length)),
+      .swell_frequency = (float)(1.0 / (2.7 * length)),
+  };
+}
+
 static void build_grain(wood_constants *w, const settings *s) {
   int grain = choice_at(s, P_GRAIN), all = grain == GRAIN_COMPOUND;
   if (all || grain == GRAIN_SPIRAL) w->spiral = (float)number_at(s, P_SPIRAL_SLOPE);
@@ -288,17 +305,15 @@ static void build_grain(wood_constants *w, const settings *s) {
     w->wave_number = (float)(TWO_PI / l);
     double u = number_at(s, P_WAVE_IRREGULARITY);
     w->has_wave_irregularity = u > 0.0;
-    /* the phase strays by 0.4 of a turn over lengths of four waves: its slope
-     * stays within 1.3472 * 5 / 4 lambda = 0.27 of 2 pi / lambda, so that the
-     * waves never run backwards and no slope exceeds 1.27 A */
-    w->wave_irregularity = (float)(u * 5.0);
-    w->wave_irregularity_frequency = (float)(1.0 / (4.0 * l));
+    w->wave = build_irregular(u, l, 0.184);
+    w->wave_inverse_reach = (float)((double)w->ring_width / number_at(s, P_WAVE_REACH));
   }
   if (all || grain == GRAIN_INTERLOCKED) {
     w->has_interlocked = number_at(s, P_INTERLOCKED_SLOPE) > 0.0;
     w->interlocked_slope = (float)number_at(s, P_INTERLOCKED_SLOPE);
     w->interlocked_frequency = (float)(1.0 / number_at(s, P_INTERLOCKED_YEARS));
     w->interlocked_length = (float)number_at(s, P_INTERLOCKED_LENGTH);
+    w->interlocked_irregularity = (float)number_at(s, P_INTERLOCKED_IRREGULARITY);
   }
   static const double weight[2] = {0.65, 0.35}, scale[2] = {1.0, 0.37};
   double most = number_at(s, P_SLOPE_NOISE), length = number_at(s, P_SLOPE_NOISE_LENGTH);
@@ -321,11 +336,20 @@ static int32_t build_figure(wood_constants *w, const settings *s) {
   w->curl_slope = (float)slope;
   w->curl_height = (float)(slope * length / TWO_PI);
   w->curl_frequency = (float)(1.0 / length);
-  /* strays up to 0.4 of a turn over four waves, so that no slope exceeds 1.27 of
-   * the greatest; from place to place over as much as keeps rings apart */
-  w->curl_stray = (float)(0.8 * number_at(s, P_CURL_IRREGULARITY));
-  w->curl_stray_frequency_axis = (float)(1.0 / (4.0 * length));
-  w->curl_stray_frequency = (float)(1.0 / (4.0 * length));
+  double amount = number_at(s, P_CURL_IRREGULARITY), reach = number_at(s, P_CURL_REACH);
+  w->curl = build_irregular(amount, length, 0.137);
+  w->curl_inverse_reach = (float)(1.0 / reach);
+  /* rings keep apart: u changes across the stem by the swell's noises, 3.2 a reach at
+   * most each, and by the phase's, 1.5 over CURL_STRAY_REACH */
+  double strongest = (double)w->curl.steady + 1.4142 * (double)w->curl.swell;
+  double bound = 3.0 * 3.2 * (double)w->curl.swell / TWO_PI +
+                 strongest * (double)w->curl.stray * 1.5 / (double)CURL_STRAY_REACH;
+  if (slope * length * bound > 0.8000001 * reach) {
+    return fail(SOZAI_ERROR_RANGE,
+                "curl_slope: %.9g over a curl_length of %.9g mm, a curl_irregularity of %.9g and a "
+                "curl_reach of %.9g mm: rings would cross; 0 to %.9g",
+                slope, length, amount, reach, 0.8 * reach / (length * bound));
+  }
 
   double quilt = number_at(s, P_QUILT_SLOPE), height = number_at(s, P_QUILT_HEIGHT);
   double width = number_at(s, P_QUILT_WIDTH), most = 0.117 * width / height;
@@ -366,9 +390,9 @@ static int32_t build_figure(wood_constants *w, const settings *s) {
   w->eye_length = (float)number_at(s, P_EYE_LENGTH);
   w->inverse_eye_length = (float)(1.0 / number_at(s, P_EYE_LENGTH));
   if (!w->has_eyes) return SOZAI_OK;
-  /* in each of two layers a share of the cells have one, and a radius meets three quarters of
+  /* in each of four layers a share of the cells have one, and a radius meets three quarters of
    * those, less what has only begun or all but ended */
-  double cell = 10.0 * __builtin_sqrt(0.8 * 0.7 / (0.5 * density));
+  double cell = 10.0 * __builtin_sqrt(0.62 * 0.7 / (0.25 * density));
   w->eye_cell = (float)cell;
   w->inverse_eye_cell = (float)(1.0 / cell);
   return SOZAI_OK;

@@ -4,8 +4,9 @@
  * and out, so that they dive where the surface runs flat. They are added to the
  * undulation, and like it are zero at y = 0, smooth, with exact derivatives.
  *
- *   curl   regular waves along the stem: u = a sin 2 pi psi, psi = y / lambda +
- *          a stray that differs from place to place
+ *   curl   waves along the stem: u = a (p (1 - cos 2 pi psi) + q sin 2 pi psi), psi
+ *          = y / lambda + a stray that differs from place to place, as the amplitude
+ *          p + i q does. Bars fork and end where that is zero
  *   quilt  pillows with creases between them: u = a (sqrt(n^2 + e^2) - e), n a
  *          gradient noise; the creases are where it changes sign
  *   eyes   dimples that go on through the years: towards the pith by
@@ -18,22 +19,91 @@
 
 #include "stem.h"
 
+/* Two value noises of one lattice, from the halves of one hash, within +-1. */
+typedef struct {
+  vf n[2], x[2], y[2], z[2];
+} figure_swell;
+
+INLINE figure_swell figure_swell_at(vf px, vf py, vf pz, vu seed) {
+  noise_axis x = noise_split_cubic(px, HASH_X), y = noise_split_cubic(py, HASH_Y),
+             z = noise_split_cubic(pz, HASH_Z);
+  vf v[2][8], k = splat(1.0f / 32768.0f);
+  for (int c = 0; c < 8; c++) {
+    vu h = hash_upper(seed + (c & 1 ? x.high : x.low) + (c & 2 ? z.high : z.low) +
+                      (c & 4 ? y.high : y.low));
+    v[0][c] = to_float((vi)h >> 16) * k;
+    v[1][c] = to_float((vi)(h << 11) >> 16) * k;
+  }
+  figure_swell s;
+  for (int j = 0; j < 2; j++) {
+    vf e[4], d[4];
+    for (int c = 0; c < 4; c++) {
+      d[c] = v[j][2 * c + 1] - v[j][2 * c];
+      e[c] = v[j][2 * c] + d[c] * x.w;
+    }
+    vf low = e[0] + (e[1] - e[0]) * z.w, high = e[2] + (e[3] - e[2]) * z.w;
+    s.n[j] = low + (high - low) * y.w;
+    s.y[j] = (high - low) * y.dw;
+    s.x[j] = mix(mix(d[0], d[1], z.w), mix(d[2], d[3], z.w), y.w) * x.dw;
+    s.z[j] = mix(e[1] - e[0], e[3] - e[2], y.w) * z.dw;
+  }
+  return s;
+}
+
 /* extent: mm, of the footprint along y. */
 INLINE void figure_curl(const wood_constants *w, vu own, vf y, vf extent, stem_place *p,
                         undulation_sum *u) {
-  vf f = splat(w->curl_stray_frequency), fy = splat(w->curl_stray_frequency_axis);
-  noise_stem ay = noise_split_axial(y * fy, HASH_Y);
-  noise_axis ax = noise_split_cubic(p->x * f, HASH_X), az = noise_split_cubic(p->z * f, HASH_Z);
-  vf gx, gy, gz, sine, cosine, one = splat(1.0f);
-  vf n = noise_axial3(&ax, &ay, &az, wood_seed(w, own, SEED_CURL), &gx, &gy, &gz);
-  vf stray = splat(w->curl_stray);
-  sine_cosine_turns(y * splat(w->curl_frequency) + stray * n, &sine, &cosine);
-  vf keep = filter_wave(extent, w->curl_frequency), gone = one - keep * keep;
-  vf a = splat(w->curl_height) * keep, slope = a * cosine * splat(6.2831853f);
-  u->n = u->n + a * sine;
-  u->nx = u->nx + slope * stray * f * gx;
-  u->ny = u->ny + slope * (splat(w->curl_frequency) + stray * fy * gy);
-  u->nz = u->nz + slope * stray * f * gz;
+  const wood_irregular *r = &w->curl;
+  vf one = splat(1.0f), tau = splat(6.2831853f), zero = splat(0.0f);
+  vf psi = y * splat(w->curl_frequency), psi_y = splat(w->curl_frequency);
+  vf psi_x = zero, psi_z = zero, gone = one, power = splat(r->power);
+  /* the phase's slope is 0.68 of the mean at least: past this no wave is left */
+  int some = any(lt(extent * psi_y, splat(1.5f)));
+  if (some) {
+    vf a = splat(w->curl_height), in = one, out = zero, keep = one, sine, cosine;
+    vf in_x = zero, in_y = zero, in_z = zero, out_x = zero, out_y = zero, out_z = zero;
+    if (r->stray > 0.0f) {
+      /* turned by atan(3/4) and by atan(7/24), so that neither the cuts nor the two
+       * lattices line up */
+      float k = w->curl_inverse_reach;
+      vf f = splat(k / CURL_STRAY_REACH), fy = splat(r->stray_frequency), stray = splat(r->stray);
+      vf tx = splat(0.8f) * p->x - splat(0.6f) * p->z, tz = splat(0.6f) * p->x + splat(0.8f) * p->z;
+      noise_stem ay = noise_split_axial(y * fy, HASH_Y);
+      noise_axis ax = noise_split_cubic(tx * f, HASH_X), az = noise_split_cubic(tz * f, HASH_Z);
+      vf gx, gy, gz;
+      psi = psi + stray * noise_axial3(&ax, &ay, &az, wood_seed(w, own, SEED_CURL), &gx, &gy, &gz);
+      gx = gx * (stray * f);
+      gz = gz * (stray * f);
+      psi_y = psi_y + stray * fy * gy;
+      psi_x = splat(0.8f) * gx + splat(0.6f) * gz;
+      psi_z = splat(0.8f) * gz - splat(0.6f) * gx;
+
+      vf g = splat(k), swell = splat(r->swell), sy = splat(r->swell_frequency);
+      vf vx = splat(0.96f) * p->x - splat(0.28f) * p->z;
+      vf vz = splat(0.28f) * p->x + splat(0.96f) * p->z;
+      figure_swell s = figure_swell_at(vx * g, y * sy, vz * g, wood_seed(w, own, SEED_CURL_SWELL));
+      in = splat(r->steady) + swell * s.n[0];
+      out = swell * s.n[1];
+      vf sg = swell * g;
+      in_x = sg * (splat(0.96f) * s.x[0] + splat(0.28f) * s.z[0]);
+      in_z = sg * (splat(0.96f) * s.z[0] - splat(0.28f) * s.x[0]);
+      out_x = sg * (splat(0.96f) * s.x[1] + splat(0.28f) * s.z[1]);
+      out_z = sg * (splat(0.96f) * s.z[1] - splat(0.28f) * s.x[1]);
+      in_y = swell * sy * s.y[0];
+      out_y = swell * sy * s.y[1];
+    }
+    keep = filter_wave(extent * psi_y, 1.0f);
+    gone = one - keep * keep;
+    power = power + (in * in + out * out - power) * keep;
+    sine_cosine_turns(psi, &sine, &cosine);
+    a = a * keep;
+    vf lift = one - cosine, slope = a * tau * (in * sine + out * cosine);
+    u->n = u->n + a * (in * lift + out * sine);
+    u->nx = u->nx + (slope * psi_x + a * (in_x * lift + out_x * sine));
+    u->ny = u->ny + (slope * psi_y + a * (in_y * lift + out_y * sine));
+    u->nz = u->nz + (slope * psi_z + a * (in_z * lift + out_z * sine));
+  }
+  gone = gone * power;
   p->lost = p->lost + splat(0.5f * w->curl_height * w->curl_height) * gone;
   p->lost_slope = p->lost_slope + splat(0.5f * w->curl_slope * w->curl_slope) * gone;
 }
@@ -74,24 +144,27 @@ INLINE void figure_quilt(const wood_constants *w, vu own, vf y, vf footprint, st
 }
 
 #define EYE_SECTORS 16
-#define EYE_SHARE 0.8f /* of the cells that have one */
-#define EYE_LONG 1.25f /* along the stem, to a width of 1 */
+#define EYE_LAYERS 4
+#define EYE_SHARE 0.62f /* of the cells that have one, the mean */
+#define EYE_SWARM 0.38f /* how far the share departs from it: eyes swarm */
+#define EYE_LONG 1.25f  /* along the stem, to a width of 1 */
 
-/* One of two layers, each with half of them: together they line up less. */
+/* One of the layers, each with as many of them: together they line up less. Seldom
+ * is one alone. */
 INLINE void figure_eyes(const wood_constants *w, vu own, int layer, vf y, vf footprint,
                         stem_place *p, undulation_sum *u) {
   vf one = splat(1.0f), zero = splat(0.0f), k16 = splat(1.0f / 65536.0f);
-  /* the second's sectors are turned by atan(7/24) */
-  vf c = p->c, s = p->s;
-  if (layer) {
-    c = splat(0.96f) * p->c - splat(0.28f) * p->s;
-    s = splat(0.28f) * p->c + splat(0.96f) * p->s;
-  }
+  /* the sectors of each are turned another way */
+  static const float turns[EYE_LAYERS][2] = {
+      {1.0f, 0.0f}, {0.96f, 0.28f}, {0.8f, 0.6f}, {0.6f, 0.8f}};
+  vf tc = splat(turns[layer][0]), ts = splat(turns[layer][1]);
+  vf c = tc * p->c - ts * p->s, s = ts * p->c + tc * p->s;
   vf turn = arctan2(s, c) * splat(0.15915494f);
   vi unused, sector, shell, column, row;
   turn = turn - vfloor(turn, &unused);
   vf round = turn * splat((float)EYE_SECTORS), x = round - vfloor(round, &sector);
-  vu seed = wood_seed(w, own, SEED_EYES + (uint32_t)layer) + (vu)sector * splatu(HASH_Y);
+  vu seed = wood_seed(w, own, SEED_EYES + ((uint32_t)layer & 1u)) + (vu)sector * splatu(HASH_Y);
+  seed += splatu((uint32_t)(layer >> 1) * HASH_Z);
   /* each sector's shells begin at radii of their own */
   vf offset = to_float((vi)(hash_upper(seed) >> 8)) * splat(1.0f / 16777216.0f);
   vf shells = p->r * splat(w->inverse_eye_length) + offset, low = vfloor(shells, &shell);
@@ -107,8 +180,11 @@ INLINE void figure_eyes(const wood_constants *w, vu own, int layer, vf y, vf foo
   vf shift = to_float((vi)(root >> 16)) * k16;
   vf rows = y * splat(w->inverse_eye_cell) + shift, bottom = vfloor(rows, &row);
   vu h = hash_mix((vu)row * splatu(HASH_Y) + root), g = hash_mix(h + splatu(HASH_Z));
-  vf radius = splat(w->eye_radius) *
-              (splat(0.6f) + splat(0.8f / 1023.0f) * to_float((vi)(g & splatu(1023u))));
+  /* the large ones in the first layer, of all sizes in the last */
+  static const float sizes[EYE_LAYERS][2] = {
+      {1.0f, 0.5f}, {0.75f, 0.6f}, {0.55f, 0.7f}, {0.35f, 0.9f}};
+  vf least = splat(sizes[layer][0]), spread = splat(sizes[layer][1] / 1023.0f);
+  vf radius = splat(w->eye_radius) * (least + spread * to_float((vi)(g & splatu(1023u))));
   radius = vmin(radius, splat(0.42f) * angle * inside);
   vf r2 = vmax(radius * radius, splat(1e-6f));
 
@@ -126,7 +202,13 @@ INLINE void figure_eyes(const wood_constants *w, vu own, int layer, vf y, vf foo
   /* one that would reach y = 0 is not there */
   vf centre = (bottom + height - shift) * splat(w->eye_cell);
   vm there = and_(lt(q, one), gt(vabs(centre), radius * splat(EYE_LONG)));
-  there = and_(there, lt(to_float((vi)(g >> 22)), splat(EYE_SHARE * 1024.0f)));
+  noise_axis swarm_x = noise_split_cubic(to_float(column) * splat(0.31f), HASH_X);
+  noise_axis swarm_y = noise_split_cubic(to_float(row) * splat(0.23f), HASH_Y);
+  vf unused_x, unused_y,
+      swarm =
+          noise_value2(&swarm_x, &swarm_y, seed + (vu)shell * splatu(HASH_Z), &unused_x, &unused_y);
+  vf share = splat(EYE_SHARE) + splat(EYE_SWARM / HASH_ONE) * swarm;
+  there = and_(there, lt(to_float((vi)(g >> 22)), share * splat(1024.0f)));
   there = and_(there, gt(radius, splat(1e-2f)));
   if (!any(there)) return;
 
@@ -162,7 +244,7 @@ INLINE void figure_add(const wood_constants *w, vu own, vf y, vf footprint, vf e
   if (w->has_curl) figure_curl(w, own, y, extent, p, u);
   if (w->has_quilt) figure_quilt(w, own, y, footprint, p, u);
   if (w->has_eyes) {
-    for (int layer = 0; layer < 2; layer++) figure_eyes(w, own, layer, y, footprint, p, u);
+    for (int layer = 0; layer < EYE_LAYERS; layer++) figure_eyes(w, own, layer, y, footprint, p, u);
   }
 }
 

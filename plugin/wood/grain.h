@@ -9,10 +9,13 @@
  * sum of displacements D is given in closed form and G is its derivative:
  *
  *   spiral       D = g1 y
- *   wavy         D = A lambda / 2 pi (1 - cos psi), psi = 2 pi y / lambda + irregularity
+ *   wavy         D = A lambda / 2 pi (p (1 - cos psi) + q sin psi), psi = 2 pi y /
+ *                lambda, p = 1, q = 0; irregular, psi strays and p and q are noises
+ *                of (y, t): waves fork and end where both are zero
  *   interlocked  D = g sin(2 pi t / years) sin(k y) / k: the slope's sign
  *                alternates with the year of formation; the long wave in y
- *                bounds the shear between neighbouring years
+ *                bounds the shear between neighbouring years. Irregular, both
+ *                phases and g are noises of t
  *   variation    D = fractal noise in (y, t) whose slope is bounded
  *
  * D(0, t) = 0 for each.
@@ -45,46 +48,115 @@ INLINE noise_axis grain_years(const wood_constants *w, vf t) {
   return noise_split_cubic(t * splat(w->slope_noise_years), HASH_X);
 }
 
-/* The wave's phase, in turns, and its slopes. */
+/* The wave's phase, in turns, and its slopes in radians; its amplitude in phase and
+ * out of it. */
 typedef struct {
   vf psi, y, t;
+  vf in, in_y, in_t, out, out_y, out_t;
 } wave_phase;
 
-INLINE wave_phase wave_at(const wood_constants *w, vu own, vf y, const noise_axis *at) {
-  wave_phase q = {y * splat(w->wave_frequency), splat(w->wave_number), splat(0.0f)};
+/* Two value noises of one lattice, from the halves of one hash, within +-1. */
+INLINE void grain_swell(const noise_axis *y, const noise_axis *t, vu seed, vf n[2], vf dy[2],
+                        vf dt[2]) {
+  vf k = splat(1.0f / 32768.0f), v[2][4];
+  for (int c = 0; c < 4; c++) {
+    vu h = hash_upper(seed + (c & 1 ? y->high : y->low) + (c & 2 ? t->high : t->low));
+    v[0][c] = to_float((vi)h >> 16) * k;
+    v[1][c] = to_float((vi)(h << 11) >> 16) * k;
+  }
+  for (int j = 0; j < 2; j++) {
+    vf a = v[j][1] - v[j][0], b = v[j][3] - v[j][2];
+    vf low = v[j][0] + a * y->w, high = v[j][2] + b * y->w;
+    n[j] = low + (high - low) * t->w;
+    dy[j] = mix(a, b, t->w) * y->dw;
+    dt[j] = (high - low) * t->dw;
+  }
+}
+
+INLINE wave_phase wave_at(const wood_constants *w, vu own, vf y, vf t) {
+  vf zero = splat(0.0f);
+  wave_phase q = {y * splat(w->wave_frequency),
+                  splat(w->wave_number),
+                  zero,
+                  splat(1.0f),
+                  zero,
+                  zero,
+                  zero,
+                  zero,
+                  zero};
   if (w->has_wave_irregularity) {
-    noise_stem ay = noise_split_axial(y * splat(w->wave_irregularity_frequency), HASH_Y);
-    vf ny, nt, n = noise_axial2(&ay, at, wood_seed(w, own, SEED_WAVE), &ny, &nt);
-    q.psi = q.psi + splat(w->wave_irregularity * 0.15915494f) * n;
-    q.y = q.y + splat(w->wave_irregularity * w->wave_irregularity_frequency) * ny;
-    q.t = splat(w->wave_irregularity * w->slope_noise_years) * nt;
+    const wood_irregular *r = &w->wave;
+    noise_stem ay = noise_split_axial(y * splat(r->stray_frequency), HASH_Y);
+    vf f = splat(w->wave_inverse_reach / CURL_STRAY_REACH), g = splat(w->wave_inverse_reach);
+    noise_axis at = noise_split_cubic(t * f, HASH_X);
+    vf ny, nt, n = noise_axial2(&ay, &at, wood_seed(w, own, SEED_WAVE), &ny, &nt);
+    float turns = r->stray * 6.2831853f;
+    q.psi = q.psi + splat(r->stray) * n;
+    q.y = q.y + splat(turns * r->stray_frequency) * ny;
+    q.t = splat(turns) * f * nt;
+
+    vf v[2], vy[2], vt[2], swell = splat(r->swell);
+    noise_axis by = noise_split_cubic(y * splat(r->swell_frequency), HASH_Y);
+    noise_axis bt = noise_split_cubic(t * g, HASH_X);
+    grain_swell(&by, &bt, wood_seed(w, own, SEED_WAVE_SWELL), v, vy, vt);
+    vf sy = splat(r->swell * r->swell_frequency), st = swell * g;
+    q.in = splat(r->steady) + swell * v[0];
+    q.in_y = sy * vy[0];
+    q.in_t = st * vt[0];
+    q.out = swell * v[1];
+    q.out_y = sy * vy[1];
+    q.out_t = st * vt[1];
   }
   return q;
 }
 
 INLINE void grain_wave(const wood_constants *w, const wave_phase *q, vf extent, grain_place *p) {
-  vf sine, cosine, a = splat(w->wave_displacement);
+  vf sine, cosine, one = splat(1.0f), a = splat(w->wave_displacement);
   sine_cosine_turns(q->psi, &sine, &cosine);
-  p->d = p->d + a * (splat(1.0f) - cosine);
-  vf slope = a * sine * q->y;
-  vf keep = filter_wave(extent, w->wave_frequency);
-  p->g = p->g + slope;
-  p->g_filtered = p->g_filtered + slope * keep;
-  p->d_t = p->d_t + a * sine * q->t;
-  p->variance = splat(0.5f * w->wave_slope * w->wave_slope) * (splat(1.0f) - keep * keep);
+  vf lift = one - cosine, turn = q->in * sine + q->out * cosine;
+  p->d = p->d + a * (q->in * lift + q->out * sine);
+  /* what is left where the wave's own turns have been averaged */
+  vf slow = a * q->in_y, slope = a * (turn * q->y + q->out_y * sine - q->in_y * cosine);
+  vf keep = filter_wave(extent * q->y, 0.15915494f);
+  vf power = q->in * q->in + q->out * q->out, wide = splat(w->wave.power);
+  p->g = p->g + (slope + slow);
+  p->g_filtered = p->g_filtered + (slope * keep + slow);
+  p->d_t = p->d_t + a * (turn * q->t + q->in_t * lift + q->out_t * sine);
+  if (w->has_wave_irregularity) power = mix(wide, power, keep);
+  p->variance = splat(0.5f * w->wave_slope * w->wave_slope) * power * (one - keep * keep);
 }
 
-INLINE void grain_interlocked(const wood_constants *w, vf y, vf t, grain_place *p) {
-  vf st, ct, sy, cy;
-  sine_cosine_turns(t * splat(w->interlocked_frequency), &st, &ct);
-  sine_cosine_turns(y * splat(1.0f / w->interlocked_length), &sy, &cy);
-  vf a = splat(w->interlocked_slope);
-  vf reach = a * sy * splat(w->interlocked_length * 0.15915494f);
-  p->d = p->d + reach * st;
+/* The year's phase, in turns, strength, and place along the long wave, in turns. */
+INLINE void grain_interlocked(const wood_constants *w, vu own, vf y, vf t, grain_place *p) {
+  vf st, ct, sy, cy, sb = splat(0.0f), cb = splat(1.0f), zero = splat(0.0f);
+  vf psi = t * splat(w->interlocked_frequency), psi_t = splat(w->interlocked_frequency);
+  vf a = splat(w->interlocked_slope), a_t = zero, begin = zero, begin_t = zero;
+  if (w->interlocked_irregularity > 0.0f) {
+    float much = w->interlocked_irregularity;
+    vu seed = wood_seed(w, own, SEED_RIBBON);
+    vf slope, f = splat(w->interlocked_frequency * 1.13f);
+    noise_axis at = noise_split_cubic(t * f, HASH_X);
+    vf k = splat(0.45f / HASH_ONE * much);
+    psi = psi + k * noise_value1(&at, seed, &slope);
+    psi_t = psi_t + k * f * slope;
+    vf fade = splat(0.35f / HASH_ONE * much) * a;
+    a = a + fade * noise_value1(&at, seed + splatu(HASH_Y), &slope);
+    a_t = fade * f * slope;
+    vf turns = splat(0.2f / HASH_ONE * much);
+    begin = turns * noise_value1(&at, seed + splatu(HASH_Z), &slope);
+    begin_t = turns * f * slope;
+    sine_cosine_turns(begin, &sb, &cb);
+  }
+  sine_cosine_turns(psi, &st, &ct);
+  sine_cosine_turns(y * splat(1.0f / w->interlocked_length) + begin, &sy, &cy);
+  vf length = splat(w->interlocked_length * 0.15915494f), tau = splat(6.2831853f);
+  vf along = (sy - sb) * length;
+  p->d = p->d + a * along * st;
   vf slope = a * cy * st;
   p->g = p->g + slope;
   p->g_filtered = p->g_filtered + slope;
-  p->d_t = p->d_t + reach * ct * splat(6.2831853f * w->interlocked_frequency);
+  vf turned = st * (a_t * along + a * (cy - cb) * length * tau * begin_t);
+  p->d_t = p->d_t + (a * along * ct * (tau * psi_t) + turned);
 }
 
 INLINE void grain_noise(const wood_constants *w, vu own, int o, vf y, const noise_axis *at,

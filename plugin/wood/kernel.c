@@ -99,6 +99,12 @@ INLINE vf rings_across(const wood_constants *w, int what, const stem_place *p,
   return sel(curved, sum * splat(0.25f), mean);
 }
 
+/* Rings over the parts of a wide footprint; see plies/wide.h. */
+typedef struct {
+  vf mean[3]; /* of MEAN_LATE... */
+  vf share;   /* 0..1: how far they stand in for the whole */
+} wide_rings;
+
 /* A block of LANES points on its way through the stages. The stages run over a
  * few blocks each before the next begins, and are short: the blocks do not wait
  * for one another, and the processor sees far enough ahead to have the next one
@@ -141,6 +147,7 @@ typedef struct {
   spalt_place spalt;
   wood_board board; /* where there are boards */
   knot_place *knot; /* where there are knots, else NULL */
+  wide_rings *wide; /* where a footprint on veneer is wide, else NULL */
 } block;
 
 /* The end of a batch, and what is not active. */
@@ -299,15 +306,17 @@ INLINE void stage_ring(const wood_constants *w, const kernel_io *io, block *k) {
 INLINE void stage_years(const wood_constants *w, int boards, block *k) {
   k->grain = grain_spiral(w, k->p[1]);
   k->at = grain_years(w, k->years);
-  if (w->has_wave) k->wave = wave_at(w, own_of(boards, k), k->p[1], &k->at);
+  if (w->has_wave) k->wave = wave_at(w, own_of(boards, k), k->p[1], k->years);
 }
 
 INLINE void stage_wave(const wood_constants *w, block *k) {
   if (w->has_wave) grain_wave(w, &k->wave, k->extent, &k->grain);
 }
 
-INLINE void stage_interlocked(const wood_constants *w, block *k) {
-  if (w->has_interlocked) grain_interlocked(w, k->p[1], k->years, &k->grain);
+INLINE void stage_interlocked(const wood_constants *w, int boards, block *k) {
+  if (w->has_interlocked) {
+    grain_interlocked(w, own_of(boards, k), k->p[1], k->years, &k->grain);
+  }
 }
 
 INLINE void stage_grain_noise(const wood_constants *w, int boards, int o, block *k) {
@@ -426,14 +435,37 @@ INLINE void stage_reach(const wood_constants *w, int boards, const kernel_io *io
   k->reach = rings_extent(&k->stem, b, k->nrm, !io->in->normal[0], k->s);
 }
 
+#include "plies/wide.h"
+
+/* Where boards may be bent veneer. */
+INLINE int has_bent_boards(const wood_constants *w, int boards) {
+  return boards && (w->plies.count || w->peeled);
+}
+
 /* mm: the footprint that rings may curve under. */
 INLINE vf curved_footprint(const wood_constants *w, int boards, const block *k) {
-  return boards && (w->plies.count || w->peeled) ? k->board.wide : k->s;
+  return has_bent_boards(w, boards) ? k->board.wide : k->s;
+}
+
+/* The mean of a ring's profile under the footprint. */
+INLINE vf rings_mean(const wood_constants *w, int boards, const kernel_io *io, int what,
+                     const block *k) {
+  vf mean = rings_across(w, what, &k->stem, &k->ring, k->b, k->nrm, !io->in->normal[0],
+                         curved_footprint(w, boards, k), k->reach);
+  if (has_bent_boards(w, boards) && k->wide) mean = wide_rings_mean(what, k, mean);
+  return mean;
+}
+
+INLINE void stage_wide(const wood_constants *w, int boards, const kernel_io *io, block *k,
+                       wide_rings *room) {
+  k->wide = NULL;
+  if (any(gt(k->board.bent, splat(WIDE_FROM)))) {
+    wide_rings_of(w, own_of(boards, k), !io->in->normal[0], k, room);
+  }
 }
 
 INLINE void stage_rings(const wood_constants *w, int boards, const kernel_io *io, block *k) {
-  k->late = rings_across(w, MEAN_LATE, &k->stem, &k->ring, k->b, k->nrm, !io->in->normal[0],
-                         curved_footprint(w, boards, k), k->reach);
+  k->late = rings_mean(w, boards, io, MEAN_LATE, k);
   store_lanes(io, WOOD_LATEWOOD, k, k->late);
 }
 
@@ -521,22 +553,20 @@ INLINE void stage_rows(const wood_constants *w, int boards, block *k) {
 
 /* Where the vessels could not be looked up, what is to be expected. */
 INLINE void stage_cover(const wood_constants *w, int boards, const kernel_io *io, block *k) {
-  const stem_place *stem = &k->stem;
   const vessel_cover_t *v = &k->vessels;
   vf one = splat(1.0f), zero = splat(0.0f);
-  int ball = !io->in->normal[0];
-  vf pores = v->pores, rows = v->rows, curved = curved_footprint(w, boards, k);
+  vf pores = v->pores, rows = v->rows;
   k->over_late = v->pores;
   if (w->has_pores && any(gt(v->pores_faded, zero))) {
     vf expected = one;
     if (w->pore_growth != 0.0f) {
-      expected = rings_across(w, MEAN_PORE, stem, &k->ring, k->b, k->nrm, ball, curved, k->reach);
+      expected = rings_mean(w, boards, io, MEAN_PORE, k);
     }
     pores = mix(pores, splat(w->pores.coverage) * expected, v->pores_faded);
     k->over_late = mix(k->over_late, splat(w->late_vessel), v->pores_faded);
   }
   if (w->rows && any(gt(v->rows_faded, zero))) {
-    vf expected = rings_across(w, MEAN_ROW, stem, &k->ring, k->b, k->nrm, ball, curved, k->reach);
+    vf expected = rings_mean(w, boards, io, MEAN_ROW, k);
     rows = mix(rows, splat(w->row.coverage) * expected, v->rows_faded);
   }
   if (k->knot) rows = rows * (one - k->knot->cover); /* branches have no wide earlywood vessels */
@@ -825,7 +855,7 @@ INLINE void stage_radiance(const wood_constants *w, const kernel_io *io, block *
  * loops and not in them. */
 INLINE void evaluate_as(int boards, const wood_constants *restrict w, const kernel_io *restrict io,
                         const wood_wants *restrict want, block *blocks, surface_relief *reliefs,
-                        uint32_t count) {
+                        wide_rings *wides, uint32_t count) {
   EACH(stage_load(w, boards, io, want, &blocks[k]));
   EACH(stage_pith(w, boards, &blocks[k]));
   EACH(stage_about(&blocks[k]));
@@ -843,7 +873,7 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const kern
   if (want->section) {
     EACH(stage_years(w, boards, &blocks[k]));
     EACH(stage_wave(w, &blocks[k]));
-    EACH(stage_interlocked(w, &blocks[k]));
+    EACH(stage_interlocked(w, boards, &blocks[k]));
     EACH(stage_grain_noise(w, boards, 0, &blocks[k]));
     EACH(stage_grain_noise(w, boards, 1, &blocks[k]));
     EACH(stage_turn(&blocks[k]));
@@ -855,6 +885,7 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const kern
   }
   if (want->late) {
     EACH(stage_reach(w, boards, io, &blocks[k]));
+    if (has_bent_boards(w, boards)) EACH(stage_wide(w, boards, io, &blocks[k], &wides[k]));
     EACH(stage_rings(w, boards, io, &blocks[k]));
   }
   if (want->vessel) {
@@ -906,16 +937,17 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const kern
 static __attribute__((noinline)) void evaluate_piece(const wood_constants *restrict w,
                                                      const kernel_io *restrict io,
                                                      const wood_wants *restrict want, block *blocks,
-                                                     surface_relief *reliefs, uint32_t count) {
-  evaluate_as(0, w, io, want, blocks, reliefs, count);
+                                                     surface_relief *reliefs, wide_rings *wides,
+                                                     uint32_t count) {
+  evaluate_as(0, w, io, want, blocks, reliefs, wides, count);
 }
 
 static __attribute__((noinline)) void evaluate_boards(const wood_constants *restrict w,
                                                       const kernel_io *restrict io,
                                                       const wood_wants *restrict want,
                                                       block *blocks, surface_relief *reliefs,
-                                                      uint32_t count) {
-  evaluate_as(1, w, io, want, blocks, reliefs, count);
+                                                      wide_rings *wides, uint32_t count) {
+  evaluate_as(1, w, io, want, blocks, reliefs, wides, count);
 }
 
 /* Points from..to, those of plies as wood in a layout is. */
@@ -924,6 +956,7 @@ INLINE void evaluate_points(const wood_constants *w, const kernel_io *io, const 
   block blocks[BLOCKS];
   surface_relief reliefs[BLOCKS];
   knot_place knots[BLOCKS];
+  wide_rings wides[BLOCKS];
   for (uint32_t i = from; i < to;) {
     uint32_t count = 0;
     for (; count < BLOCKS && i < to; count++, i += LANES) {
@@ -934,9 +967,9 @@ INLINE void evaluate_points(const wood_constants *w, const kernel_io *io, const 
       k->knot = w->knots ? &knots[count] : NULL;
     }
     if (boards) {
-      evaluate_boards(w, io, want, blocks, reliefs, count);
+      evaluate_boards(w, io, want, blocks, reliefs, wides, count);
     } else {
-      evaluate_piece(w, io, want, blocks, reliefs, count);
+      evaluate_piece(w, io, want, blocks, reliefs, wides, count);
     }
   }
 }

@@ -158,7 +158,7 @@ static const sozai_parameter spiral_slope = {
 static const sozai_parameter wave_slope = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "wave_slope", .label = "Wave slope", .group = "grain", .unit = "",
-   .doc = "Greatest slope of wavy grain.",
+   .doc = "Greatest slope of wavy grain; where it is irregular, of a strong wave.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 0.4, .default_number = {0.2}};
 
 static const sozai_parameter wave_length = {
@@ -170,9 +170,15 @@ static const sozai_parameter wave_length = {
 static const sozai_parameter wave_irregularity = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "wave_irregularity", .label = "Wave irregularity", .group = "grain", .unit = "",
-   .doc = "How uneven the waves' spacing is along the stem and from year to year; 0 is a "
-   "perfect sine.",
+   .doc = "How far the waves are from a perfect sine, which 0 is: their spacing and strength "
+   "change along the stem and from year to year, they lean, fade, fork and end.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
+
+static const sozai_parameter wave_reach = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "wave_reach", .label = "Wave reach", .group = "grain", .unit = "mm",
+   .doc = "How far along the radius an irregular wave keeps its strength and place.",
+   .hard_min = 1, .hard_max = 10000, .soft_min = 10, .soft_max = 200, .default_number = {40}};
 
 static const sozai_parameter interlocked_slope = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -193,6 +199,14 @@ static const sozai_parameter interlocked_length = {
    "the shear between years.",
    .hard_min = 100, .hard_max = 100000, .soft_min = 500, .soft_max = 5000, .default_number = {600}};
 
+static const sozai_parameter interlocked_irregularity = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "interlocked_irregularity", .label = "Interlocked irregularity", .group = "grain",
+   .unit = "",
+   .doc = "How much the years from side to side differ, how steep each of them is, and where along "
+   "the stem it changes sides; 0 is a perfect sine.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
+
 static const sozai_parameter slope_noise = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "slope_noise", .label = "Slope variation", .group = "grain", .unit = "",
@@ -209,8 +223,10 @@ static const sozai_parameter slope_noise_length = {
 static const sozai_parameter curl_slope = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "curl_slope", .label = "Curl slope", .group = "grain", .unit = "",
-   .doc = "Greatest slope of the fibres in and out, in regular waves that the rings follow: the "
-   "radial half of curly and fiddleback figure, wave_slope being the tangential. 0 for none.",
+   .doc = "Greatest slope of the fibres in and out, in waves that the rings follow; where they are "
+   "irregular, of a strong one. The radial half of curly and fiddleback figure, wave_slope being "
+   "the tangential. At most 0.8 times curl_reach over curl_length and a factor from 0 to 4.9 that "
+   "grows with curl_irregularity. 0 for none.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 0.4, .default_number = {0}};
 
 static const sozai_parameter curl_length = {
@@ -222,8 +238,15 @@ static const sozai_parameter curl_length = {
 static const sozai_parameter curl_irregularity = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "curl_irregularity", .label = "Curl irregularity", .group = "grain", .unit = "",
-   .doc = "How far the waves stray from even spacing and from level; 0 is a perfect sine.",
+   .doc = "How far the waves are from a perfect sine, which 0 is: their spacing and strength "
+   "change, they lean, fade, fork and end.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.5}};
+
+static const sozai_parameter curl_reach = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "curl_reach", .label = "Curl reach", .group = "grain", .unit = "mm",
+   .doc = "How far across the stem an irregular wave keeps its strength and place.",
+   .hard_min = 1, .hard_max = 10000, .soft_min = 10, .soft_max = 200, .default_number = {45}};
 
 static const sozai_parameter quilt_slope = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -254,7 +277,7 @@ static const sozai_parameter eye_density = {
 static const sozai_parameter eye_diameter = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "eye_diameter", .label = "Eye diameter", .group = "grain", .unit = "mm",
-   .doc = "Of a bird's eye, across the stem, the mean; from 0.6 to 1.4 times as much.",
+   .doc = "Of a bird's eye, across the stem, the mean; from 0.35 to 1.5 times as much.",
    .hard_min = 0.3, .hard_max = 40, .soft_min = 1, .soft_max = 8, .default_number = {3.5}};
 
 static const sozai_parameter eye_depth = {
@@ -1056,14 +1079,17 @@ const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_WAVE_SLOPE] = &wave_slope,
    [P_WAVE_LENGTH] = &wave_length,
    [P_WAVE_IRREGULARITY] = &wave_irregularity,
+   [P_WAVE_REACH] = &wave_reach,
    [P_INTERLOCKED_SLOPE] = &interlocked_slope,
    [P_INTERLOCKED_YEARS] = &interlocked_years,
    [P_INTERLOCKED_LENGTH] = &interlocked_length,
+   [P_INTERLOCKED_IRREGULARITY] = &interlocked_irregularity,
    [P_SLOPE_NOISE] = &slope_noise,
    [P_SLOPE_NOISE_LENGTH] = &slope_noise_length,
    [P_CURL_SLOPE] = &curl_slope,
    [P_CURL_LENGTH] = &curl_length,
    [P_CURL_IRREGULARITY] = &curl_irregularity,
+   [P_CURL_REACH] = &curl_reach,
    [P_QUILT_SLOPE] = &quilt_slope,
    [P_QUILT_HEIGHT] = &quilt_height,
    [P_QUILT_WIDTH] = &quilt_width,

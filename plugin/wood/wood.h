@@ -35,6 +35,7 @@
 #define WOOD_CONE_DIVE 17     /* steps of the sine of the dive angle, 0 to 1 */
 #define WOOD_CONE_LEAST 0.05f /* of cos^2(psi_d / 2): where cones close, the lobe stays finite */
 #define WOOD_STREAK 0.62f     /* how much of its colour a streak's depth gives */
+#define CURL_STRAY_REACH 1.6f /* of the reach, that the phase strays over */
 #define CANAL_CORE 0.4f       /* share of a resin canal that is its lumen */
 #define WOOD_RIM 256          /* directions in which the rim of a picture is known */
 
@@ -65,6 +66,9 @@ enum {
   SEED_SPALT,
   SEED_KNOTS = SEED_SPALT + 2,
   SEED_PLIES,
+  SEED_CURL_SWELL,
+  SEED_WAVE_SWELL,
+  SEED_RIBBON,
   WOOD_SEEDS
 };
 
@@ -78,6 +82,16 @@ typedef struct {
   float overlap;  /* share of the discs' areas that lies under another disc */
   float inverse_square[WOOD_RADII];
 } wood_vessels;
+
+/* How far waves along the stem are from a sine: they are of the phase
+ * y / length + stray n, n an axial noise, and of the complex amplitude steady +
+ * swell (a + i b), a and b value noises. Where that is zero a wave forks or ends. */
+typedef struct {
+  float steady, swell;
+  float power;                            /* expected square of the amplitude */
+  float stray;                            /* turns */
+  float stray_frequency, swell_frequency; /* 1/mm, along the stem */
+} wood_irregular;
 
 /* How the ends of boards are turned. */
 enum { FLIP_RANDOM, FLIP_ALTERNATE, FLIP_NONE };
@@ -113,9 +127,9 @@ typedef struct {
 
   /* figure of the growth front */
   int32_t has_curl, has_quilt, has_eyes;
-  float curl_height, curl_slope, curl_frequency;           /* mm; greatest slope; 1/mm */
-  float curl_stray;                                        /* turns */
-  float curl_stray_frequency, curl_stray_frequency_axis;   /* 1/mm */
+  float curl_height, curl_slope, curl_frequency; /* mm; greatest slope; 1/mm */
+  wood_irregular curl;
+  float curl_inverse_reach;                                /* 1/mm */
   float quilt_height, quilt_slope;                         /* mm over the noise; rms slope */
   float quilt_frequency, quilt_frequency_axis, quilt_size; /* 1/mm; mm */
   float eye_radius, eye_depth,
@@ -137,12 +151,13 @@ typedef struct {
 
   /* grain; slopes are r dtheta/dy */
   float spiral;
-  float wave_slope, wave_displacement;            /* A, A lambda / 2 pi */
-  float wave_number, wave_frequency;              /* 2 pi / lambda, 1 / lambda */
-  float wave_irregularity;                        /* radians of phase */
-  float wave_irregularity_frequency;              /* 1/mm */
+  float wave_slope, wave_displacement; /* A, A lambda / 2 pi */
+  float wave_number, wave_frequency;   /* 2 pi / lambda, 1 / lambda */
+  wood_irregular wave;
+  float wave_inverse_reach;                       /* 1/years */
   float interlocked_slope, interlocked_frequency; /* 1/years */
   float interlocked_length;                       /* mm */
+  float interlocked_irregularity;                 /* 0..1 */
   float slope_noise[2], slope_noise_frequency[2]; /* mm of displacement; 1/mm */
   float slope_noise_size[2];                      /* mm */
   float slope_noise_years;                        /* 1/years */

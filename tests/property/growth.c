@@ -125,7 +125,8 @@ static void fibres_lie_in_the_rings(void **state) {
 static void rings_never_cross(void **state) {
   (void)state;
   static const char *const steepest[] = {
-      "curl_slope=1; curl_length=40; curl_irregularity=1",
+      "curl_slope=1; curl_length=40; curl_irregularity=1; curl_reach=250",
+      "curl_slope=0.8; curl_length=10; curl_irregularity=0.8; curl_reach=40",
       "quilt_slope=0.234; quilt_height=10; quilt_width=20; undulation=0.4; undulation_size=10",
       "quilt_slope=0.117; quilt_height=30; quilt_width=30; undulation=0.9; undulation_size=10",
       "eye_density=0.13; eye_diameter=9; eye_depth=0.19; eye_length=30",
@@ -283,6 +284,10 @@ static void what_has_no_room_is_refused(void **state) {
       {"quilt_slope=0.3; quilt_height=20; quilt_width=20", "quilt_slope"},
       {"eye_density=3; eye_diameter=4", "eye_density"},
       {"curl_slope=nan", "curl_slope"},
+      {"curl_slope=0.3; curl_length=40; curl_irregularity=1; curl_reach=20", "curl_slope"},
+      {"curl_reach=0", "curl_reach"},
+      {"wave_reach=1e30", "wave_reach"},
+      {"interlocked_irregularity=1.5", "interlocked_irregularity"},
       {"curl_length=0", "curl_length"},
       {"eye_depth=1e30", "eye_depth"},
   };

@@ -236,7 +236,10 @@ INLINE void ply_at(const wood_constants *w, const ply_taps *taps, uint32_t i, ui
     out->tilt[c] = down[c] * in[TAP_TILT];
   }
   out->step = in[TAP_STEP];
-  out->wide = sel(or_(peeled, lt(in[TAP_SHARE], splat(0.999f))), zero, s);
+  vm parted = lt(in[TAP_SHARE], splat(0.999f));
+  out->wide = sel(or_(peeled, parted), zero, s);
+  out->bent = sel(and_(peeled, not_(parted)), s, zero);
+  out->lead = half * lead;
   out->number = in[TAP_NUMBER] + one;
   out->place[0] = y;
   out->place[1] = across * wide;

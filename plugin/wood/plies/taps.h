@@ -27,6 +27,7 @@ enum { OF_OWN = 1, OF_FIRST = 2, OF_LAST = 4 };
 
 typedef struct {
   uint32_t count;
+  int alone; /* points that follow one another, each of one ply: answers need no averaging */
   uint32_t point[TAPS_ROOM]; /* whose it is */
   float weight[TAPS_ROOM];
   uint8_t flags[TAPS_ROOM];
@@ -69,6 +70,14 @@ static void taps_store(const kernel_io *io, const ply_queue *q) {
   }
 }
 
+/* A column of the batch's, for the queue's points. */
+static const float *taps_given(const ply_queue *q, const float *all, float *room) {
+  if (!all) return NULL;
+  if (q->alone) return all + q->point[0];
+  for (uint32_t k = 0; k < q->count; k++) room[k] = all[q->point[k]];
+  return room;
+}
+
 static void taps_ask(const wood_constants *w, const kernel_io *io, const wood_wants *want,
                      ply_queue *q) {
   if (!q->count) return;
@@ -81,36 +90,60 @@ static void taps_ask(const wood_constants *w, const kernel_io *io, const wood_wa
   for (int c = 0; c < 3; c++) {
     in.point[c] = q->in[IN_POINT + c];
     if (in.normal[c]) in.normal[c] = q->in[IN_NORMAL + c];
-    if (in.light[c]) in.light[c] = q->in[IN_LIGHT + c];
-    if (in.view[c]) in.view[c] = q->in[IN_VIEW + c];
-    if (in.light_colour[c]) in.light_colour[c] = q->in[IN_COLOUR + c];
+    in.light[c] = taps_given(q, in.light[c], q->in[IN_LIGHT + c]);
+    in.view[c] = taps_given(q, in.view[c], q->in[IN_VIEW + c]);
+    in.light_colour[c] = taps_given(q, in.light_colour[c], q->in[IN_COLOUR + c]);
   }
-  for (int c = 0; c < WOOD_COMPONENTS; c++) out[c] = io->out[c] ? q->out[c] : NULL;
+  for (int c = 0; c < WOOD_COMPONENTS; c++) {
+    out[c] = !io->out[c] ? NULL : q->alone ? io->out[c] + q->point[0] : q->out[c];
+  }
   for (int c = 0; c < TAP_COLUMNS; c++) told.column[c] = q->told[c];
   wood_wants asked = *want;
   asked.taps = &told;
   kernel_io part = {&in, out, io->wanted};
   evaluate_points(w, &part, &asked, 1, 0, q->count);
-  taps_store(io, q);
+  if (!q->alone) taps_store(io, q);
   q->count = 0;
 }
 
 /* ---- where the glue is -------------------------------------------------- */
 
+/* Corners of the noises' cells last asked for: points come side by side. */
+#define TAPS_CELLS 8
+typedef struct {
+  uint32_t x, y, line;
+  float corner[4];
+} taps_cell;
+typedef struct {
+  taps_cell cell[TAPS_CELLS];
+} taps_cells;
+
+static void taps_cells_begin(taps_cells *known) {
+  /* the place of no line */
+  for (int k = 0; k < TAPS_CELLS; k++) known->cell[k].line = 0xffffffffu;
+}
+
 /* -1..1, smooth over cells of `size` mm of the plane, another for each line. */
-static float taps_noise(const wood_plies *p, const float at[3], float inverse_size, uint32_t line) {
+static float taps_noise(const wood_plies *p, taps_cells *known, const float at[3],
+                        float inverse_size, uint32_t line) {
   float x = at[0] * inverse_size, y = at[1] * inverse_size;
   int32_t i = (int32_t)x - (x < (float)(int32_t)x), j = (int32_t)y - (y < (float)(int32_t)y);
-  float u = x - (float)i, v = y - (float)j, corner[2][2];
-  for (int k = 0; k < 4; k++) {
-    uint32_t h = (uint32_t)(i + (k & 1)) * HASH_X + (uint32_t)(j + (k >> 1)) * HASH_Y;
-    h = hash1(h + line * HASH_Z + p->seed);
-    corner[k >> 1][k & 1] = (float)(int32_t)h * (1.0f / 2147483648.0f);
+  float u = x - (float)i, v = y - (float)j;
+  uint32_t hx = (uint32_t)i * HASH_X, hy = (uint32_t)j * HASH_Y;
+  taps_cell *cell = &known->cell[line % TAPS_CELLS];
+  if (cell->line != line || cell->x != hx || cell->y != hy) {
+    *cell = (taps_cell){.x = hx, .y = hy, .line = line};
+    for (uint32_t k = 0; k < 4; k++) {
+      uint32_t h = hx + (k & 1 ? HASH_X : 0) + hy + (k >> 1 ? HASH_Y : 0);
+      h = hash1(h + line * HASH_Z + p->seed);
+      cell->corner[k] = (float)(int32_t)h * (1.0f / 2147483648.0f);
+    }
   }
+  const float *corner = cell->corner;
   u = u * u * (3.0f - 2.0f * u);
   v = v * v * (3.0f - 2.0f * v);
-  float low = corner[0][0] + (corner[0][1] - corner[0][0]) * u;
-  float high = corner[1][0] + (corner[1][1] - corner[1][0]) * u;
+  float low = corner[0] + (corner[1] - corner[0]) * u;
+  float high = corner[2] + (corner[3] - corner[2]) * u;
   return low + (high - low) * v;
 }
 
@@ -122,20 +155,36 @@ typedef struct {
 
 static int32_t plies_of_all(const wood_plies *p) { return p->count * p->sheets; }
 
-static glue_line taps_line(const wood_plies *p, const float at[3], int32_t k) {
+/* Which sheet a ply is of; most are of the first, and a division is slow. */
+static int32_t sheet_of(const wood_plies *p, int32_t k) { return k < p->count ? 0 : k / p->count; }
+
+static glue_line taps_line(const wood_plies *p, taps_cells *known, const float at[3], int32_t k) {
   if (k <= 0) return (glue_line){-1e30f, 0.0f};
   if (k >= plies_of_all(p)) return (glue_line){1e30f, 0.0f};
-  int32_t sheet = k / p->count, ply = k % p->count;
+  int32_t sheet = sheet_of(p, k), ply = k - sheet * p->count;
   glue_line line = {(float)sheet * p->thick + p->top[ply], 0.5f * p->glue};
   if (p->wander > 0.0f) {
-    line.at += p->wander * taps_noise(p, at, 1.0f / 23.0f, 2u * (uint32_t)k);
-    line.half *= 1.0f + p->swell * taps_noise(p, at, 1.0f / 3.7f, 2u * (uint32_t)k + 1u);
+    line.at += p->wander * taps_noise(p, known, at, 1.0f / 23.0f, 2u * (uint32_t)k);
+    line.half *= 1.0f + p->swell * taps_noise(p, known, at, 1.0f / 3.7f, 2u * (uint32_t)k + 1u);
   }
   return line;
 }
 
+/* The same for one who looks at depths from..to alone: a line that cannot reach
+ * there is told as if it were even, and lies on the side where it does. */
+static glue_line taps_line_by(const wood_plies *p, taps_cells *known, const float at[3], int32_t k,
+                              float from, float to) {
+  if (k > 0 && k < plies_of_all(p) && p->wander > 0.0f) {
+    int32_t sheet = sheet_of(p, k);
+    glue_line even = {(float)sheet * p->thick + p->top[k - sheet * p->count], 0.5f * p->glue};
+    float most = 1.001f * p->wander + even.half * (1.001f + p->swell) + 1e-6f * even.at;
+    if (even.at + most < from || even.at - most > to) return even;
+  }
+  return taps_line(p, known, at, k);
+}
+
 /* The ply at a depth. */
-static int32_t ply_number(const wood_plies *p, const float at[3], float depth) {
+static int32_t ply_number(const wood_plies *p, taps_cells *known, const float at[3], float depth) {
   float within = depth;
   int32_t sheet = 0;
   if (depth > p->thick && p->sheets > 1) {
@@ -154,8 +203,8 @@ static int32_t ply_number(const wood_plies *p, const float at[3], float depth) {
   }
   int32_t k = sheet * p->count + low;
   if (p->wander > 0.0f) {
-    if (depth < taps_line(p, at, k).at) return k - 1;
-    if (depth >= taps_line(p, at, k + 1).at) return k + 1;
+    if (depth < taps_line_by(p, known, at, k, depth, depth).at) return k - 1;
+    if (depth >= taps_line_by(p, known, at, k + 1, depth, depth).at) return k + 1;
   }
   return k;
 }
@@ -178,12 +227,12 @@ static float taps_overlap(float a, float b, float c, float d) {
 }
 
 /* Height and slope of the glue's step: over a box no narrower than its ramp. */
-static void taps_step(const wood_plies *p, taps_point *pt, int32_t k) {
+static void taps_step(const wood_plies *p, taps_cells *known, taps_point *pt, int32_t k) {
   float e = pt->reach > p->step_ramp ? pt->reach : p->step_ramp, sum = 0.0f, ends = 0.0f;
   float from = pt->depth - 0.5f * e, to = pt->depth + 0.5f * e;
-  while (k > 0 && taps_line(p, pt->at, k).at > from) k--;
+  while (k > 0 && taps_line_by(p, known, pt->at, k, from, to).at > from) k--;
   for (int n = 0; n < PLIES_TAPS; n++, k++) {
-    glue_line line = taps_line(p, pt->at, k);
+    glue_line line = taps_line_by(p, known, pt->at, k, from, to);
     float a = line.at - line.half, b = line.at + line.half;
     if (a > to) break;
     sum += taps_overlap(from, to, a, b);
@@ -199,7 +248,7 @@ static void taps_add(const wood_constants *w, const kernel_io *io, const wood_wa
                      glue_line below, float a, float b, float weight, int flags) {
   const wood_plies *p = &w->plies;
   uint32_t k = q->count;
-  int32_t sheet = ply / p->count, kind = ply % p->count;
+  int32_t sheet = sheet_of(p, ply), kind = ply - sheet * p->count;
   float wood_top = above.at + above.half, wood_end = below.at - below.half;
   float low = a > wood_top ? a : wood_top, high = b < wood_end ? b : wood_end;
   float wood = high - low;
@@ -218,9 +267,10 @@ static void taps_add(const wood_constants *w, const kernel_io *io, const wood_wa
   const sozai_batch *in = io->in;
   for (int c = 0; c < 3; c++) {
     if (in->normal[c]) q->in[IN_NORMAL + c][k] = pt->n[c];
-    if (in->light[c]) q->in[IN_LIGHT + c][k] = in->light[c][pt->i];
-    if (in->view[c]) q->in[IN_VIEW + c][k] = in->view[c][pt->i];
-    if (in->light_colour[c]) q->in[IN_COLOUR + c][k] = in->light_colour[c][pt->i];
+  }
+  if (k == 0) q->alone = 1;
+  if (flags != (OF_OWN | OF_FIRST | OF_LAST) || weight != 1.0f || pt->i != q->point[0] + k) {
+    q->alone = 0;
   }
   q->footprint[k] = pt->s;
   float share = pt->reach > PLY_LEAST ? wood / pt->reach : 1.0f;
@@ -242,17 +292,20 @@ static void taps_add(const wood_constants *w, const kernel_io *io, const wood_wa
 
 /* All of a point's plies. */
 static void taps_of(const wood_constants *w, const kernel_io *io, const wood_wants *want,
-                    ply_queue *q, taps_point *pt) {
+                    ply_queue *q, taps_cells *known, taps_point *pt) {
   const wood_plies *p = &w->plies;
   float reach = pt->reach > PLY_LEAST ? pt->reach : PLY_LEAST;
   float from = pt->depth - 0.5f * reach, to = pt->depth + 0.5f * reach;
-  int32_t first = ply_number(p, pt->at, from), last = ply_number(p, pt->at, to);
-  int32_t here = ply_number(p, pt->at, pt->depth);
-  if (p->step != 0.0f && pt->steep > 1e-3f) taps_step(p, pt, first);
-  glue_line above = taps_line(p, pt->at, first);
+  int32_t first = ply_number(p, known, pt->at, from), last = ply_number(p, known, pt->at, to);
+  int32_t here = ply_number(p, known, pt->at, pt->depth);
+  if (p->step != 0.0f && pt->steep > 1e-3f) taps_step(p, known, pt, first);
   if (last - first < PLIES_TAPS) {
+    /* how far the next line is, only where someone asks */
+    int edge = kernel_wants(io, WOOD_BOARD_EDGE, 1);
+    float low = edge ? -1e30f : from, high = edge ? 1e30f : to;
+    glue_line above = taps_line_by(p, known, pt->at, first, low, high);
     for (int32_t k = first; k <= last; k++) {
-      glue_line below = taps_line(p, pt->at, k + 1);
+      glue_line below = taps_line_by(p, known, pt->at, k + 1, low, high);
       float a = k == first ? from : above.at, b = k == last ? to : below.at;
       if (!(b > a)) b = a;
       int flags =
@@ -270,14 +323,14 @@ static void taps_of(const wood_constants *w, const kernel_io *io, const wood_wan
   if (nearest >= parts) nearest = parts - 1;
   for (int t = 0; t < PLIES_TAPS; t++) {
     float at = from + ((float)(t / 2) + 0.5f) * reach * (1.0f / (PLIES_TAPS / 2));
-    int32_t k = t / 2 == nearest ? here : ply_number(p, pt->at, at);
+    int32_t k = t / 2 == nearest ? here : ply_number(p, known, pt->at, at);
     int own = t == 2 * nearest;
     if (t & 1) k += k + 1 < plies_of_all(p) ? 1 : -1;
-    int32_t sheet = k / p->count, ply = k % p->count;
+    int32_t sheet = sheet_of(p, k), ply = k - sheet * p->count;
     float top = (float)sheet * p->thick + p->top[ply];
     int flags = (own ? OF_OWN : 0) | (t == 0 ? OF_FIRST : 0) | (t == PLIES_TAPS - 1 ? OF_LAST : 0);
-    taps_add(w, io, want, q, pt, k, taps_line(p, pt->at, k), taps_line(p, pt->at, k + 1), top,
-             top + p->deep[ply], 1.0f / PLIES_TAPS, flags);
+    taps_add(w, io, want, q, pt, k, taps_line(p, known, pt->at, k),
+             taps_line(p, known, pt->at, k + 1), top, top + p->deep[ply], 1.0f / PLIES_TAPS, flags);
   }
 }
 
@@ -290,8 +343,20 @@ static __attribute__((noinline)) void evaluate_plies(const wood_constants *w, co
                                                      uint32_t to) {
   const sozai_batch *in = io->in;
   ply_queue q;
+  taps_cells known;
+  float normals[3][LANES] = {{0}};
   q.count = 0;
+  taps_cells_begin(&known);
   for (uint32_t i = from; i < to; i++) {
+    uint32_t within = (i - from) % LANES;
+    if (in->normal[0] && within == 0) {
+      vf n[3];
+      for (int c = 0; c < 3; c++) {
+        n[c] = load_lanes(in->normal[c], i, to - i < LANES ? to - i : LANES);
+      }
+      unit_direction(n);
+      for (int c = 0; c < 3; c++) store(normals[c], n[c]);
+    }
     if (in->active && !in->active[i]) continue;
     taps_point pt = {.i = i, .n = {0, 0, 1}, .steep = 1.0f};
     for (int c = 0; c < 3; c++) pt.at[c] = taps_coordinate(in->point[c][i]);
@@ -299,10 +364,7 @@ static __attribute__((noinline)) void evaluate_plies(const wood_constants *w, co
     pt.s = s > 0.0f ? s < 1e4f ? s : 1e4f : 0.0f;
     pt.depth = w->plies.face - pt.at[2];
     if (in->normal[0]) {
-      vf n[3];
-      for (int c = 0; c < 3; c++) n[c] = splat(in->normal[c][i]);
-      unit_direction(n);
-      for (int c = 0; c < 3; c++) pt.n[c] = lane(n[c], 0);
+      for (int c = 0; c < 3; c++) pt.n[c] = normals[c][within];
       float flat2 = pt.n[0] * pt.n[0] + pt.n[1] * pt.n[1];
       pt.steep = __builtin_sqrtf(flat2);
       if (pt.steep > 1e-3f) {
@@ -311,7 +373,7 @@ static __attribute__((noinline)) void evaluate_plies(const wood_constants *w, co
       }
     }
     pt.reach = pt.s * pt.steep;
-    taps_of(w, io, want, &q, &pt);
+    taps_of(w, io, want, &q, &known, &pt);
   }
   taps_ask(w, io, want, &q);
 }

@@ -23,16 +23,17 @@ SPECIES_ALL(DECLARE)
 #define LATEWOOD(fraction, abruptness)                                                             \
   NUMBER("latewood_fraction", fraction), NUMBER("latewood_abruptness", abruptness)
 
-#define WAVY(slope, length, irregularity)                                                          \
+#define WAVY(slope, length, irregularity, reach)                                                   \
   CHOICE("grain", "wavy"), NUMBER("wave_slope", slope), NUMBER("wave_length", length),             \
-      NUMBER("wave_irregularity", irregularity)
+      NUMBER("wave_irregularity", irregularity), NUMBER("wave_reach", reach)
 #define INTERLOCKED(slope, years, length)                                                          \
   CHOICE("grain", "interlocked"), NUMBER("interlocked_slope", slope),                              \
-      NUMBER("interlocked_years", years), NUMBER("interlocked_length", length)
+      NUMBER("interlocked_years", years), NUMBER("interlocked_length", length),                    \
+      NUMBER("interlocked_irregularity", 0.7)
 
-#define CURL(slope, length, irregularity)                                                          \
+#define CURL(slope, length, irregularity, reach)                                                   \
   NUMBER("curl_slope", slope), NUMBER("curl_length", length),                                      \
-      NUMBER("curl_irregularity", irregularity)
+      NUMBER("curl_irregularity", irregularity), NUMBER("curl_reach", reach)
 #define QUILT(slope, height, width)                                                                \
   NUMBER("quilt_slope", slope), NUMBER("quilt_height", height), NUMBER("quilt_width", width)
 #define EYES(density, diameter, depth, length)                                                     \

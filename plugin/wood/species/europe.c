@@ -180,8 +180,8 @@ SPECIES(pear, "Pear (Pyrus communis)", "Pinkish brown, the most even of woods; r
 static const sozai_value values_sycamore[] = {
     RINGS(2.2, 0.22, 0.7),
     LATEWOOD(0.06, 0.7),
-    WAVY(0.18, 8.0, 0.45),
-    CURL(0.08, 8.0, 0.45),
+    WAVY(0.19, 8.0, 0.6, 60.0),
+    CURL(0.1, 8.0, 0.7, 40.0),
     NUMBER("slope_noise", 0.035),
     NUMBER("slope_noise_length", 45.0),
     DIFFUSE_POROUS(48.0, 62.0, 0.2),

@@ -13,8 +13,12 @@
       AGED(206, 162, 110, 4.0)
 
 static const sozai_value values_curly_maple[] = {
-    RINGS(2.2, 0.22, 0.7), LATEWOOD(0.06, 0.7),         WAVY(0.19, 9.0, 0.6),
-    CURL(0.13, 9.0, 0.6),  NUMBER("slope_noise", 0.03), NUMBER("slope_noise_length", 45.0),
+    RINGS(2.2, 0.22, 0.7),
+    LATEWOOD(0.06, 0.7),
+    WAVY(0.2, 9.0, 0.85, 40.0),
+    CURL(0.18, 9.0, 0.95, 26.0),
+    NUMBER("slope_noise", 0.03),
+    NUMBER("slope_noise_length", 45.0),
     MAPLE_TISSUE,
 };
 SPECIES(curly_maple, "Curly maple, tiger stripe (Acer saccharum)",
