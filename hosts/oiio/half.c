@@ -110,7 +110,8 @@ void half_weave(char *to, ptrdiff_t stride, const uint16_t *const from[4], size_
       __m128i two[2] = {_mm_unpacklo_epi32(ab[k], cd[k]), _mm_unpackhi_epi32(ab[k], cd[k])};
       for (int n = 0; n < 2; n++, to += 2 * stride) {
         _mm_storel_epi64((__m128i *)(void *)to, two[n]);
-        _mm_storeh_pd((double *)(void *)(to + stride), _mm_castsi128_pd(two[n]));
+        /* _mm_storeh_pd is for places aligned as doubles are, which these need not be */
+        _mm_storeh_pi((__m64 *)(void *)(to + stride), _mm_castsi128_ps(two[n]));
       }
     }
   }
