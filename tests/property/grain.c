@@ -175,14 +175,16 @@ static double walk(const sozai_texture *t, double step) {
   return worst;
 }
 
-/* Creases and eyes of a millimetre or less take shorter steps. */
-static int has_small_figure(unsigned k) {
+/* mm: creases take shorter steps, and the smallest eyes, of a millimetre, the shortest. */
+static double step_of(unsigned k) {
   const sozai_preset *p = textures->find("wood")->presets[k];
+  double step = 0.5;
   for (uint32_t i = 0; i < p->value_count; i++) {
     const char *id = p->values[i].id;
-    if (strncmp(id, "quilt_", 6) == 0 || strncmp(id, "eye_", 4) == 0) return 1;
+    if (strncmp(id, "quilt_", 6) == 0) step = fmin(step, 0.04);
+    if (strncmp(id, "eye_", 4) == 0) step = fmin(step, 0.02);
   }
-  return 0;
+  return step;
 }
 
 static void a_walk_stays_on_its_fibre(void **state) {
@@ -195,7 +197,7 @@ static void a_walk_stays_on_its_fibre(void **state) {
       char text[64];
       snprintf(text, sizeof text, "grain=%s; tree=; construction=solid", grains[g]);
       sozai_texture *t = wood_make(wood_preset(k), text);
-      double one = walk(t, has_small_figure(k) ? 0.04 : 0.5);
+      double one = walk(t, step_of(k));
       if (one >= 1e-3)
         print_message("grain=%s, %s: drifts %.2g mm\n", grains[g], wood_preset(k), one);
       worst = fmax(worst, one);

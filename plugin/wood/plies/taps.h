@@ -108,23 +108,54 @@ static void taps_ask(const wood_constants *w, const kernel_io *io, const wood_wa
 
 /* ---- where the glue is -------------------------------------------------- */
 
+/* The line of glue above ply k of all: its middle, mm deep, and half its
+ * thickness. Above the first and below the last there is none. */
+typedef struct {
+  float at, half;
+} glue_line;
+
+static int32_t plies_of_all(const wood_plies *p) { return p->count * p->sheets; }
+
+/* Which sheet a ply is of; most are of the first, and a division is slow. */
+static int32_t sheet_of(const wood_plies *p, int32_t k) { return k < p->count ? 0 : k / p->count; }
+
+/* As it would be if it were even. */
+static glue_line taps_even(const wood_plies *p, int32_t k) {
+  if (k <= 0) return (glue_line){-1e30f, 0.0f};
+  if (k >= plies_of_all(p)) return (glue_line){1e30f, 0.0f};
+  int32_t sheet = sheet_of(p, k);
+  return (glue_line){(float)sheet * p->thick + p->top[k - sheet * p->count], 0.5f * p->glue};
+}
+
+/* mm: how far from there it can have an effect, and more than is rounded. */
+static float taps_margin(const wood_plies *p, const glue_line *even) {
+  return 1.001f * p->wander + even->half * (1.001f + p->swell) + 1e-6f * even->at + 1e-6f;
+}
+
 /* Corners of the noises' cells last asked for: points come side by side. */
 #define TAPS_CELLS 8
 typedef struct {
   uint32_t x, y, line;
   float corner[4];
 } taps_cell;
+/* And the ply last found, with the depths where no line of glue has an effect,
+ * wherever it wanders. */
 typedef struct {
   taps_cell cell[TAPS_CELLS];
-} taps_cells;
+  int32_t ply;
+  float from, to;
+  glue_line above, below;
+} taps_known;
 
-static void taps_cells_begin(taps_cells *known) {
+static void taps_begin(taps_known *known) {
   /* the place of no line */
   for (int k = 0; k < TAPS_CELLS; k++) known->cell[k].line = 0xffffffffu;
+  known->from = 1.0f;
+  known->to = 0.0f;
 }
 
 /* -1..1, smooth over cells of `size` mm of the plane, another for each line. */
-static float taps_noise(const wood_plies *p, taps_cells *known, const float at[3],
+static float taps_noise(const wood_plies *p, taps_known *known, const float at[3],
                         float inverse_size, uint32_t line) {
   float x = at[0] * inverse_size, y = at[1] * inverse_size;
   int32_t i = (int32_t)x - (x < (float)(int32_t)x), j = (int32_t)y - (y < (float)(int32_t)y);
@@ -147,23 +178,9 @@ static float taps_noise(const wood_plies *p, taps_cells *known, const float at[3
   return low + (high - low) * v;
 }
 
-/* The line of glue above ply k of all: its middle, mm deep, and half its
- * thickness. Above the first and below the last there is none. */
-typedef struct {
-  float at, half;
-} glue_line;
-
-static int32_t plies_of_all(const wood_plies *p) { return p->count * p->sheets; }
-
-/* Which sheet a ply is of; most are of the first, and a division is slow. */
-static int32_t sheet_of(const wood_plies *p, int32_t k) { return k < p->count ? 0 : k / p->count; }
-
-static glue_line taps_line(const wood_plies *p, taps_cells *known, const float at[3], int32_t k) {
-  if (k <= 0) return (glue_line){-1e30f, 0.0f};
-  if (k >= plies_of_all(p)) return (glue_line){1e30f, 0.0f};
-  int32_t sheet = sheet_of(p, k), ply = k - sheet * p->count;
-  glue_line line = {(float)sheet * p->thick + p->top[ply], 0.5f * p->glue};
-  if (p->wander > 0.0f) {
+static glue_line taps_line(const wood_plies *p, taps_known *known, const float at[3], int32_t k) {
+  glue_line line = taps_even(p, k);
+  if (p->wander > 0.0f && k > 0 && k < plies_of_all(p)) {
     line.at += p->wander * taps_noise(p, known, at, 1.0f / 23.0f, 2u * (uint32_t)k);
     line.half *= 1.0f + p->swell * taps_noise(p, known, at, 1.0f / 3.7f, 2u * (uint32_t)k + 1u);
   }
@@ -172,19 +189,16 @@ static glue_line taps_line(const wood_plies *p, taps_cells *known, const float a
 
 /* The same for one who looks at depths from..to alone: a line that cannot reach
  * there is told as if it were even, and lies on the side where it does. */
-static glue_line taps_line_by(const wood_plies *p, taps_cells *known, const float at[3], int32_t k,
+static glue_line taps_line_by(const wood_plies *p, taps_known *known, const float at[3], int32_t k,
                               float from, float to) {
-  if (k > 0 && k < plies_of_all(p) && p->wander > 0.0f) {
-    int32_t sheet = sheet_of(p, k);
-    glue_line even = {(float)sheet * p->thick + p->top[k - sheet * p->count], 0.5f * p->glue};
-    float most = 1.001f * p->wander + even.half * (1.001f + p->swell) + 1e-6f * even.at;
-    if (even.at + most < from || even.at - most > to) return even;
-  }
+  glue_line even = taps_even(p, k);
+  float most = taps_margin(p, &even);
+  if (even.at + most < from || even.at - most > to) return even;
   return taps_line(p, known, at, k);
 }
 
-/* The ply at a depth. */
-static int32_t ply_number(const wood_plies *p, taps_cells *known, const float at[3], float depth) {
+/* The ply at a depth, if glue were even. */
+static int32_t ply_even(const wood_plies *p, float depth) {
   float within = depth;
   int32_t sheet = 0;
   if (depth > p->thick && p->sheets > 1) {
@@ -201,12 +215,29 @@ static int32_t ply_number(const wood_plies *p, taps_cells *known, const float at
       high = middle - 1;
     }
   }
-  int32_t k = sheet * p->count + low;
+  return sheet * p->count + low;
+}
+
+/* The ply at a depth. */
+static int32_t ply_number(const wood_plies *p, taps_known *known, const float at[3], float depth) {
+  int32_t k = ply_even(p, depth);
   if (p->wander > 0.0f) {
     if (depth < taps_line_by(p, known, at, k, depth, depth).at) return k - 1;
     if (depth >= taps_line_by(p, known, at, k + 1, depth, depth).at) return k + 1;
   }
   return k;
+}
+
+/* Whether all depths from..to are of one ply, and its glue is out of reach. */
+static int taps_sure(const wood_plies *p, taps_known *known, float from, float to) {
+  if (from >= known->from && to <= known->to) return 1;
+  int32_t k = ply_even(p, from);
+  known->ply = k;
+  known->above = taps_even(p, k);
+  known->below = taps_even(p, k + 1);
+  known->from = k > 0 ? known->above.at + taps_margin(p, &known->above) : -1e30f;
+  known->to = k + 1 < plies_of_all(p) ? known->below.at - taps_margin(p, &known->below) : 1e30f;
+  return from >= known->from && to <= known->to;
 }
 
 /* ---- the plies of a point ------------------------------------------------ */
@@ -227,7 +258,7 @@ static float taps_overlap(float a, float b, float c, float d) {
 }
 
 /* Height and slope of the glue's step: over a box no narrower than its ramp. */
-static void taps_step(const wood_plies *p, taps_cells *known, taps_point *pt, int32_t k) {
+static void taps_step(const wood_plies *p, taps_known *known, taps_point *pt, int32_t k) {
   float e = pt->reach > p->step_ramp ? pt->reach : p->step_ramp, sum = 0.0f, ends = 0.0f;
   float from = pt->depth - 0.5f * e, to = pt->depth + 0.5f * e;
   while (k > 0 && taps_line_by(p, known, pt->at, k, from, to).at > from) k--;
@@ -292,16 +323,24 @@ static void taps_add(const wood_constants *w, const kernel_io *io, const wood_wa
 
 /* All of a point's plies. */
 static void taps_of(const wood_constants *w, const kernel_io *io, const wood_wants *want,
-                    ply_queue *q, taps_cells *known, taps_point *pt) {
+                    ply_queue *q, taps_known *known, taps_point *pt) {
   const wood_plies *p = &w->plies;
   float reach = pt->reach > PLY_LEAST ? pt->reach : PLY_LEAST;
   float from = pt->depth - 0.5f * reach, to = pt->depth + 0.5f * reach;
+  /* how far the next line is, only where someone asks */
+  int edge = kernel_wants(io, WOOD_BOARD_EDGE, 1);
+  if (taps_sure(p, known, from, to)) {
+    int32_t k = known->ply;
+    if (p->step != 0.0f && pt->steep > 1e-3f) taps_step(p, known, pt, k);
+    glue_line above = edge ? taps_line(p, known, pt->at, k) : known->above;
+    glue_line below = edge ? taps_line(p, known, pt->at, k + 1) : known->below;
+    taps_add(w, io, want, q, pt, k, above, below, from, to, 1.0f, OF_OWN | OF_FIRST | OF_LAST);
+    return;
+  }
   int32_t first = ply_number(p, known, pt->at, from), last = ply_number(p, known, pt->at, to);
   int32_t here = ply_number(p, known, pt->at, pt->depth);
   if (p->step != 0.0f && pt->steep > 1e-3f) taps_step(p, known, pt, first);
   if (last - first < PLIES_TAPS) {
-    /* how far the next line is, only where someone asks */
-    int edge = kernel_wants(io, WOOD_BOARD_EDGE, 1);
     float low = edge ? -1e30f : from, high = edge ? 1e30f : to;
     glue_line above = taps_line_by(p, known, pt->at, first, low, high);
     for (int32_t k = first; k <= last; k++) {
@@ -343,10 +382,10 @@ static __attribute__((noinline)) void evaluate_plies(const wood_constants *w, co
                                                      uint32_t to) {
   const sozai_batch *in = io->in;
   ply_queue q;
-  taps_cells known;
+  taps_known known;
   float normals[3][LANES] = {{0}};
   q.count = 0;
-  taps_cells_begin(&known);
+  taps_begin(&known);
   for (uint32_t i = from; i < to; i++) {
     uint32_t within = (i - from) % LANES;
     if (in->normal[0] && within == 0) {

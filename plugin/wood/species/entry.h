@@ -26,10 +26,11 @@ SPECIES_ALL(DECLARE)
 #define WAVY(slope, length, irregularity, reach)                                                   \
   CHOICE("grain", "wavy"), NUMBER("wave_slope", slope), NUMBER("wave_length", length),             \
       NUMBER("wave_irregularity", irregularity), NUMBER("wave_reach", reach)
-#define INTERLOCKED(slope, years, length)                                                          \
+#define INTERLOCKED_BY(slope, years, length, irregularity)                                         \
   CHOICE("grain", "interlocked"), NUMBER("interlocked_slope", slope),                              \
       NUMBER("interlocked_years", years), NUMBER("interlocked_length", length),                    \
-      NUMBER("interlocked_irregularity", 0.7)
+      NUMBER("interlocked_irregularity", irregularity)
+#define INTERLOCKED(slope, years, length) INTERLOCKED_BY(slope, years, length, 0.7)
 
 #define CURL(slope, length, irregularity, reach)                                                   \
   NUMBER("curl_slope", slope), NUMBER("curl_length", length),                                      \

@@ -102,7 +102,7 @@ static const sozai_value values_zebrano[] = {
     RINGS(5.0, 0.34, 1.0),
     LATEWOOD(0.26, 0.6),
     NUMBER("latewood_variation", 0.3),
-    INTERLOCKED(0.07, 12.0, 1000.0),
+    INTERLOCKED_BY(0.07, 12.0, 1000.0, 0.6),
     NUMBER("slope_noise", 0.035),
     NUMBER("slope_noise_length", 45.0),
     DIFFUSE_POROUS(3.2, 200.0, 0.2),
