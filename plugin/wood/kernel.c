@@ -85,8 +85,8 @@ INLINE vf rings_across(const wood_constants *w, int what, const stem_place *p,
   vf side = vmax(all - slope * slope, splat(0.0f)) * s * s + splat(12.0f) * p->lost;
   vf widen = side + sag * sag * splat(0.01f);
   vf sum = splat(0.0f), before = sum;
-  for (int i = 0; i <= 4; i++) {
-    vf a = s * splat(0.25f * (float)i - 0.5f);
+  for (int i = 0; i <= 16; i++) {
+    vf a = s * splat(0.0625f * (float)i - 0.5f);
     vf r = vsqrt(vmax(p->r * p->r + splat(2.0f) * p->r * ur * a + a * a, splat(1e-12f)));
     vf rho = vmax(p->rho + (r - p->r) * radial + linear * a, splat(0.0f));
     if (i) {
@@ -96,7 +96,7 @@ INLINE vf rings_across(const wood_constants *w, int what, const stem_place *p,
     }
     before = rho;
   }
-  return sel(curved, sum * splat(0.25f), mean);
+  return sel(curved, sum * splat(0.0625f), mean);
 }
 
 /* A block of LANES points on its way through the stages. The stages run over a
@@ -282,11 +282,16 @@ INLINE vf knot_shift(const block *k) {
 /* Once in the code: it is long, and few points are near a knot. */
 static __attribute__((noinline)) void stage_knots(const wood_constants *w, const kernel_io *io,
                                                   vf shift, block *k) {
-  knots_add(w->knots, shift, k->p[1], k->s, k->nrm, !io->in->normal[0], &k->stem, k->knot);
-  const knot_place *q = k->knot;
+  int ball = !io->in->normal[0];
+  knot_taps taps;
+  knot_taps_of(&k->stem, k->p[1], k->s, k->nrm, ball, &taps);
+  knots_add(w->knots, shift, k->p[1], k->s, k->nrm, ball, &k->stem, &taps, k->knot);
+  knot_place *q = k->knot;
+  if (any(gt(taps.share, splat(0.0f)))) q->late = knot_taps_late(w, k->s, &taps);
+  q->nodes = taps.share;
   store_lanes(io, WOOD_KNOT, k, q->cover);
   /* a point that no knot has to do with is as in wood without knots, to the bit */
-  if (!any(gt(q->near + q->cover + q->bark, splat(0.0f)))) k->knot = NULL;
+  if (!any(gt(q->near + q->cover + q->bark + q->nodes, splat(0.0f)))) k->knot = NULL;
 }
 
 INLINE void stage_ring(const wood_constants *w, const kernel_io *io, block *k) {
@@ -431,10 +436,24 @@ INLINE vf curved_footprint(const wood_constants *w, int boards, const block *k) 
   return boards && (w->plies.count || w->peeled) ? k->board.wide : k->s;
 }
 
+/* Where a knot's edge runs through the footprint, stem and knot have each its own;
+ * of the part that the point is not in, the mean is known. */
+INLINE vf stage_knot_late(const wood_constants *w, block *k) {
+  knot_place *q = k->knot;
+  vf zero = splat(0.0f), mean = splat(w->late_period * w->inverse_ring_period), at = k->late;
+  vm in = gt(q->inside, zero), some = gt(q->nodes, zero);
+  q->own = sel(in, at, mean);
+  k->late = sel(and_(in, lt(q->cover, splat(1.0f))), mean, at);
+  k->late = sel(some, mix(k->late, q->late, q->nodes), k->late);
+  return sel(gt(q->cover, zero), mix(k->late, q->own, q->cover), k->late);
+}
+
 INLINE void stage_rings(const wood_constants *w, int boards, const kernel_io *io, block *k) {
   k->late = rings_across(w, MEAN_LATE, &k->stem, &k->ring, k->b, k->nrm, !io->in->normal[0],
                          curved_footprint(w, boards, k), k->reach);
-  store_lanes(io, WOOD_LATEWOOD, k, k->late);
+  vf late = k->late;
+  if (k->knot) late = stage_knot_late(w, k);
+  store_lanes(io, WOOD_LATEWOOD, k, late);
 }
 
 /* The row of the map from surface to arc of the reference section. */
@@ -660,7 +679,7 @@ INLINE void stage_colour(const wood_constants *w, int boards, const kernel_io *i
     }
     k->albedo[c] = tissue;
   }
-  if (k->knot) stage_knot_colour(w, k, late);
+  if (k->knot) stage_knot_colour(w, k, k->knot->own);
   if (w->has_spalt) stage_spalt_colour(k);
   for (int c = 0; c < 3; c++) {
     if (boards) k->albedo[c] = board_albedo(w, &k->board, c, k->albedo[c]);

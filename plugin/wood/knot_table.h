@@ -31,7 +31,8 @@ typedef struct {
   float c, s;          /* direction from the pith: x, z */
   float height, slope; /* of its axis: where it leaves the pith; rise over run */
   float cosine;        /* of its inclination */
-  float squash, lean;  /* d^2 = a^2 + squash h^2 + 2 lean a h */
+  float squash, lean;  /* d^2 = a^2 + squash h^2 + 2 lean a h, */
+  float upright;       /* (a + lean h)^2 + (upright h)^2 */
   float born;          /* rho at which it begins */
   float length;        /* in rho, until it grew no more */
   float inverse_length;

@@ -112,6 +112,7 @@ static int make_knot(wood_knot *k, const wood_constants *w, const knot_source *f
   double oblong = 0.14 * even(seed, 1), turn = 2.0 * PI * even(seed, 2);
   k->squash = (float)(1.0 + oblong * scalar_cos(turn));
   k->lean = (float)(0.5 * oblong * scalar_sin(turn));
+  k->upright = (float)__builtin_sqrt((double)k->squash - (double)k->lean * (double)k->lean);
   k->born = (float)born;
   k->length = (float)length;
   k->inverse_length = (float)(1.0 / length);

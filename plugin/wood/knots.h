@@ -30,6 +30,7 @@
 #define SOZAI_WOOD_KNOTS_H
 
 #include "knot_cover.h"
+#include "knot_taps.h"
 
 /* Its effect on front and fibres. */
 INLINE void knot_bend(const wood_knots *all, const wood_knot *k, const knot_section *section,
@@ -64,7 +65,7 @@ INLINE void knot_bend(const wood_knots *all, const wood_knot *k, const knot_sect
   vf wide = splat(KNOT_WIDE) + splat(KNOT_WIDE_RISING) * upright, inverse_wide = one / wide;
   vf high = splat(k->high) + splat(k->high_rising) * upright;
   vf x = front - own, inverse_radius = one / vmax(radius, splat(1e-3f));
-  vm in = and_(there, gt(x, zero));
+  vm in = and_(and_(there, gt(x, zero)), lt(s, splat(2.5f) * radius));
   vf m = vmax(d * inverse_radius - one, zero) * inverse_wide, v = vmax(one - m, zero);
   vf v2 = v * v, v3 = v2 * v, hill = high * radius * v3 * keep;
   vf falls = splat(3.0f) * high * v2 * inverse_wide * keep; /* -d hill / d d */
@@ -146,13 +147,15 @@ INLINE void knot_bend(const wood_knots *all, const wood_knot *k, const knot_sect
 
 /* One of them. rho0: the clear stem's. */
 INLINE void knot_add(const wood_knots *all, const wood_knot *k, vf y, vf rho0, vf s, const vf n[3],
-                     int ball, vf close, stem_place *p, knot_place *out) {
+                     int ball, vf close, stem_place *p, knot_taps *taps,
+                     knot_place *out) {
   knot_section o = knot_section_of(all, k, y, p);
   vf bends = splat(k->bends), sees = splat(k->sees) + splat(0.75f) * s;
   vm bent = and_(o.grown, lt(o.square, bends * bends));
   vm seen = and_(o.grown, lt(o.square, sees * sees));
   if (any(bent)) knot_bend(all, k, &o, bent, s, p, out);
   if (any(seen)) knot_see(all, k, &o, rho0, s, n, ball, close, seen, out);
+  knot_taps_add(all, k, or_(bent, seen), s, taps);
 }
 
 INLINE int32_t knot_least(vi x) {
@@ -172,8 +175,8 @@ INLINE vi knot_next(const wood_knots *all, vi at, vi end) {
 /* All that are near, in their order. shift: of the board's log, in turns of the
  * period. */
 INLINE void knots_add(const wood_knots *all, vf shift, vf y, vf s, const vf n[3], int ball,
-                      stem_place *p, knot_place *out) {
-  vf zero = splat(0.0f), turns = y * splat(all->inverse_period) + shift;
+                      stem_place *p, knot_taps *taps, knot_place *out) {
+  vf zero = splat(0.0f), wide = splat(2.0f * KNOT_NEAR), turns = y * splat(all->inverse_period) + shift;
   vi whole, ix, iy, iz;
   *out = knot_none();
   turns = turns - vfloor(turns, &whole);
@@ -193,7 +196,7 @@ INLINE void knots_add(const wood_knots *all, vf shift, vf y, vf s, const vf n[3]
   if (any(lti(at, end))) {
     vi next = knot_next(all, at, end);
     for (int32_t m = knot_least(next); m != INT32_MAX; m = knot_least(next)) {
-      knot_add(all, &all->list[m], height, rho0, s, n, ball, close, p, out);
+      knot_add(all, &all->list[m], height, rho0, s, n, ball, close, p, taps, out);
       at = at + seli(eqi(next, splati(m)), splati(1), splati(0));
       next = knot_next(all, at, end);
     }
@@ -213,7 +216,12 @@ INLINE void knots_add(const wood_knots *all, vf shift, vf y, vf s, const vf n[3]
       knot_section o = knot_section_of(all, k, height, p);
       vf reach = splat(k->sees) + splat(0.75f) * s;
       vm near = and_(lt(o.square, reach * reach), o.grown_wide);
-      if (any(near)) knot_see(all, k, &o, rho0, s, n, ball, middle, near, out);
+      vf about = vmin(reach + splat(0.6f * k->bends), splat(k->sees + 1.5f * KNOT_FAR));
+      vm raised = and_(lt(o.square, about * about), o.grown_wide);
+      knot_taps_add(all, k, and_(raised, lt(wide, s)), s, taps);
+      if (any(near)) {
+        knot_see(all, k, &o, rho0, s, n, ball, middle, near, out);
+      }
       at = at + seli(eqi(next, splati(m)), splati(1), splati(0));
       next = knot_next(all, at, end);
     }
