@@ -57,9 +57,36 @@ INLINE vf rings_extent(const stem_place *p, const vf g[3], const vf n[3], int ba
   return vsqrt(f.aa + splat(12.0f) * p->lost);
 }
 
+/* The line through the middle of a footprint that rings curve under: level, across
+ * the grain. rho along it from its two parts, of the radius and of what is straight. */
+typedef struct {
+  vf s, r, ur, rho, radial, linear;
+  vf side, sag; /* mm^2: what is not along the line; mm: off a straight line, of rho */
+} rings_line;
+
+/* Average of a ring's profile along it: between `parts` nodes rho runs straight. */
+static __attribute__((noinline)) vf rings_along(const wood_constants *w, int what,
+                                                const rings_line *q, int parts) {
+  float step = 1.0f / (float)parts;
+  vf widen = q->side + q->sag * q->sag * splat(2.56f * step * step * step * step);
+  vf sum = splat(0.0f), before = sum;
+  for (int i = 0; i <= parts; i++) {
+    vf a = q->s * splat(step * (float)i - 0.5f);
+    vf square = q->r * q->r + splat(2.0f) * q->r * q->ur * a + a * a;
+    vf r = vsqrt(vmax(square, splat(1e-12f)));
+    vf rho = vmax(q->rho + (r - q->r) * q->radial + q->linear * a, splat(0.0f));
+    if (i) {
+      vf middle = splat(0.5f) * (rho + before), span = rho - before;
+      ring_place at = ring_at(w, middle);
+      sum = sum + ring_average(w, what, &at, middle, vsqrt(span * span + widen));
+    }
+    before = rho;
+  }
+  return sum * splat(step);
+}
+
 /* Average of a ring's profile over a footprint that may be wide enough for the
- * rings' curvature: the surface is followed across the grain through five
- * nodes, and between two nodes rho runs in a straight line. e: rings_extent. */
+ * rings' curvature. e: rings_extent. */
 INLINE vf rings_across(const wood_constants *w, int what, const stem_place *p,
                        const ring_place *ring, const vf g[3], const vf n[3], int ball, vf s, vf e) {
   vf mean = ring_average(w, what, ring, p->rho, e);
@@ -71,32 +98,25 @@ INLINE vf rings_across(const wood_constants *w, int what, const stem_place *p,
   vm end = lt(flat2, splat(0.09f)); /* end grain: along the radius */
   vf k = inverse_root(vmax(flat2, splat(1e-6f)));
   vf ux = sel(end, p->c, n[2] * k), uz = sel(end, p->s, splat(0.0f) - n[0] * k);
-  vf ur = ux * p->c + uz * p->s, ut2 = vmax(splat(1.0f) - ur * ur, splat(0.0f));
-  vf sag = s * s * ut2 / (splat(8.0f) * p->r);
-  vm curved = gt(sag, splat(0.08f * w->ring_width));
+  rings_line q = {.s = s, .r = p->r, .ur = ux * p->c + uz * p->s, .rho = p->rho};
+  vf ut2 = vmax(splat(1.0f) - q.ur * q.ur, splat(0.0f));
+  q.sag = s * s * ut2 / (splat(8.0f) * p->r);
+  vm curved = gt(q.sag, splat(0.08f * w->ring_width));
   if (!any(curved)) return mean;
 
   vf slope = p->rho_x * ux + p->rho_z * uz; /* of rho along u */
-  vf radial = p->rho_x * p->c + p->rho_z * p->s;
-  vf linear = slope - radial * ur;
+  q.radial = p->rho_x * p->c + p->rho_z * p->s;
+  q.linear = slope - q.radial * q.ur;
   /* what is not along u widens every part */
   vf gn = g[0] * n[0] + g[1] * n[1] + g[2] * n[2];
   vf all = vmax(g[0] * g[0] + g[1] * g[1] + g[2] * g[2] - gn * gn, splat(0.0f));
-  vf side = vmax(all - slope * slope, splat(0.0f)) * s * s + splat(12.0f) * p->lost;
-  vf widen = side + sag * sag * splat(0.01f);
-  vf sum = splat(0.0f), before = sum;
-  for (int i = 0; i <= 16; i++) {
-    vf a = s * splat(0.0625f * (float)i - 0.5f);
-    vf r = vsqrt(vmax(p->r * p->r + splat(2.0f) * p->r * ur * a + a * a, splat(1e-12f)));
-    vf rho = vmax(p->rho + (r - p->r) * radial + linear * a, splat(0.0f));
-    if (i) {
-      vf middle = splat(0.5f) * (rho + before), span = rho - before;
-      ring_place at = ring_at(w, middle);
-      sum = sum + ring_average(w, what, &at, middle, vsqrt(span * span + widen));
-    }
-    before = rho;
-  }
-  return sel(curved, sum * splat(0.0625f), mean);
+  q.side = vmax(all - slope * slope, splat(0.0f)) * s * s + splat(12.0f) * p->lost;
+  /* more nodes where rho turns by more than a ring: as much lies at the turn as
+   * anywhere else, and all of it in one ring */
+  vm turned = and_(curved, gt(q.sag, splat(0.6f * w->ring_width)));
+  if (any(and_(curved, not_(turned)))) mean = sel(curved, rings_along(w, what, &q, 4), mean);
+  if (any(turned)) mean = sel(turned, rings_along(w, what, &q, 16), mean);
+  return mean;
 }
 
 /* A block of LANES points on its way through the stages. The stages run over a

@@ -166,16 +166,20 @@ typedef struct {
   vf knot, bark;
 } knot_shares;
 
-/* Of the square, from low to high along t: chords along v are exact, and t is gone
- * through by Gauss and Legendre's rule over the part of it that meets the knot. */
+/* Of the square: chords along v are exact, and t is gone through by Gauss and
+ * Legendre's rule over the part of it that meets the knot. scale: of rho over u. */
 INLINE knot_shares knot_chords(const wood_knots *all, const wood_knot *k, const knot_window *q,
-                               vf rho, vf low, vf high) {
+                               vf scale) {
   static const float node[4] = {-0.8611363f, -0.3399810f, 0.3399810f, 0.8611363f};
   static const float weight[4] = {0.1739274f, 0.3260726f, 0.3260726f, 0.1739274f};
   vf zero = splat(0.0f), one = splat(1.0f), half = splat(0.5f);
   vf v2 = vmax(q->xv * q->xv + q->yv * q->yv, splat(1e-9f)), inverse = inverse_root(v2);
   vf x0 = (q->x * q->yv - q->y * q->xv) * inverse, x1 = (q->xt * q->yv - q->yt * q->xv) * inverse;
-  vf last = rho + q->along * high;
+  vf inverse_along = one / q->along, inverse_scale = one / scale;
+  vf low = clamp((zero - q->u) * inverse_along, zero - half, half);
+  vf ends = vmin(splat(k->end) * inverse_scale, splat(k->reach));
+  vf high = clamp((ends - q->u) * inverse_along, low, half);
+  vf last = scale * (q->u + q->along * high);
   vf widest = knot_radius_at(k, last) + knot_bark_at(all, k, last);
   x1 = sel(lt(vabs(x1), splat(1e-4f)), splat(1e-4f), x1);
   vf across = one / x1, middle = zero - x0 * across, reach = widest * vabs(across);
@@ -183,7 +187,8 @@ INLINE knot_shares knot_chords(const wood_knots *all, const wood_knot *k, const 
   high = vmax(vmin(high, middle + reach), low);
   knot_shares sum = {zero, zero};
   for (int i = 0; i < 4; i++) {
-    vf t = half * (low + high) + splat(0.5f * node[i]) * (high - low), there = rho + q->along * t;
+    vf t = half * (low + high) + splat(0.5f * node[i]) * (high - low);
+    vf there = scale * (q->u + q->along * t);
     vf x = x0 + x1 * t, r = knot_radius_at(k, there), more = r + knot_bark_at(all, k, there);
     vf px = q->x + q->xt * t, py = q->y + q->yt * t;
     vf centre = zero - (px * q->xv + py * q->yv) * inverse * inverse;
@@ -207,10 +212,12 @@ INLINE vf knot_overlap(vf x, vf half, vf e) {
 INLINE vf knot_union(vf a, vf b) { return a + b - a * b; }
 
 /* Of one knot, where `near`, weighed. rho: the stem's. */
-INLINE void knot_see(const wood_knots *all, const wood_knot *k, const knot_section *o, vf rho, vf s,
-                     const vf n[3], int ball, vf weight, vm near, knot_place *out) {
+INLINE void knot_see(const wood_knots *all, const wood_knot *k, const knot_section *o, vf rho,
+                     vf inverse_r, vf s, const vf n[3], int ball, vf weight, vm near,
+                     knot_place *out) {
   vf zero = splat(0.0f), one = splat(1.0f), half = splat(0.5f), dead = splat(k->death);
   knot_window q = knot_window_of(k, o, n, ball, s);
+  vf scale = clamp(rho * inverse_r, half, splat(2.0f));
   weight = sel(near, weight, zero);
 
   /* the part of the footprint along the knot in which there is one; its middle */
@@ -229,7 +236,7 @@ INLINE void knot_see(const wood_knots *all, const wood_knot *k, const knot_secti
   vf share = clamp01(half - beyond) * along;
   vf skin = vmax(clamp01(half - beyond + shell / wd) * along - share, zero);
   if (any(gt(large, zero))) {
-    knot_shares c = knot_chords(all, k, &q, rho, low, high);
+    knot_shares c = knot_chords(all, k, &q, scale);
     vm some = gt(large, zero);
     share = sel(some, mix(share, c.knot, large), share);
     skin = sel(some, mix(skin, c.bark, large), skin);

@@ -10,7 +10,7 @@
 #include "knot_cover.h"
 #include "rings.h"
 
-#define KNOT_NODES 60.0f /* mm */
+#define KNOT_NODES 45.0f /* mm */
 #ifndef NU
 #define NU 3
 #define NV 3

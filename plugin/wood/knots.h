@@ -154,7 +154,7 @@ INLINE void knot_add(const wood_knots *all, const wood_knot *k, vf y, vf rho0, v
   vm bent = and_(o.grown, lt(o.square, bends * bends));
   vm seen = and_(o.grown, lt(o.square, sees * sees));
   if (any(bent)) knot_bend(all, k, &o, bent, s, p, out);
-  if (any(seen)) knot_see(all, k, &o, rho0, s, n, ball, close, seen, out);
+  if (any(seen)) knot_see(all, k, &o, rho0, p->inverse_r, s, n, ball, close, seen, out);
   knot_taps_add(all, k, or_(bent, seen), s, taps);
 }
 
@@ -220,7 +220,7 @@ INLINE void knots_add(const wood_knots *all, vf shift, vf y, vf s, const vf n[3]
       vm raised = and_(lt(o.square, about * about), o.grown_wide);
       knot_taps_add(all, k, and_(raised, lt(wide, s)), s, taps);
       if (any(near)) {
-        knot_see(all, k, &o, rho0, s, n, ball, middle, near, out);
+        knot_see(all, k, &o, rho0, p->inverse_r, s, n, ball, middle, near, out);
       }
       at = at + seli(eqi(next, splati(m)), splati(1), splati(0));
       next = knot_next(all, at, end);
