@@ -300,18 +300,31 @@ INLINE vf knot_shift(const block *k) {
 }
 
 /* Once in the code: it is long, and few points are near a knot. */
-static __attribute__((noinline)) void stage_knots(const wood_constants *w, const kernel_io *io,
-                                                  vf shift, block *k) {
-  int ball = !io->in->normal[0];
-  knot_taps taps;
-  knot_taps_of(&k->stem, k->p[1], k->s, k->nrm, ball, &taps);
-  knots_add(w->knots, shift, k->p[1], k->s, k->nrm, ball, &k->stem, &taps, k->knot);
+static __attribute__((noinline)) void stage_knots_near(const wood_constants *w, const kernel_io *io,
+                                                       vf shift, block *k) {
+  vf zero = splat(0.0f);
   knot_place *q = k->knot;
-  if (any(gt(taps.share, splat(0.0f)))) q->late = knot_taps_late(w, k->s, &taps);
-  q->nodes = taps.share;
+  knot_eye e = {.y = k->p[1], .s = k->s, .n = k->nrm, .ball = !io->in->normal[0]};
+  knot_taps taps;
+  if (any(gt(k->s, splat(KNOT_CLOSE)))) {
+    knot_taps_of(&k->stem, e.y, k->s, k->nrm, e.ball, &taps);
+    e.taps = &taps;
+  }
+  *q = knot_none();
+  knots_add(w->knots, shift, &e, &k->stem, q);
+  if (e.taps) knot_taps_late(w, k->s, &taps, q);
   store_lanes(io, WOOD_KNOT, k, q->cover);
   /* a point that no knot has to do with is as in wood without knots, to the bit */
-  if (!any(gt(q->near + q->cover + q->bark + q->nodes, splat(0.0f)))) k->knot = NULL;
+  if (!any(gt(q->near + q->cover + q->bark + q->nodes, zero))) k->knot = NULL;
+}
+
+INLINE void stage_knots(const wood_constants *w, const kernel_io *io, vf shift, block *k) {
+  if (knots_near(w->knots, shift, k->p[1], k->s, &k->stem)) {
+    stage_knots_near(w, io, shift, k);
+    return;
+  }
+  k->knot = NULL;
+  store_lanes(io, WOOD_KNOT, k, splat(0.0f));
 }
 
 INLINE void stage_ring(const wood_constants *w, const kernel_io *io, block *k) {

@@ -51,7 +51,7 @@ typedef struct {
   vm grown, grown_wide; /* the knot is there; or within a wide footprint */
 } knot_section;
 
-INLINE knot_section knot_section_of(const wood_knots *all, const wood_knot *k, vf y,
+INLINE knot_section knot_section_at(const wood_knots *all, const wood_knot *k, vf y,
                                     const stem_place *p) {
   knot_section o;
   vf kc = splat(k->c), ks = splat(k->s);
@@ -62,16 +62,20 @@ INLINE knot_section knot_section_of(const wood_knots *all, const wood_knot *k, v
   vf turns = vfloor(away * splat(all->inverse_period) + splat(0.5f), &unused);
   away = away - splat(all->period) * turns;
   o.h = splat(k->cosine) * (away - splat(k->slope) * o.u);
-  o.hx = splat(-k->cosine * k->slope * k->c);
-  o.hz = splat(-k->cosine * k->slope * k->s);
   o.square = o.a * o.a + splat(k->squash) * o.h * o.h + splat(2.0f * k->lean) * o.a * o.h;
-  vf inverse = inverse_root(vmax(o.square, splat(1e-6f)));
-  o.d = o.square * inverse;
-  o.da = (o.a + splat(k->lean) * o.h) * inverse;
-  o.dh = (splat(k->squash) * o.h + splat(k->lean) * o.a) * inverse;
   o.grown = and_(gt(o.u, splat(0.0f)), lt(o.u, splat(k->reach)));
   o.grown_wide = and_(gt(o.u, splat(-KNOT_FAR)), lt(o.u, splat(k->reach + KNOT_FAR)));
   return o;
+}
+
+/* What not all have need of. */
+INLINE void knot_section_slopes(const wood_knot *k, knot_section *o) {
+  o->hx = splat(-k->cosine * k->slope * k->c);
+  o->hz = splat(-k->cosine * k->slope * k->s);
+  vf inverse = inverse_root(vmax(o->square, splat(1e-6f)));
+  o->d = o->square * inverse;
+  o->da = (o->a + splat(k->lean) * o->h) * inverse;
+  o->dh = (splat(k->squash) * o->h + splat(k->lean) * o->a) * inverse;
 }
 
 /* e when the stem had grown by the share tau: the inverse of K. */

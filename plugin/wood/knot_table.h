@@ -14,6 +14,8 @@
 
 #define KNOT_NEAR 12.0f  /* mm: footprints up to twice this see single knots */
 #define KNOT_FAR 100.0f  /* mm: likewise, without their effects */
+#define KNOT_CLOSE 2.0f  /* mm: up to which the cells' parts say whether a knot is near */
+#define KNOT_NODES 45.0f /* mm: up to which rings about a knot are looked up at nodes */
 #define KNOT_WINDOW 5.0f /* (radii)^2 to the side within which fibres part; */
 #define KNOT_STREAM 2.0f /* along the stem this many times as far */
 /* Width of the collar to the sides, in radii, and what is more above and below. */
@@ -43,7 +45,8 @@ typedef struct {
   float death;             /* rho; 1e6: alive */
   float end;               /* rho at which it had been shed; 1e6: still there */
   float reach;             /* along u: how far it has any effect, */
-  float bends;             /* likewise d; */
+  float bends;             /* likewise to its side and along it, */
+  float near;              /* mm^2: more closely, where a^2 + h^2 / 4 is below it; */
   float sees;              /* and d of what a point sees */
   float check_c, check_s;  /* across the check, in its section */
   float apart;             /* its section is looked up so far from the stem's */
@@ -55,7 +58,11 @@ typedef struct {
    * those within KNOT_FAR */
   int32_t *first;
   int32_t *index; /* of list; rising within a cell */
-  float *far;     /* shares of knots, level by level */
+  /* of each cell, and of the one without any: of its 4 x 2 x 4 parts those that hold a
+   * point which some knot has an effect on, under footprints up to KNOT_CLOSE; bit
+   * x + 4 z + 16 y */
+  int32_t *parts;
+  float *far; /* shares of knots, level by level */
   size_t bytes;   /* of the one block that all of them are in, this included */
   uint32_t count;
   int32_t across, tall, cells, coarse;

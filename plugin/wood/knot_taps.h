@@ -10,15 +10,12 @@
 #include "knot_cover.h"
 #include "rings.h"
 
-#define KNOT_NODES 45.0f /* mm */
-#ifndef NU
-#define NU 3
-#define NV 3
-#endif
+#define KNOT_ALONG 5 /* nodes along the level */
+#define KNOT_UP 3    /* and across it */
 
 typedef struct {
-  stem_place at[NV][NU]; /* x, z and rho alone */
-  vf y[NV][NU];
+  stem_place at[KNOT_UP][KNOT_ALONG]; /* x, z and rho alone */
+  vf y[KNOT_UP][KNOT_ALONG];
   vf step;  /* mm: the longer of those between nodes */
   vf widen; /* mm^2: what is not along the square */
   vf share; /* 0..1: from the slope to the nodes */
@@ -40,9 +37,9 @@ INLINE void knot_taps_of(const stem_place *p, vf y, vf s, const vf n[3], int bal
   vm end = lt(flat2, splat(1e-3f));
   vf ux = sel(end, p->c, face[2] * k), uz = sel(end, p->s, zero - face[0] * k);
   vf vx = face[1] * uz, vy = face[2] * ux - face[0] * uz, vz = zero - face[1] * ux;
-  for (int j = 0; j < NV; j++) {
-    for (int i = 0; i < NU; i++) {
-      vf a = s * splat((float)i / (NU - 1) - 0.5f), b = s * splat((float)j / (NV - 1) - 0.5f);
+  for (int j = 0; j < KNOT_UP; j++) {
+    for (int i = 0; i < KNOT_ALONG; i++) {
+      vf a = s * splat((float)i / (KNOT_ALONG - 1) - 0.5f), b = s * splat((float)j / (KNOT_UP - 1) - 0.5f);
       vf dy = b * vy, dx = a * ux + b * vx - dy * p->pith.dx, dz = a * uz + b * vz - dy * p->pith.dz;
       stem_place *t = &q->at[j][i];
       t->x = p->x + dx;
@@ -53,7 +50,7 @@ INLINE void knot_taps_of(const stem_place *p, vf y, vf s, const vf n[3], int bal
       q->y[j][i] = y + dy;
     }
   }
-  q->step = s * splat(1.0f / (NV - 1));
+  q->step = s * splat(1.0f / (KNOT_UP - 1));
   q->share = zero;
 }
 
@@ -74,26 +71,29 @@ INLINE vf knot_front(const wood_knot *k, const knot_section *o, vf rho, vf s) {
 }
 
 INLINE void knot_taps_add(const wood_knots *all, const wood_knot *k, vm near, vf s, knot_taps *q) {
-  vf from = splat(0.3f * k->radius);
+  vf from = vmax(splat(0.3f * k->radius), splat(KNOT_CLOSE));
   near = and_(near, and_(lt(from, s), lt(s, splat(KNOT_NODES))));
   if (!any(near)) return;
   vf share = clamp01(s / from - splat(1.0f));
   q->share = sel(near, vmax(q->share, share), q->share);
-  for (int j = 0; j < NV; j++) {
-    for (int i = 0; i < NU; i++) {
+  for (int j = 0; j < KNOT_UP; j++) {
+    for (int i = 0; i < KNOT_ALONG; i++) {
       stem_place *t = &q->at[j][i];
-      knot_section o = knot_section_of(all, k, q->y[j][i], t);
+      knot_section o = knot_section_at(all, k, q->y[j][i], t);
+      knot_section_slopes(k, &o);
       t->rho = sel(near, knot_front(k, &o, t->rho, q->step), t->rho);
     }
   }
 }
 
 /* Latewood under the square. */
-INLINE vf knot_taps_late(const wood_constants *w, vf s, knot_taps *q) {
-  q->share = q->share * (splat(1.0f) - smooth_step(splat(0.6f * KNOT_NODES), splat(KNOT_NODES), s));
+INLINE void knot_taps_late(const wood_constants *w, vf s, const knot_taps *q, knot_place *out) {
   vf sum = splat(0.0f), half = splat(0.5f), quarter = splat(0.25f);
-  for (int j = 0; j + 1 < NV; j++) {
-    for (int i = 0; i + 1 < NU; i++) {
+  vf narrow = splat(1.0f) - smooth_step(splat(0.6f * KNOT_NODES), splat(KNOT_NODES), s);
+  out->nodes = q->share * narrow;
+  if (!any(gt(out->nodes, splat(0.0f)))) return;
+  for (int j = 0; j + 1 < KNOT_UP; j++) {
+    for (int i = 0; i + 1 < KNOT_ALONG; i++) {
       vf a = q->at[j][i].rho, b = q->at[j][i + 1].rho;
       vf c = q->at[j + 1][i].rho, d = q->at[j + 1][i + 1].rho;
       vf rho = quarter * (a + b + c + d);
@@ -102,7 +102,7 @@ INLINE vf knot_taps_late(const wood_constants *w, vf s, knot_taps *q) {
       sum = sum + ring_average(w, MEAN_LATE, &at, rho, vsqrt(u * u + v * v + uv * uv + q->widen));
     }
   }
-  return splat(1.0f / ((NU - 1) * (NV - 1))) * sum;
+  out->late = splat(1.0f / ((KNOT_ALONG - 1) * (KNOT_UP - 1))) * sum;
 }
 
 #endif

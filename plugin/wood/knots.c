@@ -75,6 +75,13 @@ static double bends(double radius) {
   return 1.15 * far * radius;
 }
 
+/* Likewise more closely, as a^2 + h^2 / 4: of the collar this is 6.7 radii^2 at most,
+ * its oblong section included. */
+static double nearest(double radius) {
+  double window = (double)KNOT_WINDOW, collar = 6.8;
+  return (window > collar ? window : collar) * radius * radius;
+}
+
 /* As high as is asked for, and no higher than rings of the stem, and the branch's
  * own, keep in turn: the branch's growth over the stem's is fastest at the pith. */
 static void raise_collar(wood_knot *k, double collar) {
@@ -129,6 +136,7 @@ static int make_knot(wood_knot *k, const wood_constants *w, const knot_source *f
   if (!stays && (double)k->end + 12.0 * radius < reach) reach = (double)k->end + 12.0 * radius;
   k->reach = (float)reach;
   k->bends = (float)bends(radius);
+  k->near = (float)nearest(radius);
   k->sees = (float)(1.3 * (radius + number_at(s, P_KNOT_BARK)) + 0.2);
   raise_collar(k, number_at(s, P_KNOT_COLLAR));
   k->check_c = (float)scalar_cos(2.0 * PI * even(seed, 4));
@@ -185,6 +193,45 @@ static void put_knot(grid_pen *g, int32_t n) {
     for (int32_t j = y0; j <= y1; j++) {
       for (int32_t i = z0; i <= z1; i++) {
         for (int32_t h = x0; h <= x1; h++) put_cell(g, h, j, i, n);
+      }
+    }
+  }
+}
+
+/* Every part of a cell that holds a point which the knot has to do with. */
+static void put_parts(wood_knots *all, const wood_knot *k) {
+  double per_mm = 4.0 * (double)all->inverse_cell, step = 1.0 / per_mm;
+  double per_rise = 2.0 * (double)all->tall * (double)all->inverse_period;
+  int32_t across = 4 * all->across, tall = 2 * all->tall;
+  /* a section is oblong by up to 0.93 of d; and a hair for what floats are off by */
+  double sees = 1.09 * ((double)k->sees + 0.75 * (double)KNOT_CLOSE);
+  double side = __builtin_sqrt((double)k->near), rise = 2.0 * side;
+  side = (side > sees ? side : sees) + 0.3;
+  rise = (rise > sees ? rise : sees) + 0.3;
+  double c = (double)k->c, s = (double)k->s, slope = (double)k->slope;
+  double wide_x = side * __builtin_fabs(s) + 0.5 * step * __builtin_fabs(c);
+  double wide_z = side * __builtin_fabs(c) + 0.5 * step * __builtin_fabs(s);
+  double high = rise / (double)k->cosine + 0.5 * step * __builtin_fabs(slope);
+  for (double u = 0.0; u < (double)k->reach + step; u += step) {
+    double x = u * c - (double)all->low, z = u * s - (double)all->low;
+    double y = (double)k->height + u * slope;
+    int32_t x0 = floor_of((x - wide_x) * per_mm), x1 = floor_of((x + wide_x) * per_mm);
+    int32_t z0 = floor_of((z - wide_z) * per_mm), z1 = floor_of((z + wide_z) * per_mm);
+    int32_t y0 = floor_of((y - high) * per_rise - 0.01), y1 = floor_of((y + high) * per_rise + 0.01);
+    if (y1 - y0 >= tall) y1 = y0 + tall - 1;
+    if (x0 < 0) x0 = 0;
+    if (z0 < 0) z0 = 0;
+    if (x1 >= across) x1 = across - 1;
+    if (z1 >= across) z1 = across - 1;
+    for (int32_t j = y0; j <= y1; j++) {
+      int32_t up = j % tall;
+      if (up < 0) up += tall;
+      for (int32_t i = z0; i <= z1; i++) {
+        for (int32_t h = x0; h <= x1; h++) {
+          int32_t cell = ((up >> 1) * all->across + (i >> 2)) * all->across + (h >> 2);
+          uint32_t bit = (uint32_t)((h & 3) | (i & 3) << 2 | (up & 1) << 4);
+          all->parts[cell] = (int32_t)((uint32_t)all->parts[cell] | 1u << bit);
+        }
       }
     }
   }
@@ -300,10 +347,13 @@ static size_t cell_count(const wood_knots *all) {
   return (size_t)all->cells + 1 + (size_t)all->coarse + 1;
 }
 
+static size_t part_count(const wood_knots *all) { return (size_t)all->cells + 1; }
+
 /* One block of memory: the head, the list, the cells, what is in them. */
 static size_t block_bytes(const wood_knots *plan, size_t entries) {
   return sizeof *plan + plan->count * sizeof(wood_knot) +
-         (cell_count(plan) + 1 + entries + 1) * sizeof(int32_t) + far_count(plan) * sizeof(float);
+         (cell_count(plan) + 1 + entries + 1 + part_count(plan)) * sizeof(int32_t) +
+         far_count(plan) * sizeof(float);
 }
 
 static wood_knots *gather_block(const wood_knots *plan, const sozai_host *host,
@@ -318,7 +368,9 @@ static wood_knots *gather_block(const wood_knots *plan, const sozai_host *host,
   memcpy(all->list, list, list_bytes);
   all->first = (int32_t *)(all->list + plan->count);
   all->index = all->first + cells;
-  all->far = (float *)(all->index + entries + 1);
+  all->parts = all->index + entries + 1;
+  memset(all->parts, 0, part_count(plan) * sizeof(int32_t));
+  all->far = (float *)(all->parts + part_count(plan));
   memset(all->far, 0, far_count(plan) * sizeof(float));
   all->index[entries] = INT32_MAX;
   return all;
@@ -353,7 +405,10 @@ static int32_t fill_grid(wood_knots **out, const wood_knots *plan, const sozai_h
     all->first[cells] = at;
     g.all = all;
     put_all(&g, 1);
-    for (uint32_t i = 0; i < all->count; i++) far_knot(all, &all->list[i]);
+    for (uint32_t i = 0; i < all->count; i++) {
+      put_parts(all, &all->list[i]);
+      far_knot(all, &all->list[i]);
+    }
     average_levels(all);
   }
   host_free(host, work, bytes, 64);
