@@ -307,7 +307,7 @@ static __attribute__((noinline)) void stage_knots_near(const wood_constants *w, 
   knot_eye e = {.y = k->p[1], .s = k->s, .n = k->nrm, .ball = !io->in->normal[0]};
   knot_taps taps;
   if (any(gt(k->s, splat(KNOT_CLOSE)))) {
-    knot_taps_of(&k->stem, e.y, k->s, k->nrm, e.ball, &taps);
+    knot_taps_of(&k->stem, k->s, k->nrm, e.ball, &taps);
     e.taps = &taps;
   }
   *q = knot_none();

@@ -3,6 +3,10 @@
  * Which share of a footprint a knot has: of one up to twice KNOT_NEAR mm across by
  * the knots whose collar may reach it, up to twice KNOT_FAR by those that lie within
  * it, and beyond by a mean over cells of the log.
+ *
+ * A footprint that is narrow beside the knot sees a straight edge. A wide one is cut
+ * into chords: the knot is a cone, of which any line across it sees a stretch that
+ * is known exactly, and the lines that see any of it are known too.
  */
 #ifndef SOZAI_WOOD_KNOT_COVER_H
 #define SOZAI_WOOD_KNOT_COVER_H
@@ -258,10 +262,11 @@ INLINE void knot_see(const wood_knots *all, const wood_knot *k, const knot_secti
     vf cc = splat(k->check_c), cs = splat(k->check_s), line = o->a * cc + o->h * cs;
     vf inverse_tall = splat(1.0f / k->upright), lean = splat(k->lean);
     vf ht = q.yt * inverse_tall, hv = q.yv * inverse_tall;
-    vf lt_ = cc * (q.xt - lean * ht) + cs * ht, lv = cc * (q.xv - lean * hv) + cs * hv;
+    vf across_t = cc * (q.xt - lean * ht) + cs * ht, across_v = cc * (q.xv - lean * hv) + cs * hv;
     vf from = vmax(one - o->square / (splat(0.77f) * radius * radius), zero);
     vf gap = splat(all->check) * radius * from * sel(lt(rho, dead), half, one);
-    vf split = knot_overlap(line, half * gap, vmax(vsqrt(lt_ * lt_ + lv * lv), splat(0.04f)));
+    vf split = knot_overlap(line, half * gap,
+                            vmax(vsqrt(across_t * across_t + across_v * across_v), splat(0.04f)));
     out->check = vmax(out->check, split * share);
   }
   out->cover = knot_union(out->cover, share);

@@ -59,11 +59,11 @@ typedef struct {
   int32_t *first;
   int32_t *index; /* of list; rising within a cell */
   /* of each cell, and of the one without any: of its 4 x 2 x 4 parts those that hold a
-   * point which some knot has an effect on, under footprints up to KNOT_CLOSE; bit
-   * x + 4 z + 16 y */
-  int32_t *parts;
-  float *far; /* shares of knots, level by level */
-  size_t bytes;   /* of the one block that all of them are in, this included */
+   * point which some knot has to do with, under footprints up to KNOT_CLOSE, and up to
+   * 2 KNOT_NEAR; bit x + 4 z + 16 y */
+  int32_t *parts[2];
+  float *far;   /* shares of knots, level by level */
+  size_t bytes; /* of the one block that all of them are in, this included */
   uint32_t count;
   int32_t across, tall, cells, coarse;
   float low, inverse_cell;      /* of the cells across the stem */

@@ -147,10 +147,10 @@ INLINE void knot_bend(const wood_knots *all, const wood_knot *k, const knot_sect
 
 /* What a point brings to all knots. */
 typedef struct {
-  vf y, s;      /* height on the stem; footprint */
-  const vf *n;  /* the surface's normal; */
-  int ball;     /* or none is known */
-  vf rho;       /* the clear stem's */
+  vf y, s;         /* height on the stem; footprint */
+  const vf *n;     /* the surface's normal; */
+  int ball;        /* or none is known */
+  vf rho;          /* the clear stem's */
   knot_taps *taps; /* where any footprint is wide, else NULL */
 } knot_eye;
 
@@ -165,7 +165,7 @@ INLINE void knot_add(const wood_knots *all, const wood_knot *k, const knot_eye *
   knot_section_slopes(k, &o);
   if (e->taps) {
     vm taken = and_(or_(bent, seen), le(e->s, splat(2.0f * KNOT_NEAR)));
-    knot_taps_add(all, k, taken, e->s, e->taps);
+    knot_taps_add(k, &o, taken, e->s, e->taps);
   }
   if (any(bent)) knot_bend(all, k, &o, bent, e->s, p, out);
   if (any(seen)) {
@@ -180,9 +180,9 @@ INLINE void knot_add_wide(const wood_knots *all, const wood_knot *k, const knot_
   vf reach = splat(k->sees) + splat(0.75f) * e->s;
   vf about = vmin(reach + splat(0.6f * k->bends), splat(k->sees + 1.5f * KNOT_FAR));
   vm near = and_(lt(o.square, reach * reach), o.grown_wide);
-  vm raised = and_(and_(lt(o.square, about * about), o.grown_wide),
-                   lt(splat(2.0f * KNOT_NEAR), e->s));
-  if (e->taps) knot_taps_add(all, k, raised, e->s, e->taps);
+  vm raised =
+      and_(and_(lt(o.square, about * about), o.grown_wide), lt(splat(2.0f * KNOT_NEAR), e->s));
+  if (e->taps) knot_taps_add(k, &o, raised, e->s, e->taps);
   if (!any(near)) return;
   knot_section_slopes(k, &o);
   knot_see(all, k, &o, e->rho, p->inverse_r, e->s, e->n, e->ball, middle, near, out);
@@ -196,10 +196,35 @@ INLINE int32_t knot_least(vi x) {
   return least;
 }
 
-/* The list of a cell, ended by what is larger than any number. */
-INLINE vi knot_next(const wood_knots *all, vi at, vi end) {
-  vi found = gatheri(all->index, at);
-  return seli(lti(at, end), found, splati(INT32_MAX));
+/* The lists of the points' cells, each knot once and in order. Mostly it is one cell. */
+typedef struct {
+  const int32_t *index;
+  int same;
+  int32_t one, last; /* the cell's */
+  vi at, end;        /* of each point's own */
+} knot_lists;
+
+INLINE knot_lists knot_lists_of(const wood_knots *all, vi cell) {
+  knot_lists q = {.index = all->index};
+  q.at = gatheri(all->first, cell);
+  q.end = gatheri(all->first, cell + splati(1));
+  int32_t from[LANES], to[LANES];
+  memcpy(from, &q.at, sizeof from);
+  memcpy(to, &q.end, sizeof to);
+  q.one = from[0];
+  q.last = to[0];
+  q.same = 1;
+  for (int i = 1; i < LANES; i++) q.same &= from[i] == from[0];
+  return q;
+}
+
+/* INT32_MAX: no more. */
+INLINE int32_t knot_next(knot_lists *q) {
+  if (q->same) return q->one < q->last ? q->index[q->one++] : INT32_MAX;
+  vi found = seli(lti(q->at, q->end), gatheri(q->index, q->at), splati(INT32_MAX));
+  int32_t m = knot_least(found);
+  q->at = q->at + seli(eqi(found, splati(m)), splati(1), splati(0));
+  return m;
 }
 
 /* The cell of a place, and which of its parts. shift: of the board's log, in turns
@@ -233,9 +258,10 @@ INLINE vi knot_cell_of(const wood_knots *all, const knot_part *q) {
 
 /* Whether any point may have to do with a knot. */
 INLINE int knots_near(const wood_knots *all, vf shift, vf y, vf s, const stem_place *p) {
-  if (any(gt(s, splat(KNOT_CLOSE)))) return 1;
+  if (any(gt(s, splat(2.0f * KNOT_NEAR)))) return 1;
   knot_part q = knot_part_of(all, shift, y, p);
-  vi parts = gatheri(all->parts, knot_cell_of(all, &q)), one = splati(1);
+  const int32_t *of = all->parts[any(gt(s, splat(KNOT_CLOSE)))];
+  vi parts = gatheri(of, knot_cell_of(all, &q)), one = splati(1);
   vi which = (q.x & splati(3)) | ((q.z & splati(3)) << 2) | ((q.y & one) << 4);
   return any(eqi((parts >> which) & one, one));
 }
@@ -246,18 +272,13 @@ INLINE void knots_add(const wood_knots *all, vf shift, const knot_eye *e, stem_p
   vf zero = splat(0.0f), one = splat(1.0f), s = e->s;
   knot_part q = knot_part_of(all, shift, e->y, p);
   vi cell = knot_cell_of(all, &q);
-  vi at = gatheri(all->first, cell), end = gatheri(all->first, cell + splati(1));
+  knot_lists lists = knot_lists_of(all, cell);
   knot_eye here = *e;
   here.y = e->y + shift * splat(all->period);
   here.rho = p->rho;
   vf middle = smooth_step(splat(KNOT_NEAR), splat(2.0f * KNOT_NEAR), s), close = one - middle;
-  if (any(lti(at, end))) {
-    vi next = knot_next(all, at, end);
-    for (int32_t m = knot_least(next); m != INT32_MAX; m = knot_least(next)) {
-      knot_add(all, &all->list[m], &here, close, p, out);
-      at = at + seli(eqi(next, splati(m)), splati(1), splati(0));
-      next = knot_next(all, at, end);
-    }
+  for (int32_t m = knot_next(&lists); m != INT32_MAX; m = knot_next(&lists)) {
+    knot_add(all, &all->list[m], &here, close, p, out);
   }
   if (!any(gt(middle, zero))) return;
   vf far = smooth_step(splat(KNOT_FAR), splat(2.0f * KNOT_FAR), s);
@@ -266,15 +287,9 @@ INLINE void knots_add(const wood_knots *all, vf shift, const knot_eye *e, stem_p
   cell = ((q.y >> (KNOT_COARSE + 1)) * coarse + (q.z >> (KNOT_COARSE + 2))) * coarse +
          (q.x >> (KNOT_COARSE + 2));
   cell = seli(q.within, cell, splati(all->coarse)) + splati(all->cells + 1);
-  at = gatheri(all->first, cell);
-  end = gatheri(all->first, cell + splati(1));
-  if (any(lti(at, end))) {
-    vi next = knot_next(all, at, end);
-    for (int32_t m = knot_least(next); m != INT32_MAX; m = knot_least(next)) {
-      knot_add_wide(all, &all->list[m], &here, middle, p, out);
-      at = at + seli(eqi(next, splati(m)), splati(1), splati(0));
-      next = knot_next(all, at, end);
-    }
+  lists = knot_lists_of(all, cell);
+  for (int32_t m = knot_next(&lists); m != INT32_MAX; m = knot_next(&lists)) {
+    knot_add_wide(all, &all->list[m], &here, middle, p, out);
   }
   if (!any(gt(far, zero))) return;
   vf share = far * knots_far(all, p->x, q.turns, p->z, s);
