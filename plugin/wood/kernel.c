@@ -315,7 +315,7 @@ static __attribute__((noinline)) void stage_knots_near(const wood_constants *w, 
   if (e.taps) knot_taps_late(w, k->s, &taps, q);
   store_lanes(io, WOOD_KNOT, k, q->cover);
   /* a point that no knot has to do with is as in wood without knots, to the bit */
-  if (!any(gt(q->near + q->cover + q->bark + q->nodes, zero))) k->knot = NULL;
+  if (!any(gt(q->near + q->cover + q->bark + q->halo + q->nodes, zero))) k->knot = NULL;
 }
 
 INLINE void stage_knots(const wood_constants *w, const kernel_io *io, vf shift, block *k) {
@@ -673,11 +673,15 @@ INLINE void stage_spalt_colour(block *k) {
   }
 }
 
+#define KNOT_RESIN 0.4f /* of the knot's colour in the wood beside it */
+
 INLINE void stage_knot_colour(const wood_constants *w, block *k, vf late) {
   const knot_place *q = k->knot;
-  if (!any(gt(q->cover + q->bark, splat(0.0f)))) return;
+  if (!any(gt(q->cover + q->bark + q->halo, splat(0.0f)))) return;
   for (int c = 0; c < 3; c++) {
     vf own = mix(splat(w->knot_early[c]), splat(w->knot_late[c]), late) * k->shift;
+    vf resin = q->halo * splat(KNOT_RESIN * w->knot_stain);
+    k->albedo[c] = mix(k->albedo[c], splat(w->knot_early[c]) * k->shift, resin);
     k->albedo[c] = mix(k->albedo[c], own, q->cover * splat(w->knot_stain));
     k->albedo[c] = k->albedo[c] * (splat(1.0f) - splat(0.8f) * q->check);
     k->albedo[c] = mix(k->albedo[c], splat(w->knot_bark[c]) * k->shift, q->bark);

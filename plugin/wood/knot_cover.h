@@ -19,6 +19,7 @@ typedef struct {
   vf late, nodes;                  /* the stem's latewood by nodes over the footprint; how far so */
   vf own;                          /* its own latewood */
   vf cover, bark, check;           /* shares of the footprint; a check is within its knot */
+  vf halo;                         /* 0..1: resin in the wood about it */
   vf near;                         /* 1: within reach of a knot */
   vf turn, turn_x, turn_y, turn_z; /* radians by which the fibres part; as rho's derivatives */
   vf inside;                       /* 1: the point is in a knot, and what follows is of it */
@@ -35,6 +36,7 @@ INLINE knot_place knot_none(void) {
                       .cover = o,
                       .bark = o,
                       .check = o,
+                      .halo = o,
                       .near = o,
                       .turn = o,
                       .turn_x = o,
@@ -269,6 +271,9 @@ INLINE void knot_see(const wood_knots *all, const wood_knot *k, const knot_secti
                             vmax(vsqrt(across_t * across_t + across_v * across_v), splat(0.04f)));
     out->check = vmax(out->check, split * share);
   }
+  /* under a wide footprint there is as much resin about a knot as there is knot */
+  vf wide = smooth_step(splat(0.5f * k->radius), splat(2.0f * k->radius), s);
+  out->halo = vmin(out->halo + splat(KNOT_HALO_SHARE) * share * wide, one);
   out->cover = knot_union(out->cover, share);
   out->bark = vmax(out->bark, skin);
 }

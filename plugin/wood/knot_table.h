@@ -24,6 +24,10 @@
 /* How a stub's end is rounded over its radius, and how far aslant. */
 #define KNOT_ROUND 0.5f
 #define KNOT_SLANT 0.45f
+/* How far the wood about a knot is full of resin, in radii, falling off as the square
+ * of what is left; and the area of it over the knot's. */
+#define KNOT_HALO 0.9f
+#define KNOT_HALO_SHARE 0.735f
 #define KNOT_LEVELS 5
 #define KNOT_COARSE 2 /* the level whose cells say what wide footprints see */
 

@@ -77,6 +77,11 @@ INLINE void knot_bend(const wood_knots *all, const wood_knot *k, const knot_sect
   vf by_d = sel(in, own_d - high, fade * falls);
   vf by_g = zero - sel(in, splat(k->high_rising) * d, fade * hill_g);
 
+  vf outside = vmax(d * inverse_radius - one, zero) * splat(1.0f / KNOT_HALO);
+  vf left = vmax(one - outside, zero);
+  vf resin = left * left * (one - smooth_step(splat(0.5f * k->radius), splat(2.0f * k->radius), s));
+  out->halo = sel(and_(near, there), vmax(out->halo, resin), out->halo);
+
   /* the scar closes */
   vf fresh = clamp01(one - (rho - stub.end) * splat(0.5f * k->inverse_radius));
   vf within = vmax(one - e * e, zero), dent = splat(0.4f * k->radius) * keep;
