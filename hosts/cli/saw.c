@@ -182,9 +182,10 @@ static bool grow_and_saw(saw_work *w, const session_options *shared, failure *wh
 static bool saw(saw_work *w, const session_options *shared, failure *why) {
   session s;
   const char *field = w->options.field;
-  if (!check(w, shared, why) || (field && !growth_read_text(field, &w->field, why)) ||
-      !session_open(&s, shared, why))
-    return false;
+  if (!check(w, shared, why) || (field && !growth_read_text(field, &w->field, why))) return false;
+  if (field && !*w->field)
+    return fail(why, EXIT_BAD_INPUT, "--field: '%s' is empty: there is no trunk", field);
+  if (!session_open(&s, shared, why)) return false;
   w->session = &s;
   bool ok = grow_and_saw(w, shared, why);
   session_close(&s);
