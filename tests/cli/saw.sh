@@ -164,7 +164,7 @@ works eval wood --preset akamatsu -p tree=akamatsu -p "tree_field=$(<measured.fi
   -p log_height=1500 --channels knot -i <(printf 'px,py,pz\n40,%s,0\n-40,500,0\n' \
     "$(awk 'BEGIN { print 500 + 40 * sin(20 * 3.14159265 / 180) / cos(20 * 3.14159265 / 180) }')") -o east.out
 same "measured: a knot to the east, none to the west" "1 0" "$(tail -n +2 east.out | awk '{ printf "%s%d", s, $1 + 0.5; s = " " }')"
-works saw --field measured.field --wood sugi --age 30 --log-height 1500 --log-length 1000 --plan rift \
+works saw --field measured.field --wood sugi --age 30 --log-height 1500 --log-length 1000 --plan quarter \
   --res 640x360 -o unnamed
 check "measured: --wood alone will do" grep -qx 'preset: "sugi"' unnamed/board-01.sozai
 
@@ -194,7 +194,7 @@ chmod 500 shut
 find . | sort | grep -vx -e ./out -e ./err -e ./before >before
 refuses 2 "--species" saw --age 10 -o bad
 refuses 2 "no folder|-o DIR" saw --species akamatsu
-refuses 2 "--field|no/such" saw --species akamatsu --field no/such -o bad
+refuses 2 "cannot read|no/such" saw --species akamatsu --field no/such -o bad
 refuses 2 "--wood|field table" saw --field measured.field -o bad
 refuses 2 "field: line 3|length" saw --species akamatsu --field short.field -o bad
 refuses 2 "empty" saw --species akamatsu --field empty.field -o bad
