@@ -23,7 +23,7 @@ typedef struct saw_cut {
 typedef struct saw_work {
   saw_options options;
   session *session;
-  char *field; /* the text of --field's file; NULL: grown */
+  char *field;                  /* the text of --field's file; NULL: grown */
   const recipe *wood;           /* of the log: every board has these parameters, and its own */
   const sozai_texture *texture; /* the log's, cut = log */
   saw_stem stem;

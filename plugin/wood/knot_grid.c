@@ -80,7 +80,9 @@ static void put_parts(wood_knots *all, int32_t *parts, double footprint, const w
   double wide_x = side * __builtin_fabs(s) + 0.5 * step * __builtin_fabs(c);
   double wide_z = side * __builtin_fabs(c) + 0.5 * step * __builtin_fabs(s);
   double high = rise / (double)k->cosine + 0.5 * step * __builtin_fabs(slope);
-  for (double u = 0.0; u < (double)k->reach + step; u += step) {
+  /* a wide footprint looks past the pith, and past the knot's end */
+  double past = footprint > (double)KNOT_CLOSE ? (double)KNOT_FAR : 0.0;
+  for (double u = -past; u < (double)k->reach + past + step; u += step) {
     double x = u * c - (double)all->low, z = u * s - (double)all->low;
     double y = (double)k->height + u * slope;
     int32_t x0 = floor_of((x - wide_x) * per_mm), x1 = floor_of((x + wide_x) * per_mm);
