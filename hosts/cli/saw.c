@@ -31,7 +31,8 @@ static bool find_plan(const char *name, int *out, failure *why) {
 /* Before any work is done. */
 static bool check(saw_work *w, const session_options *shared, failure *why) {
   const saw_options *o = &w->options;
-  if (!o->species) return fail(why, EXIT_BAD_INPUT, "saw: no tree is given: --species NAME");
+  if (!o->species && !o->field)
+    return fail(why, EXIT_BAD_INPUT, "saw: no tree is given: --species NAME or --field FILE");
   if (!o->output) return fail(why, EXIT_BAD_INPUT, "saw: no folder is given: -o DIR");
   for (size_t i = 0; i < shared->params.count; i++)
     for (size_t k = 0; k < sizeof own / sizeof own[0]; k++) {
@@ -55,6 +56,10 @@ static bool check(saw_work *w, const session_options *shared, failure *why) {
 static bool choose_wood(const saw_work *w, recipe *r, failure *why) {
   const saw_options *o = &w->options;
   if (o->wood) return recipe_set_preset(r, o->wood, why);
+  if (!o->species)
+    return fail(why, EXIT_BAD_INPUT,
+                "--wood: a field table does not say of what wood it is; name one of `sozai list`: "
+                "--wood PRESET, or --species NAME");
   const sozai_texture_info *info = w->session->plugin.textures->find("wood");
   for (uint32_t i = 0; info && i < info->preset_count; i++)
     if (strcmp(info->presets[i]->id, o->species) == 0) return recipe_set_preset(r, o->species, why);
@@ -89,8 +94,10 @@ static bool set_given(recipe *r, const option_texts *params, failure *why) {
 static bool make_recipe(const saw_work *w, recipe *r, const option_texts *params, failure *why) {
   const saw_options *o = &w->options;
   return choose_wood(w, r, why) && set_given(r, params, why) &&
-         recipe_set(r, "tree", o->species, 0, why) && set_number(r, "tree_age", o->age, why) &&
-         set_number(r, "seed", o->seed, why) && set_number(r, "log_height", o->log_height, why) &&
+         (!o->species || recipe_set(r, "tree", o->species, 0, why)) &&
+         (!w->field || recipe_set(r, "tree_field", w->field, 0, why)) &&
+         set_number(r, "tree_age", o->age, why) && set_number(r, "seed", o->seed, why) &&
+         set_number(r, "log_height", o->log_height, why) &&
          set_number(r, "knot_size", o->knot_size, why);
 }
 
@@ -160,7 +167,7 @@ static bool grow_and_saw(saw_work *w, const session_options *shared, failure *wh
   const char *const pairs[] = {age, seed, "orders=1"};
   sozai_geometry *g = NULL;
   recipe r;
-  if (!growth_grow(table, &w->session->host.abi, "tree", o->species, pairs, 3, NULL, &g, why))
+  if (!growth_grow(table, &w->session->host.abi, "tree", o->species, pairs, 3, w->field, &g, why))
     return false;
   bool ok = recipe_open(&r, "wood", why);
   if (ok) {
@@ -174,7 +181,11 @@ static bool grow_and_saw(saw_work *w, const session_options *shared, failure *wh
 
 static bool saw(saw_work *w, const session_options *shared, failure *why) {
   session s;
-  if (!check(w, shared, why) || !session_open(&s, shared, why)) return false;
+  const char *field = w->options.field;
+  if (!check(w, shared, why) || (field && !growth_read_text(field, &w->field, why))) return false;
+  if (field && !*w->field)
+    return fail(why, EXIT_BAD_INPUT, "--field: '%s' is empty: there is no trunk", field);
+  if (!session_open(&s, shared, why)) return false;
   w->session = &s;
   bool ok = grow_and_saw(w, shared, why);
   session_close(&s);
@@ -206,6 +217,8 @@ int run_saw(int argc, char **argv) {
       {"output", 'o', OPTION_TEXT, &o->output, "DIR",
        "folder for log.png, saw.json and board-01.sozai, ...", 0, 0},
       {"species", 0, OPTION_TEXT, &o->species, "NAME", "a tree: a preset of describe tree", 0, 0},
+      {"field", 0, OPTION_TEXT, &o->field, "FILE",
+       "a measured tree's field table (docs/tree.md), with --species of that species", 0, 0},
       {"age", 0, OPTION_NUMBER, &o->age, "YEARS", "of the tree when felled (default: 45)", 1, 300},
       {"seed", 0, OPTION_COUNT, &o->seed, "N", "which tree (default: 1)", 0, 4294967295.0},
       {"wood", 0, OPTION_TEXT, &o->wood, "PRESET", "of wood (default: the tree's own)", 0, 0},
@@ -226,7 +239,7 @@ int run_saw(int argc, char **argv) {
        VIEW_MOST_SIDE},
       SESSION_DISPLAY_OPTIONS(shared),
       SESSION_RUN_OPTIONS(shared)};
-  const command_line line = {.usage = "saw --species NAME -o DIR [options]",
+  const command_line line = {.usage = "saw --species NAME|--field FILE -o DIR [options]",
                              .about =
                                  "Saws a log of a grown tree into boards, each a .sozai file, and "
                                  "draws the log with\nits cuts and the boards' faces.\n",
@@ -236,6 +249,7 @@ int run_saw(int argc, char **argv) {
   if (parsed == OPTIONS_BAD || (parsed == OPTIONS_RUN && !saw(w, &shared, &why)))
     code = report(&why);
   session_options_free(&shared);
+  free(w->field);
   free(w);
   return code;
 }

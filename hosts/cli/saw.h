@@ -9,7 +9,7 @@
 #include "stem.h"
 
 typedef struct saw_options {
-  const char *species, *wood, *plan, *output;
+  const char *species, *field, *wood, *plan, *output;
   double age, log_height, log_length, thickness, width, kerf, knot_size, azimuth;
   uint32_t seed, size[2];
 } saw_options;
@@ -23,6 +23,7 @@ typedef struct saw_cut {
 typedef struct saw_work {
   saw_options options;
   session *session;
+  char *field;                  /* the text of --field's file; NULL: grown */
   const recipe *wood;           /* of the log: every board has these parameters, and its own */
   const sozai_texture *texture; /* the log's, cut = log */
   saw_stem stem;

@@ -141,7 +141,8 @@ static bool write_plan(const saw_work *w, const saw_folder *f, failure *why) {
   const saw_options *o = &w->options;
   json j = {.to = to, .first = true};
   json_open(&j, NULL, '{');
-  json_text(&j, "species", o->species);
+  json_text(&j, "species", o->species ? o->species : "");
+  if (o->field) json_text(&j, "field", o->field);
   json_number(&j, "age", o->age);
   json_number(&j, "seed", o->seed);
   json_text(&j, "wood", w->wood->preset);

@@ -109,10 +109,12 @@ static bool next_round(const saw_plan *p, const saw_job *job, int n, place *best
   return best->s1 > best->s0;
 }
 
-static bool fill(saw_plan *p, const saw_job *job, double offset, failure *why) {
+/* share: of the boards that the first round has room for. */
+static bool fill(saw_plan *p, const saw_job *job, double offset, double share, failure *why) {
   place w;
   p->count = 0;
-  int n = first_round(job, offset, &w);
+  int room = first_round(job, offset, &w), n = (int)(room * share + 0.5);
+  if (room > 0 && n < 1) n = 1;
   while (n > 0) {
     if (!add_round(p, job, &w, n, why)) return false;
     if (!next_round(p, job, n, &w)) break;
@@ -127,18 +129,23 @@ static double worth(const saw_plan *p) {
   return sum;
 }
 
-/* Which first round leaves the best room for the others is tried. */
+/* Which first round leaves the best room for the others is tried: how far out it
+ * lies, and whether there is more to be had of fewer boards in it. */
 bool saw_rift(saw_plan *p, const saw_job *job, failure *why) {
-  double best = 0, offset = 0;
+  static const double shares[] = {1, 0.75, 0.5};
+  double best = 0, offset = job->radius / 2, share = 1;
   for (int i = 1; i < OFFSETS; i++) {
-    failure ignored;
-    double at = job->radius * i / OFFSETS;
-    if (!fill(p, job, at, &ignored)) continue;
-    double value = worth(p);
-    if (value <= best) continue;
-    best = value;
-    offset = at;
+    for (size_t k = 0; k < sizeof shares / sizeof *shares; k++) {
+      failure ignored;
+      double at = job->radius * i / OFFSETS;
+      if (!fill(p, job, at, shares[k], &ignored)) continue;
+      double value = worth(p);
+      if (value <= best) continue;
+      best = value;
+      offset = at;
+      share = shares[k];
+    }
   }
   /* too many at every offset is a failure, with its reason */
-  return fill(p, job, best > 0 ? offset : job->radius / 2, why);
+  return fill(p, job, offset, share, why);
 }

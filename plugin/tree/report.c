@@ -95,6 +95,40 @@ static void fill_rings(tree *t) {
   }
 }
 
+/* Of a measured tree the branches are known, not their years: births are even over
+ * its age, nearest the ground first, and all of them live. */
+static void fill_knots_measured(tree *t) {
+  const tree_branch *stem = &t->branches[0];
+  for (uint32_t i = 1; i < t->stems; i++) {
+    const tree_branch *b = &t->branches[i];
+    if (b->order != 1) continue;
+    const double row[] = {i,
+                          t->plan.age * (double)b->at / (double)stem->length,
+                          -1.0,
+                          -1.0,
+                          ((double)b->azimuth - 90.0) * RADIANS,
+                          (double)b->elevation * RADIANS,
+                          (double)b->at,
+                          (double)b->radius,
+                          0.0,
+                          0.0};
+    add_row(t, TABLE_KNOTS, row);
+  }
+}
+
+/* Its stem is a cone that rose evenly. */
+static void fill_rings_measured(tree *t) {
+  const tree_plan *p = &t->plan;
+  const tree_branch *stem = &t->branches[0];
+  for (int k = 0; k <= p->years; k++) {
+    double year = k < p->age ? k : p->age;
+    const double foot[] = {year, 0.0, (double)stem->radius * (year / p->age)};
+    const double top[] = {year, (double)stem->length, 0.0};
+    add_row(t, TABLE_RINGS, foot);
+    add_row(t, TABLE_RINGS, top);
+  }
+}
+
 static double height_of(const tree *t) {
   const tree_branch *stem = &t->branches[0];
   return (double)t->nodes[stem->first + stem->nodes - 1].p[1];
@@ -261,9 +295,10 @@ static int32_t make_rooms(tree *t, const sozai_host *host, const tree_bud *buds,
                           const tree_field *field) {
   const tree_plan *p = &t->plan;
   const uint64_t most[TREE_TABLES] = {[TABLE_BRANCHES] = t->stems,
-                                      [TABLE_KNOTS] = count,
+                                      [TABLE_KNOTS] = buds ? count : t->stems,
                                       [TABLE_KNOT_RADII] = buds ? radii_of(p, buds, count) : 0,
-                                      [TABLE_RINGS] = buds ? (uint64_t)p->years * RING_HEIGHTS : 0,
+                                      [TABLE_RINGS] = buds ? (uint64_t)p->years * RING_HEIGHTS
+                                                           : 2ull * ((uint64_t)p->years + 1),
                                       [TABLE_TURNING] = t->stems,
                                       [TABLE_NODES] = buds ? 2ull * t->stems + 1 : field->row_count,
                                       [TABLE_STATISTICS] = 1,
@@ -299,6 +334,8 @@ int32_t report_make(tree *t, const sozai_host *host, const tree_bud *buds, uint3
     fill_rings(t);
     fill_nodes_grown(t);
   } else {
+    fill_knots_measured(t);
+    fill_rings_measured(t);
     fill_nodes_measured(t, field);
   }
   fill_statistics(t, &fit);

@@ -28,7 +28,9 @@ static const sozai_column knots_columns[] = {
     {"radius", "mm", "Now, or when it died."},
     {"first", "", "Its first row of knot_radii."},
     {"count", "", "How many rows of it."}};
-TABLE(knots, "knots", "Every first-order branch the stem ever bore, from the ground up.");
+TABLE(knots, "knots",
+      "Every first-order branch the stem ever bore, from the ground up; of a measured tree those "
+      "measured, all alive, born evenly over its age.");
 
 static const sozai_column knot_radii_columns[] = {
     {"knot", "", "Row of the table knots."},
@@ -40,7 +42,9 @@ static const sozai_column rings_columns[] = {
     {"year", "years", "At the year's end."},
     {"height", "mm", "Above the ground."},
     {"radius", "mm", "Of the wood; 0 above the stem's tip of that year."}};
-TABLE(rings, "rings", "The stem's radius by year and height: years in turn, heights within.");
+TABLE(rings, "rings",
+      "The stem's radius by year and height: years in turn, heights within; of a measured tree, of "
+      "a cone that rose evenly.");
 
 static const sozai_column turning_columns[] = {
     {"year", "", "The year's shoot it stands on, from 1; 0 where it is not known."},

@@ -57,9 +57,36 @@ INLINE vf rings_extent(const stem_place *p, const vf g[3], const vf n[3], int ba
   return vsqrt(f.aa + splat(12.0f) * p->lost);
 }
 
+/* The line through the middle of a footprint that rings curve under: level, across
+ * the grain. rho along it from its two parts, of the radius and of what is straight. */
+typedef struct {
+  vf s, r, ur, rho, radial, linear;
+  vf side, sag; /* mm^2: what is not along the line; mm: off a straight line, of rho */
+} rings_line;
+
+/* Average of a ring's profile along it: between `parts` nodes rho runs straight. */
+static __attribute__((noinline)) vf rings_along(const wood_constants *w, int what,
+                                                const rings_line *q, int parts) {
+  float step = 1.0f / (float)parts;
+  vf widen = q->side + q->sag * q->sag * splat(2.56f * step * step * step * step);
+  vf sum = splat(0.0f), before = sum;
+  for (int i = 0; i <= parts; i++) {
+    vf a = q->s * splat(step * (float)i - 0.5f);
+    vf square = q->r * q->r + splat(2.0f) * q->r * q->ur * a + a * a;
+    vf r = vsqrt(vmax(square, splat(1e-12f)));
+    vf rho = vmax(q->rho + (r - q->r) * q->radial + q->linear * a, splat(0.0f));
+    if (i) {
+      vf middle = splat(0.5f) * (rho + before), span = rho - before;
+      ring_place at = ring_at(w, middle);
+      sum = sum + ring_average(w, what, &at, middle, vsqrt(span * span + widen));
+    }
+    before = rho;
+  }
+  return sum * splat(step);
+}
+
 /* Average of a ring's profile over a footprint that may be wide enough for the
- * rings' curvature: the surface is followed across the grain through five
- * nodes, and between two nodes rho runs in a straight line. e: rings_extent. */
+ * rings' curvature. e: rings_extent. */
 INLINE vf rings_across(const wood_constants *w, int what, const stem_place *p,
                        const ring_place *ring, const vf g[3], const vf n[3], int ball, vf s, vf e) {
   vf mean = ring_average(w, what, ring, p->rho, e);
@@ -71,32 +98,25 @@ INLINE vf rings_across(const wood_constants *w, int what, const stem_place *p,
   vm end = lt(flat2, splat(0.09f)); /* end grain: along the radius */
   vf k = inverse_root(vmax(flat2, splat(1e-6f)));
   vf ux = sel(end, p->c, n[2] * k), uz = sel(end, p->s, splat(0.0f) - n[0] * k);
-  vf ur = ux * p->c + uz * p->s, ut2 = vmax(splat(1.0f) - ur * ur, splat(0.0f));
-  vf sag = s * s * ut2 / (splat(8.0f) * p->r);
-  vm curved = gt(sag, splat(0.08f * w->ring_width));
+  rings_line q = {.s = s, .r = p->r, .ur = ux * p->c + uz * p->s, .rho = p->rho};
+  vf ut2 = vmax(splat(1.0f) - q.ur * q.ur, splat(0.0f));
+  q.sag = s * s * ut2 / (splat(8.0f) * p->r);
+  vm curved = gt(q.sag, splat(0.08f * w->ring_width));
   if (!any(curved)) return mean;
 
   vf slope = p->rho_x * ux + p->rho_z * uz; /* of rho along u */
-  vf radial = p->rho_x * p->c + p->rho_z * p->s;
-  vf linear = slope - radial * ur;
+  q.radial = p->rho_x * p->c + p->rho_z * p->s;
+  q.linear = slope - q.radial * q.ur;
   /* what is not along u widens every part */
   vf gn = g[0] * n[0] + g[1] * n[1] + g[2] * n[2];
   vf all = vmax(g[0] * g[0] + g[1] * g[1] + g[2] * g[2] - gn * gn, splat(0.0f));
-  vf side = vmax(all - slope * slope, splat(0.0f)) * s * s + splat(12.0f) * p->lost;
-  vf widen = side + sag * sag * splat(0.01f);
-  vf sum = splat(0.0f), before = sum;
-  for (int i = 0; i <= 4; i++) {
-    vf a = s * splat(0.25f * (float)i - 0.5f);
-    vf r = vsqrt(vmax(p->r * p->r + splat(2.0f) * p->r * ur * a + a * a, splat(1e-12f)));
-    vf rho = vmax(p->rho + (r - p->r) * radial + linear * a, splat(0.0f));
-    if (i) {
-      vf middle = splat(0.5f) * (rho + before), span = rho - before;
-      ring_place at = ring_at(w, middle);
-      sum = sum + ring_average(w, what, &at, middle, vsqrt(span * span + widen));
-    }
-    before = rho;
-  }
-  return sel(curved, sum * splat(0.25f), mean);
+  q.side = vmax(all - slope * slope, splat(0.0f)) * s * s + splat(12.0f) * p->lost;
+  /* more nodes where rho turns by more than a ring: as much lies at the turn as
+   * anywhere else, and all of it in one ring */
+  vm turned = and_(curved, gt(q.sag, splat(0.6f * w->ring_width)));
+  if (any(and_(curved, not_(turned)))) mean = sel(curved, rings_along(w, what, &q, 4), mean);
+  if (any(turned)) mean = sel(turned, rings_along(w, what, &q, 16), mean);
+  return mean;
 }
 
 /* Rings over the parts of a wide footprint; see plies/wide.h. */
@@ -287,13 +307,31 @@ INLINE vf knot_shift(const block *k) {
 }
 
 /* Once in the code: it is long, and few points are near a knot. */
-static __attribute__((noinline)) void stage_knots(const wood_constants *w, const kernel_io *io,
-                                                  vf shift, block *k) {
-  knots_add(w->knots, shift, k->p[1], k->s, k->nrm, !io->in->normal[0], &k->stem, k->knot);
-  const knot_place *q = k->knot;
+static __attribute__((noinline)) void stage_knots_near(const wood_constants *w, const kernel_io *io,
+                                                       vf shift, block *k) {
+  vf zero = splat(0.0f);
+  knot_place *q = k->knot;
+  knot_eye e = {.y = k->p[1], .s = k->s, .n = k->nrm, .ball = !io->in->normal[0]};
+  knot_taps taps;
+  if (any(gt(k->s, splat(KNOT_CLOSE)))) {
+    knot_taps_of(&k->stem, k->s, k->nrm, e.ball, &taps);
+    e.taps = &taps;
+  }
+  *q = knot_none();
+  knots_add(w->knots, shift, &e, &k->stem, q);
+  if (e.taps) knot_taps_late(w, k->s, &taps, q);
   store_lanes(io, WOOD_KNOT, k, q->cover);
   /* a point that no knot has to do with is as in wood without knots, to the bit */
-  if (!any(gt(q->near + q->cover + q->bark, splat(0.0f)))) k->knot = NULL;
+  if (!any(gt(q->near + q->cover + q->bark + q->halo + q->nodes, zero))) k->knot = NULL;
+}
+
+INLINE void stage_knots(const wood_constants *w, const kernel_io *io, vf shift, block *k) {
+  if (knots_near(w->knots, shift, k->p[1], k->s, &k->stem)) {
+    stage_knots_near(w, io, shift, k);
+    return;
+  }
+  k->knot = NULL;
+  store_lanes(io, WOOD_KNOT, k, splat(0.0f));
 }
 
 INLINE void stage_ring(const wood_constants *w, const kernel_io *io, block *k) {
@@ -464,9 +502,23 @@ INLINE void stage_wide(const wood_constants *w, int boards, const kernel_io *io,
   }
 }
 
+/* Where a knot's edge runs through the footprint, stem and knot have each its own;
+ * of the part that the point is not in, the mean is known. */
+INLINE vf stage_knot_late(const wood_constants *w, block *k) {
+  knot_place *q = k->knot;
+  vf zero = splat(0.0f), mean = splat(w->late_period * w->inverse_ring_period), at = k->late;
+  vm in = gt(q->inside, zero), some = gt(q->nodes, zero);
+  q->own = sel(in, at, mean);
+  k->late = sel(and_(in, lt(q->cover, splat(1.0f))), mean, at);
+  k->late = sel(some, mix(k->late, q->late, q->nodes), k->late);
+  return sel(gt(q->cover, zero), mix(k->late, q->own, q->cover), k->late);
+}
+
 INLINE void stage_rings(const wood_constants *w, int boards, const kernel_io *io, block *k) {
   k->late = rings_mean(w, boards, io, MEAN_LATE, k);
-  store_lanes(io, WOOD_LATEWOOD, k, k->late);
+  vf late = k->late;
+  if (k->knot) late = stage_knot_late(w, k);
+  store_lanes(io, WOOD_LATEWOOD, k, late);
 }
 
 /* The row of the map from surface to arc of the reference section. */
@@ -651,11 +703,15 @@ INLINE void stage_spalt_colour(block *k) {
   }
 }
 
+#define KNOT_RESIN 0.4f /* of the knot's colour in the wood beside it */
+
 INLINE void stage_knot_colour(const wood_constants *w, block *k, vf late) {
   const knot_place *q = k->knot;
-  if (!any(gt(q->cover + q->bark, splat(0.0f)))) return;
+  if (!any(gt(q->cover + q->bark + q->halo, splat(0.0f)))) return;
   for (int c = 0; c < 3; c++) {
     vf own = mix(splat(w->knot_early[c]), splat(w->knot_late[c]), late) * k->shift;
+    vf resin = q->halo * splat(KNOT_RESIN * w->knot_stain);
+    k->albedo[c] = mix(k->albedo[c], splat(w->knot_early[c]) * k->shift, resin);
     k->albedo[c] = mix(k->albedo[c], own, q->cover * splat(w->knot_stain));
     k->albedo[c] = k->albedo[c] * (splat(1.0f) - splat(0.8f) * q->check);
     k->albedo[c] = mix(k->albedo[c], splat(w->knot_bark[c]) * k->shift, q->bark);
@@ -690,7 +746,7 @@ INLINE void stage_colour(const wood_constants *w, int boards, const kernel_io *i
     }
     k->albedo[c] = tissue;
   }
-  if (k->knot) stage_knot_colour(w, k, late);
+  if (k->knot) stage_knot_colour(w, k, k->knot->own);
   if (w->has_spalt) stage_spalt_colour(k);
   for (int c = 0; c < 3; c++) {
     if (boards) k->albedo[c] = board_albedo(w, &k->board, c, k->albedo[c]);

@@ -3,6 +3,10 @@
  * Which share of a footprint a knot has: of one up to twice KNOT_NEAR mm across by
  * the knots whose collar may reach it, up to twice KNOT_FAR by those that lie within
  * it, and beyond by a mean over cells of the log.
+ *
+ * A footprint that is narrow beside the knot sees a straight edge. A wide one is cut
+ * into chords: the knot is a cone, of which any line across it sees a stretch that
+ * is known exactly, and the lines that see any of it are known too.
  */
 #ifndef SOZAI_WOOD_KNOT_COVER_H
 #define SOZAI_WOOD_KNOT_COVER_H
@@ -12,7 +16,10 @@
 #include "stem.h"
 
 typedef struct {
+  vf late, nodes;                  /* the stem's latewood by nodes over the footprint; how far so */
+  vf own;                          /* its own latewood */
   vf cover, bark, check;           /* shares of the footprint; a check is within its knot */
+  vf halo;                         /* 0..1: resin in the wood about it */
   vf near;                         /* 1: within reach of a knot */
   vf turn, turn_x, turn_y, turn_z; /* radians by which the fibres part; as rho's derivatives */
   vf inside;                       /* 1: the point is in a knot, and what follows is of it */
@@ -23,9 +30,13 @@ typedef struct {
 
 INLINE knot_place knot_none(void) {
   vf o = splat(0.0f);
-  return (knot_place){.cover = o,
+  return (knot_place){.late = o,
+                      .nodes = o,
+                      .own = o,
+                      .cover = o,
                       .bark = o,
                       .check = o,
+                      .halo = o,
                       .near = o,
                       .turn = o,
                       .turn_x = o,
@@ -46,7 +57,7 @@ typedef struct {
   vm grown, grown_wide; /* the knot is there; or within a wide footprint */
 } knot_section;
 
-INLINE knot_section knot_section_of(const wood_knots *all, const wood_knot *k, vf y,
+INLINE knot_section knot_section_at(const wood_knots *all, const wood_knot *k, vf y,
                                     const stem_place *p) {
   knot_section o;
   vf kc = splat(k->c), ks = splat(k->s);
@@ -57,16 +68,20 @@ INLINE knot_section knot_section_of(const wood_knots *all, const wood_knot *k, v
   vf turns = vfloor(away * splat(all->inverse_period) + splat(0.5f), &unused);
   away = away - splat(all->period) * turns;
   o.h = splat(k->cosine) * (away - splat(k->slope) * o.u);
-  o.hx = splat(-k->cosine * k->slope * k->c);
-  o.hz = splat(-k->cosine * k->slope * k->s);
   o.square = o.a * o.a + splat(k->squash) * o.h * o.h + splat(2.0f * k->lean) * o.a * o.h;
-  vf inverse = inverse_root(vmax(o.square, splat(1e-6f)));
-  o.d = o.square * inverse;
-  o.da = (o.a + splat(k->lean) * o.h) * inverse;
-  o.dh = (splat(k->squash) * o.h + splat(k->lean) * o.a) * inverse;
   o.grown = and_(gt(o.u, splat(0.0f)), lt(o.u, splat(k->reach)));
   o.grown_wide = and_(gt(o.u, splat(-KNOT_FAR)), lt(o.u, splat(k->reach + KNOT_FAR)));
   return o;
+}
+
+/* What not all have need of. */
+INLINE void knot_section_slopes(const wood_knot *k, knot_section *o) {
+  o->hx = splat(-k->cosine * k->slope * k->c);
+  o->hz = splat(-k->cosine * k->slope * k->s);
+  vf inverse = inverse_root(vmax(o->square, splat(1e-6f)));
+  o->d = o->square * inverse;
+  o->da = (o->a + splat(k->lean) * o->h) * inverse;
+  o->dh = (splat(k->squash) * o->h + splat(k->lean) * o->a) * inverse;
 }
 
 /* e when the stem had grown by the share tau: the inverse of K. */
@@ -87,14 +102,115 @@ INLINE knot_stub knot_stub_of(const wood_knot *k, vf a, vf h, vf d) {
                      zero - ch};
 }
 
-/* Length of row g within the surface. */
-INLINE vf knot_extent(const vf g[3], const vf n[3], int ball) {
-  vf square = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
+/* A footprint over a knot: a square of side s on the surface, its sides along t, where
+ * the surface runs along the knot's axis as steeply as it does, and v across it.
+ * The section is stretched so that the knot is round. */
+typedef struct {
+  vf u, x, y;        /* mm, of its middle: along the axis; in the section */
+  vf along;          /* mm that the axis runs from one end of t to the other */
+  vf xt, yt, xv, yv; /* likewise, in the section, along t and along v */
+  vf s;
+} knot_window;
+
+INLINE knot_window knot_window_of(const wood_knot *k, const knot_section *o, const vf n[3],
+                                  int ball, vf s) {
+  knot_window q;
+  vf zero = splat(0.0f), kc = splat(k->c), ks = splat(k->s), lean = splat(k->lean), t[3], v[3];
+  vf tall = splat(k->upright);
+  q.s = s;
+  q.u = o->u;
+  q.x = o->a + lean * o->h;
+  q.y = tall * o->h;
+  /* a ball's section is the knot's own */
+  vf face[3] = {kc, zero, ks};
   if (!ball) {
-    vf gn = g[0] * n[0] + g[1] * n[1] + g[2] * n[2];
-    square = vmax(square - gn * gn, splat(0.0f));
+    for (int c = 0; c < 3; c++) face[c] = n[c];
   }
-  return vsqrt(square);
+  /* t: the axis within the surface; where the surface is square to it, any */
+  vf square = kc * face[0] + ks * face[2];
+  t[0] = kc - square * face[0];
+  t[1] = zero - square * face[1];
+  t[2] = ks - square * face[2];
+  vf runs = t[0] * t[0] + t[1] * t[1] + t[2] * t[2];
+  vm none = lt(runs, splat(1e-4f));
+  t[0] = sel(none, zero - face[2], t[0]);
+  t[1] = sel(none, zero, t[1]);
+  t[2] = sel(none, face[0], t[2]);
+  runs = sel(none, face[0] * face[0] + face[2] * face[2], runs);
+  vf unit = inverse_root(vmax(runs, splat(1e-6f)));
+  for (int c = 0; c < 3; c++) t[c] = t[c] * unit;
+  for (int c = 0; c < 3; c++) {
+    v[c] = face[(c + 1) % 3] * t[(c + 2) % 3] - face[(c + 2) % 3] * t[(c + 1) % 3];
+  }
+  q.along = ball ? s : s * vabs(t[0] * kc + t[2] * ks);
+  q.along = vmax(q.along, splat(0.2f));
+  vf at = t[2] * kc - t[0] * ks, av = v[2] * kc - v[0] * ks;
+  vf ht = o->hx * t[0] + splat(k->cosine) * t[1] + o->hz * t[2];
+  vf hv = o->hx * v[0] + splat(k->cosine) * v[1] + o->hz * v[2];
+  q.xt = s * (at + lean * ht);
+  q.yt = s * tall * ht;
+  q.xv = s * (av + lean * hv);
+  q.yv = s * tall * hv;
+  return q;
+}
+
+/* mm that the footprint has across the knot's edge, where it lies in the direction
+ * of the footprint's middle. */
+INLINE vf knot_edge_width(const knot_window *q, vf d) {
+  vf inverse = splat(1.0f) / vmax(d, splat(1e-3f));
+  vf t = (q->x * q->xt + q->y * q->yt) * inverse, v = (q->x * q->xv + q->y * q->yv) * inverse;
+  return vsqrt(t * t + v * v);
+}
+
+/* The branch's radius when the stem's was rho, and the bark about it. */
+INLINE vf knot_radius_at(const wood_knot *k, vf rho) {
+  vf tau = vmax(vmin(rho, splat(k->death)) - splat(k->born), splat(0.05f));
+  return vmax(splat(k->radius) * knot_grown(k, tau * splat(k->inverse_length)), splat(0.05f));
+}
+
+INLINE vf knot_bark_at(const wood_knots *all, const wood_knot *k, vf rho) {
+  return splat(all->bark) * clamp01((rho - splat(k->death)) * splat(0.3f));
+}
+
+typedef struct {
+  vf knot, bark;
+} knot_shares;
+
+/* Of the square: chords along v are exact, and t is gone through by Gauss and
+ * Legendre's rule over the part of it that meets the knot. scale: of rho over u. */
+INLINE knot_shares knot_chords(const wood_knots *all, const wood_knot *k, const knot_window *q,
+                               vf scale) {
+  static const float node[4] = {-0.8611363f, -0.3399810f, 0.3399810f, 0.8611363f};
+  static const float weight[4] = {0.1739274f, 0.3260726f, 0.3260726f, 0.1739274f};
+  vf zero = splat(0.0f), one = splat(1.0f), half = splat(0.5f);
+  vf v2 = vmax(q->xv * q->xv + q->yv * q->yv, splat(1e-9f)), inverse = inverse_root(v2);
+  vf x0 = (q->x * q->yv - q->y * q->xv) * inverse, x1 = (q->xt * q->yv - q->yt * q->xv) * inverse;
+  vf inverse_along = one / q->along, inverse_scale = one / scale;
+  vf low = clamp((zero - q->u) * inverse_along, zero - half, half);
+  vf ends = vmin(splat(k->end) * inverse_scale, splat(k->reach));
+  vf high = clamp((ends - q->u) * inverse_along, low, half);
+  vf last = scale * (q->u + q->along * high);
+  vf widest = knot_radius_at(k, last) + knot_bark_at(all, k, last);
+  x1 = sel(lt(vabs(x1), splat(1e-4f)), splat(1e-4f), x1);
+  vf across = one / x1, middle = zero - x0 * across, reach = widest * vabs(across);
+  low = vmax(low, middle - reach);
+  high = vmax(vmin(high, middle + reach), low);
+  knot_shares sum = {zero, zero};
+  for (int i = 0; i < 4; i++) {
+    vf t = half * (low + high) + splat(0.5f * node[i]) * (high - low);
+    vf there = scale * (q->u + q->along * t);
+    vf x = x0 + x1 * t, r = knot_radius_at(k, there), more = r + knot_bark_at(all, k, there);
+    vf px = q->x + q->xt * t, py = q->y + q->yt * t;
+    vf centre = zero - (px * q->xv + py * q->yv) * inverse * inverse;
+    vf chord = vsqrt(vmax(r * r - x * x, zero)) * inverse;
+    vf outer = vsqrt(vmax(more * more - x * x, zero)) * inverse;
+    vf in = vmax(vmin(centre + chord, half) - vmax(centre - chord, zero - half), zero);
+    vf both = vmax(vmin(centre + outer, half) - vmax(centre - outer, zero - half), zero);
+    vf part = splat(weight[i]) * (high - low);
+    sum.knot = sum.knot + part * in;
+    sum.bark = sum.bark + part * vmax(both - in, zero);
+  }
+  return sum;
 }
 
 /* Share of -e/2 .. e/2 about x that is within -half .. half. */
@@ -103,67 +219,61 @@ INLINE vf knot_overlap(vf x, vf half, vf e) {
   return clamp01((high - low) / e);
 }
 
-/* The footprint over a knot's section. */
-typedef struct {
-  vf a, h, d, wa, wh, wd; /* mm; w: how far the footprint reaches along each */
-  vf radius;              /* mm, there */
-} knot_window;
-
-/* Share of it within `more` mm of the knot: while it is small by the distance
- * from the knot's edge, and when it is large by a square of the same area. */
-INLINE vf knot_share(const knot_window *q, vf more) {
-  vf edge = clamp01(splat(0.5f) - (q->d - q->radius - more) / q->wd);
-  vf large = smooth_step(splat(0.6f), splat(1.2f), q->wd / q->radius);
-  if (!any(gt(large, splat(0.0f)))) return edge;
-  vf half = splat(0.8862f) * (q->radius + more);
-  vf part = knot_overlap(q->a, half, q->wa) * knot_overlap(q->h, half, q->wh);
-  return sel(gt(large, splat(0.0f)), mix(edge, part, large), edge);
-}
-
 INLINE vf knot_union(vf a, vf b) { return a + b - a * b; }
 
 /* Of one knot, where `near`, weighed. rho: the stem's. */
-INLINE void knot_see(const wood_knots *all, const wood_knot *k, const knot_section *o, vf rho, vf s,
-                     const vf n[3], int ball, vf weight, vm near, knot_place *out) {
+INLINE void knot_see(const wood_knots *all, const wood_knot *k, const knot_section *o, vf rho,
+                     vf inverse_r, vf s, const vf n[3], int ball, vf weight, vm near,
+                     knot_place *out) {
   vf zero = splat(0.0f), one = splat(1.0f), half = splat(0.5f), dead = splat(k->death);
-  vf kc = splat(k->c), ks = splat(k->s);
-  vf row_u[3] = {kc, zero, ks}, row_a[3] = {zero - ks, zero, kc};
-  vf row_h[3] = {o->hx, splat(k->cosine), o->hz}, row_d[3];
-  for (int c = 0; c < 3; c++) row_d[c] = o->da * row_a[c] + o->dh * row_h[c];
+  knot_window q = knot_window_of(k, o, n, ball, s);
+  vf scale = clamp(rho * inverse_r, half, splat(2.0f));
+  weight = sel(near, weight, zero);
 
   /* the part of the footprint along the knot in which there is one; its middle */
-  vf wu = vmax(s * knot_extent(row_u, n, ball), splat(0.2f));
-  vf end = knot_stub_of(k, o->a, o->h, vmin(o->d, splat(k->radius))).end;
-  vf low = vmax(splat(-0.5f) * wu, zero - o->u);
-  vf high = vmin(vmin(half * wu, end - rho), splat(k->reach) - o->u);
-  vf along = clamp01((high - low) / wu), there = rho + half * (low + high);
-  vf front = vmin(there, dead);
-  vf tau = vmax(front - splat(k->born), splat(0.05f)) * splat(k->inverse_length);
-  knot_window q = {.a = o->a, .h = o->h, .d = o->d};
-  q.radius = vmax(splat(k->radius) * knot_grown(k, tau), splat(0.05f));
-  q.wd = vmax(s * knot_extent(row_d, n, ball), splat(0.08f));
-  q.wa = vmax(s * knot_extent(row_a, n, ball), splat(0.08f));
-  q.wh = vmax(s * knot_extent(row_h, n, ball), splat(0.08f));
-  weight = sel(near, weight, zero);
-  vf seen = along * weight, share = knot_share(&q, zero) * seen, radius = q.radius;
-  vf shell = splat(all->bark) * clamp01((there - dead) * splat(0.3f)), skin = zero;
+  vf inwards = vmin(splat(k->radius) / vmax(o->d, splat(1e-3f)), one);
+  vf end = knot_stub_of(k, o->a * inwards, o->h * inwards, o->d * inwards).end;
+  vf inverse_along = one / q.along;
+  vf low = clamp((zero - o->u) * inverse_along, zero - half, half);
+  vf high = vmin(vmin(end - rho, splat(k->reach) - o->u) * inverse_along, half);
+  high = vmax(high, low);
+  vf there = rho + half * (low + high) * q.along, radius = knot_radius_at(k, there);
+  vf shell = knot_bark_at(all, k, there);
+
+  /* a narrow footprint, by the distance from the edge; a wide one, chord by chord */
+  vf edge = knot_edge_width(&q, o->d), large = smooth_step(splat(0.4f), splat(0.8f), edge / radius);
+  vf wd = vmax(edge, splat(0.08f)), beyond = (o->d - radius) / wd, along = high - low;
+  vf share = clamp01(half - beyond) * along;
+  vf skin = vmax(clamp01(half - beyond + shell / wd) * along - share, zero);
+  if (any(gt(large, zero))) {
+    knot_shares c = knot_chords(all, k, &q, scale);
+    vm some = gt(large, zero);
+    share = sel(some, mix(share, c.knot, large), share);
+    skin = sel(some, mix(skin, c.bark, large), skin);
+  }
+  share = share * weight;
+  skin = skin * weight;
   if (any(gt(shell, zero))) {
-    skin = vmax(knot_share(&q, shell) * seen - share, zero);
     /* and over the end of what is left of it */
-    vf past = vabs(rho - end - half * shell), e = wu + splat(0.2f);
+    vf past = vabs(rho - end - half * shell), e = q.along + splat(0.2f);
     vf cap = clamp01(half - (past - half * shell) / e) * vmin(shell / e, one) * weight;
-    q.radius = splat(k->radius);
-    skin = vmax(skin, cap * knot_share(&q, zero));
+    skin = vmax(skin, cap * clamp01(half - (o->d - splat(k->radius)) / wd));
   }
   /* a dry branch has split across its pith, most in the middle */
   if (all->check > 0.0f) {
-    vf cc = splat(k->check_c), cs = splat(k->check_s), line = o->a * cc + o->h * cs, row[3];
-    for (int c = 0; c < 3; c++) row[c] = cc * row_a[c] + cs * row_h[c];
+    vf cc = splat(k->check_c), cs = splat(k->check_s), line = o->a * cc + o->h * cs;
+    vf inverse_tall = splat(1.0f / k->upright), lean = splat(k->lean);
+    vf ht = q.yt * inverse_tall, hv = q.yv * inverse_tall;
+    vf across_t = cc * (q.xt - lean * ht) + cs * ht, across_v = cc * (q.xv - lean * hv) + cs * hv;
     vf from = vmax(one - o->square / (splat(0.77f) * radius * radius), zero);
     vf gap = splat(all->check) * radius * from * sel(lt(rho, dead), half, one);
-    vf split = knot_overlap(line, half * gap, vmax(s * knot_extent(row, n, ball), splat(0.04f)));
+    vf split = knot_overlap(line, half * gap,
+                            vmax(vsqrt(across_t * across_t + across_v * across_v), splat(0.04f)));
     out->check = vmax(out->check, split * share);
   }
+  /* under a wide footprint there is as much resin about a knot as there is knot */
+  vf wide = smooth_step(splat(0.5f * k->radius), splat(2.0f * k->radius), s);
+  out->halo = vmin(out->halo + splat(KNOT_HALO_SHARE) * share * wide, one);
   out->cover = knot_union(out->cover, share);
   out->bark = vmax(out->bark, skin);
 }

@@ -115,48 +115,6 @@ static int32_t known_species(const sozai_generator_info *info, const char *id) {
               info->preset_count ? info->presets[0]->id : "");
 }
 
-/* Of a measured tree the branches are known, not their years: births are even
- * over its age, nearest the ground first, and all of them live. */
-static int32_t measured_knots(knot_source *k, const sozai_host *host) {
-  enum { ORDER, PARENT, AT, BIRTH, DEATH, SHED, AZIMUTH, ELEVATION, LENGTH, DIAMETER, COLUMNS };
-  const double radian = 0.017453292519943295769;
-  uint64_t n, count = 0;
-  const float *rows = tree_generator.table(k->tree, TABLE_BRANCHES, &n);
-  if (n == 0) return SOZAI_OK;
-  double top = (double)rows[LENGTH], base = 0.5 * (double)rows[DIAMETER];
-  k->own_bytes = (size_t)(n * KNOT_COLUMNS + 2 * ((uint64_t)k->age + 2) * RING_COLUMNS) * 4;
-  k->own = host_alloc(host, k->own_bytes, 64);
-  if (!k->own) return SOZAI_ERROR_MEMORY;
-  for (uint64_t i = 1; i < n; i++) {
-    const float *b = rows + i * COLUMNS;
-    if (b[ORDER] != 1.0f) continue;
-    float *o = k->own + count++ * KNOT_COLUMNS;
-    o[KNOT_BRANCH] = (float)i;
-    o[KNOT_BIRTH] = (float)(k->age * (double)b[AT] / top);
-    o[KNOT_DEATH] = o[KNOT_SHED] = -1.0f;
-    o[KNOT_AZIMUTH] = (float)(((double)b[AZIMUTH] - 90.0) * radian);
-    o[KNOT_INCLINATION] = (float)((double)b[ELEVATION] * radian);
-    o[KNOT_HEIGHT] = b[AT];
-    o[KNOT_RADIUS] = 0.5f * b[DIAMETER];
-    o[KNOT_FIRST] = o[KNOT_COUNT] = 0.0f;
-  }
-  k->knots = (knot_rows){k->own, count};
-  float *rings = k->own + n * KNOT_COLUMNS;
-  uint64_t years = 0;
-  for (double year = 0.0; year <= k->age; year += 1.0, years++) {
-    for (int end = 0; end < 2; end++) {
-      float *o = rings + (years * 2 + (uint64_t)end) * RING_COLUMNS;
-      double share = year / k->age;
-      o[RING_YEAR] = (float)year;
-      o[RING_HEIGHT] = (float)(end ? top : 0.0);
-      o[RING_RADIUS] = (float)(end ? 0.0 : base * share);
-    }
-  }
-  k->rings = (knot_rows){rings, years * 2};
-  k->ring_heights = 2;
-  return SOZAI_OK;
-}
-
 static int32_t grow_tree(knot_source *k, const sozai_host *host, const settings *s) {
   const sozai_generator_info *info = tree_generator.describe();
   const char *species = s->list[P_TREE].text, *field = s->list[P_TREE_FIELD].text;
@@ -181,7 +139,6 @@ static int32_t grow_tree(knot_source *k, const sozai_host *host, const settings 
   k->knots.rows = tree_generator.table(k->tree, TABLE_KNOTS, &k->knots.count);
   k->radii.rows = tree_generator.table(k->tree, TABLE_KNOT_RADII, &k->radii.count);
   k->rings.rows = tree_generator.table(k->tree, TABLE_RINGS, &k->rings.count);
-  if (!k->rings.count) return measured_knots(k, host);
   while (k->ring_heights < k->rings.count &&
          k->rings.rows[k->ring_heights * RING_COLUMNS] == k->rings.rows[0]) {
     k->ring_heights++;
@@ -239,7 +196,6 @@ void knot_source_close(knot_source *k, const sozai_host *host) {
     host_free(host, k->tree, tree_generator.state_bytes, 64);
   }
   settings_free(&k->given, host);
-  host_free(host, k->own, k->own_bytes, 64);
   memset(k, 0, sizeof *k);
 }
 

@@ -39,8 +39,6 @@ typedef struct {
   /* what it holds */
   void *tree;
   settings given;
-  float *own;
-  size_t own_bytes;
 } knot_source;
 
 /* None of them asked for: no knots. On failure nothing is held. */

@@ -14,6 +14,8 @@
 
 #define KNOT_NEAR 12.0f  /* mm: footprints up to twice this see single knots */
 #define KNOT_FAR 100.0f  /* mm: likewise, without their effects */
+#define KNOT_CLOSE 2.0f  /* mm: up to which the cells' parts say whether a knot is near */
+#define KNOT_NODES 45.0f /* mm: up to which rings about a knot are looked up at nodes */
 #define KNOT_WINDOW 5.0f /* (radii)^2 to the side within which fibres part; */
 #define KNOT_STREAM 2.0f /* along the stem this many times as far */
 /* Width of the collar to the sides, in radii, and what is more above and below. */
@@ -22,6 +24,10 @@
 /* How a stub's end is rounded over its radius, and how far aslant. */
 #define KNOT_ROUND 0.5f
 #define KNOT_SLANT 0.45f
+/* How far the wood about a knot is full of resin, in radii, falling off as the square
+ * of what is left; and the area of it over the knot's. */
+#define KNOT_HALO 0.9f
+#define KNOT_HALO_SHARE 0.735f
 #define KNOT_LEVELS 5
 #define KNOT_COARSE 2 /* the level whose cells say what wide footprints see */
 
@@ -31,7 +37,8 @@ typedef struct {
   float c, s;          /* direction from the pith: x, z */
   float height, slope; /* of its axis: where it leaves the pith; rise over run */
   float cosine;        /* of its inclination */
-  float squash, lean;  /* d^2 = a^2 + squash h^2 + 2 lean a h */
+  float squash, lean;  /* d^2 = a^2 + squash h^2 + 2 lean a h, */
+  float upright;       /* (a + lean h)^2 + (upright h)^2 */
   float born;          /* rho at which it begins */
   float length;        /* in rho, until it grew no more */
   float inverse_length;
@@ -42,7 +49,8 @@ typedef struct {
   float death;             /* rho; 1e6: alive */
   float end;               /* rho at which it had been shed; 1e6: still there */
   float reach;             /* along u: how far it has any effect, */
-  float bends;             /* likewise d; */
+  float bends;             /* likewise to its side and along it, */
+  float near;              /* mm^2: more closely, where a^2 + h^2 / 4 is below it; */
   float sees;              /* and d of what a point sees */
   float check_c, check_s;  /* across the check, in its section */
   float apart;             /* its section is looked up so far from the stem's */
@@ -54,8 +62,12 @@ typedef struct {
    * those within KNOT_FAR */
   int32_t *first;
   int32_t *index; /* of list; rising within a cell */
-  float *far;     /* shares of knots, level by level */
-  size_t bytes;   /* of the one block that all of them are in, this included */
+  /* of each cell, and of the one without any: of its 4 x 2 x 4 parts those that hold a
+   * point which some knot has to do with, under footprints up to KNOT_CLOSE, and up to
+   * 2 KNOT_NEAR; bit x + 4 z + 16 y */
+  int32_t *parts[2];
+  float *far;   /* shares of knots, level by level */
+  size_t bytes; /* of the one block that all of them are in, this included */
   uint32_t count;
   int32_t across, tall, cells, coarse;
   float low, inverse_cell;      /* of the cells across the stem */

@@ -30,6 +30,7 @@
 #define SOZAI_WOOD_KNOTS_H
 
 #include "knot_cover.h"
+#include "knot_taps.h"
 
 /* Its effect on front and fibres. */
 INLINE void knot_bend(const wood_knots *all, const wood_knot *k, const knot_section *section,
@@ -64,7 +65,7 @@ INLINE void knot_bend(const wood_knots *all, const wood_knot *k, const knot_sect
   vf wide = splat(KNOT_WIDE) + splat(KNOT_WIDE_RISING) * upright, inverse_wide = one / wide;
   vf high = splat(k->high) + splat(k->high_rising) * upright;
   vf x = front - own, inverse_radius = one / vmax(radius, splat(1e-3f));
-  vm in = and_(there, gt(x, zero));
+  vm in = and_(and_(there, gt(x, zero)), lt(s, splat(2.5f) * radius));
   vf m = vmax(d * inverse_radius - one, zero) * inverse_wide, v = vmax(one - m, zero);
   vf v2 = v * v, v3 = v2 * v, hill = high * radius * v3 * keep;
   vf falls = splat(3.0f) * high * v2 * inverse_wide * keep; /* -d hill / d d */
@@ -75,6 +76,11 @@ INLINE void knot_bend(const wood_knots *all, const wood_knot *k, const knot_sect
   vf by_rho = sel(in, zero, one - fade * hill_radius * radius_rho - fade_rho * hill);
   vf by_d = sel(in, own_d - high, fade * falls);
   vf by_g = zero - sel(in, splat(k->high_rising) * d, fade * hill_g);
+
+  vf outside = vmax(d * inverse_radius - one, zero) * splat(1.0f / KNOT_HALO);
+  vf left = vmax(one - outside, zero);
+  vf resin = left * left * (one - smooth_step(splat(0.5f * k->radius), splat(2.0f * k->radius), s));
+  out->halo = sel(and_(near, there), vmax(out->halo, resin), out->halo);
 
   /* the scar closes */
   vf fresh = clamp01(one - (rho - stub.end) * splat(0.5f * k->inverse_radius));
@@ -144,15 +150,47 @@ INLINE void knot_bend(const wood_knots *all, const wood_knot *k, const knot_sect
   p->rho_z = sel(touched, nz, p->rho_z);
 }
 
-/* One of them. rho0: the clear stem's. */
-INLINE void knot_add(const wood_knots *all, const wood_knot *k, vf y, vf rho0, vf s, const vf n[3],
-                     int ball, vf close, stem_place *p, knot_place *out) {
-  knot_section o = knot_section_of(all, k, y, p);
-  vf bends = splat(k->bends), sees = splat(k->sees) + splat(0.75f) * s;
-  vm bent = and_(o.grown, lt(o.square, bends * bends));
+/* What a point brings to all knots. */
+typedef struct {
+  vf y, s;         /* height on the stem; footprint */
+  const vf *n;     /* the surface's normal; */
+  int ball;        /* or none is known */
+  vf rho;          /* the clear stem's */
+  knot_taps *taps; /* where any footprint is wide, else NULL */
+} knot_eye;
+
+/* One of them. */
+INLINE void knot_add(const wood_knots *all, const wood_knot *k, const knot_eye *e, vf close,
+                     stem_place *p, knot_place *out) {
+  knot_section o = knot_section_at(all, k, e->y, p);
+  vf sees = splat(k->sees) + splat(0.75f) * e->s;
+  vm bent = and_(o.grown, lt(o.a * o.a + splat(0.25f) * o.h * o.h, splat(k->near)));
   vm seen = and_(o.grown, lt(o.square, sees * sees));
-  if (any(bent)) knot_bend(all, k, &o, bent, s, p, out);
-  if (any(seen)) knot_see(all, k, &o, rho0, s, n, ball, close, seen, out);
+  if (!any(or_(bent, seen))) return;
+  knot_section_slopes(k, &o);
+  if (e->taps) {
+    vm taken = and_(or_(bent, seen), le(e->s, splat(2.0f * KNOT_NEAR)));
+    knot_taps_add(k, &o, taken, e->s, e->taps);
+  }
+  if (any(bent)) knot_bend(all, k, &o, bent, e->s, p, out);
+  if (any(seen)) {
+    knot_see(all, k, &o, e->rho, p->inverse_r, e->s, e->n, e->ball, close, seen, out);
+  }
+}
+
+/* Likewise of the cover of a wide footprint, and of its rings. */
+INLINE void knot_add_wide(const wood_knots *all, const wood_knot *k, const knot_eye *e, vf middle,
+                          stem_place *p, knot_place *out) {
+  knot_section o = knot_section_at(all, k, e->y, p);
+  vf reach = splat(k->sees) + splat(0.75f) * e->s;
+  vf about = vmin(reach + splat(0.6f * k->bends), splat(k->sees + 1.5f * KNOT_FAR));
+  vm near = and_(lt(o.square, reach * reach), o.grown_wide);
+  vm raised =
+      and_(and_(lt(o.square, about * about), o.grown_wide), lt(splat(2.0f * KNOT_NEAR), e->s));
+  if (e->taps) knot_taps_add(k, &o, raised, e->s, e->taps);
+  if (!any(near)) return;
+  knot_section_slopes(k, &o);
+  knot_see(all, k, &o, e->rho, p->inverse_r, e->s, e->n, e->ball, middle, near, out);
 }
 
 INLINE int32_t knot_least(vi x) {
@@ -163,63 +201,104 @@ INLINE int32_t knot_least(vi x) {
   return least;
 }
 
-/* The list of a cell, ended by what is larger than any number. */
-INLINE vi knot_next(const wood_knots *all, vi at, vi end) {
-  vi found = gatheri(all->index, at);
-  return seli(lti(at, end), found, splati(INT32_MAX));
+/* The lists of the points' cells, each knot once and in order. Mostly it is one cell. */
+typedef struct {
+  const int32_t *index;
+  int same;
+  int32_t one, last; /* the cell's */
+  vi at, end;        /* of each point's own */
+} knot_lists;
+
+INLINE knot_lists knot_lists_of(const wood_knots *all, vi cell) {
+  knot_lists q = {.index = all->index};
+  q.at = gatheri(all->first, cell);
+  q.end = gatheri(all->first, cell + splati(1));
+  int32_t from[LANES], to[LANES];
+  memcpy(from, &q.at, sizeof from);
+  memcpy(to, &q.end, sizeof to);
+  q.one = from[0];
+  q.last = to[0];
+  q.same = 1;
+  for (int i = 1; i < LANES; i++) q.same &= from[i] == from[0];
+  return q;
 }
 
-/* All that are near, in their order. shift: of the board's log, in turns of the
- * period. */
-INLINE void knots_add(const wood_knots *all, vf shift, vf y, vf s, const vf n[3], int ball,
-                      stem_place *p, knot_place *out) {
+/* INT32_MAX: no more. */
+INLINE int32_t knot_next(knot_lists *q) {
+  if (q->same) return q->one < q->last ? q->index[q->one++] : INT32_MAX;
+  vi found = seli(lti(q->at, q->end), gatheri(q->index, q->at), splati(INT32_MAX));
+  int32_t m = knot_least(found);
+  q->at = q->at + seli(eqi(found, splati(m)), splati(1), splati(0));
+  return m;
+}
+
+/* The cell of a place, and which of its parts. shift: of the board's log, in turns
+ * of the period. */
+typedef struct {
+  vf turns;
+  vm within;
+  vi x, y, z; /* in parts: quarters of a cell, halves along the stem */
+} knot_part;
+
+INLINE knot_part knot_part_of(const wood_knots *all, vf shift, vf y, const stem_place *p) {
+  knot_part q;
   vf zero = splat(0.0f), turns = y * splat(all->inverse_period) + shift;
-  vi whole, ix, iy, iz;
-  *out = knot_none();
-  turns = turns - vfloor(turns, &whole);
-  vf fx = (p->x - splat(all->low)) * splat(all->inverse_cell);
-  vf fz = (p->z - splat(all->low)) * splat(all->inverse_cell);
-  vf most = splat((float)all->across);
-  vm within = and_(and_(le(zero, fx), lt(fx, most)), and_(le(zero, fz), lt(fz, most)));
-  vfloor(sel(within, fx, zero), &ix);
-  vfloor(sel(within, fz, zero), &iz);
-  vfloor(turns * splat((float)all->tall), &iy);
-  iy = seli(lti(iy, splati(all->tall)), iy, splati(all->tall - 1));
-  vi cell = (iy * splati(all->across) + iz) * splati(all->across) + ix;
-  cell = seli(within, cell, splati(all->cells));
-  vi at = gatheri(all->first, cell), end = gatheri(all->first, cell + splati(1));
-  vf rho0 = p->rho, height = y + shift * splat(all->period), one = splat(1.0f);
+  vi whole;
+  q.turns = turns - vfloor(turns, &whole);
+  vf fx = (p->x - splat(all->low)) * splat(4.0f * all->inverse_cell);
+  vf fz = (p->z - splat(all->low)) * splat(4.0f * all->inverse_cell);
+  vf most = splat(4.0f * (float)all->across);
+  q.within = and_(and_(le(zero, fx), lt(fx, most)), and_(le(zero, fz), lt(fz, most)));
+  vfloor(sel(q.within, fx, zero), &q.x);
+  vfloor(sel(q.within, fz, zero), &q.z);
+  vfloor(q.turns * splat(2.0f * (float)all->tall), &q.y);
+  q.y = seli(lti(q.y, splati(2 * all->tall)), q.y, splati(2 * all->tall - 1));
+  return q;
+}
+
+INLINE vi knot_cell_of(const wood_knots *all, const knot_part *q) {
+  vi cell = ((q->y >> 1) * splati(all->across) + (q->z >> 2)) * splati(all->across) + (q->x >> 2);
+  return seli(q->within, cell, splati(all->cells));
+}
+
+/* Whether any point may have to do with a knot. */
+INLINE int knots_near(const wood_knots *all, vf shift, vf y, vf s, const stem_place *p) {
+  if (any(gt(s, splat(2.0f * KNOT_NEAR)))) return 1;
+  knot_part q = knot_part_of(all, shift, y, p);
+  const int32_t *of = all->parts[any(gt(s, splat(KNOT_CLOSE)))];
+  vi parts = gatheri(of, knot_cell_of(all, &q)), one = splati(1);
+  vi which = (q.x & splati(3)) | ((q.z & splati(3)) << 2) | ((q.y & one) << 4);
+  return any(eqi((parts >> which) & one, one));
+}
+
+/* All that are near, in their order. */
+INLINE void knots_add(const wood_knots *all, vf shift, const knot_eye *e, stem_place *p,
+                      knot_place *out) {
+  vf zero = splat(0.0f), one = splat(1.0f), s = e->s;
+  knot_part q = knot_part_of(all, shift, e->y, p);
+  vi cell = knot_cell_of(all, &q);
+  knot_lists lists = knot_lists_of(all, cell);
+  knot_eye here = *e;
+  here.y = e->y + shift * splat(all->period);
+  here.rho = p->rho;
   vf middle = smooth_step(splat(KNOT_NEAR), splat(2.0f * KNOT_NEAR), s), close = one - middle;
-  if (any(lti(at, end))) {
-    vi next = knot_next(all, at, end);
-    for (int32_t m = knot_least(next); m != INT32_MAX; m = knot_least(next)) {
-      knot_add(all, &all->list[m], height, rho0, s, n, ball, close, p, out);
-      at = at + seli(eqi(next, splati(m)), splati(1), splati(0));
-      next = knot_next(all, at, end);
-    }
+  for (int32_t m = knot_next(&lists); m != INT32_MAX; m = knot_next(&lists)) {
+    knot_add(all, &all->list[m], &here, close, p, out);
   }
   if (!any(gt(middle, zero))) return;
   vf far = smooth_step(splat(KNOT_FAR), splat(2.0f * KNOT_FAR), s);
   middle = middle * (one - far);
   vi coarse = splati(all->far_across[KNOT_COARSE]);
-  cell = ((iy >> KNOT_COARSE) * coarse + (iz >> KNOT_COARSE)) * coarse + (ix >> KNOT_COARSE);
-  cell = seli(within, cell, splati(all->coarse)) + splati(all->cells + 1);
-  at = gatheri(all->first, cell);
-  end = gatheri(all->first, cell + splati(1));
-  if (any(lti(at, end))) {
-    vi next = knot_next(all, at, end);
-    for (int32_t m = knot_least(next); m != INT32_MAX; m = knot_least(next)) {
-      const wood_knot *k = &all->list[m];
-      knot_section o = knot_section_of(all, k, height, p);
-      vf reach = splat(k->sees) + splat(0.75f) * s;
-      vm near = and_(lt(o.square, reach * reach), o.grown_wide);
-      if (any(near)) knot_see(all, k, &o, rho0, s, n, ball, middle, near, out);
-      at = at + seli(eqi(next, splati(m)), splati(1), splati(0));
-      next = knot_next(all, at, end);
-    }
+  cell = ((q.y >> (KNOT_COARSE + 1)) * coarse + (q.z >> (KNOT_COARSE + 2))) * coarse +
+         (q.x >> (KNOT_COARSE + 2));
+  cell = seli(q.within, cell, splati(all->coarse)) + splati(all->cells + 1);
+  lists = knot_lists_of(all, cell);
+  for (int32_t m = knot_next(&lists); m != INT32_MAX; m = knot_next(&lists)) {
+    knot_add_wide(all, &all->list[m], &here, middle, p, out);
   }
   if (!any(gt(far, zero))) return;
-  out->cover = out->cover + sel(gt(far, zero), far * knots_far(all, p->x, turns, p->z, s), zero);
+  vf share = far * knots_far(all, p->x, q.turns, p->z, s);
+  out->cover = out->cover + sel(gt(far, zero), share, zero);
 }
 
 #endif

@@ -129,6 +129,45 @@ seen=$(tail -n +2 axes.out | paste -d, axes - | awk -F, '$5 > 0.5 { print $4 }' 
 check "there are knots to be seen: $seen" test "$seen" -gt 3
 same "knots on the sheet" "$seen" "$(number sheet knots 1)"
 
+# ---- a tree that was measured ---------------------------------------------------
+
+cat >measured.field <<'EOT'
+# a trunk of 6 m with branches to the east and to the south
+trunk
+200 0 90 30
+200 0 90 24
+200 0 90 12
+B100
+0
+80 90 20 4
+B200
+0
+0
+60 180 10 3
+EOT
+works saw --field measured.field --species akamatsu --age 30 --log-height 1500 --log-length 1000 \
+  --res 640x360 -o measured
+check "measured: saw.json is JSON" "$json_check" measured/saw.json
+check "measured: the picture is finite" "$picture" finite measured/log.png
+same "measured: the cone's radius at the upper end" 87.5 "$(number measured radius_upper)"
+check "measured: a recipe has the whole table" grep -q 'tree_field: "# a trunk.*x0aB200' measured/board-01.sozai
+crossed=0
+for ((i = 1; i <= $(grep -c '"board":' measured/saw.json); i++)); do
+  knots=$(number measured knots "$i") share=$(number measured knot_share "$i")
+  check "measured: board $i: $knots knots, a share of $share" \
+    awk "BEGIN { exit !($knots > 0 ? $share > 0 && $share < 0.3 : $share < 2e-4) }"
+  ((knots > 0)) && crossed=$((crossed + 1))
+done
+check "measured: boards that the branch to the east crosses: $crossed" test "$crossed" -gt 0
+# the branch to the east, half way out, as the board's own recipe and the log have it
+works eval wood --preset akamatsu -p tree=akamatsu -p "tree_field=$(<measured.field)" -p tree_age=30 \
+  -p log_height=1500 --channels knot -i <(printf 'px,py,pz\n40,%s,0\n-40,500,0\n' \
+    "$(awk 'BEGIN { print 500 + 40 * sin(20 * 3.14159265 / 180) / cos(20 * 3.14159265 / 180) }')") -o east.out
+same "measured: a knot to the east, none to the west" "1 0" "$(tail -n +2 east.out | awk '{ printf "%s%d", s, $1 + 0.5; s = " " }')"
+works saw --field measured.field --wood sugi --age 30 --log-height 1500 --log-length 1000 --plan quarter \
+  --res 640x360 -o unnamed
+check "measured: --wood alone will do" grep -qx 'preset: "sugi"' unnamed/board-01.sozai
+
 # ---- the same again, and instead -----------------------------------------------
 
 works saw "${quick[@]}" --plan live -o again --threads 1
@@ -147,10 +186,23 @@ check "--wood names the preset" grep -qx 'preset: "sugi"' named/board-01.sozai
 # ---- refusals: one line, and nothing left ---------------------------------------
 
 mkdir shut && : >file
+printf 'trunk\n50 0 90 9\nnan 0 90 9\n' >short.field
+: >empty.field
+printf 'trunk\n50 0 90 9\0\n' >zero.field
+head -c 70000 /dev/zero | tr '\0' '#' >huge.field
 chmod 500 shut
 find . | sort | grep -vx -e ./out -e ./err -e ./before >before
 refuses 2 "--species" saw --age 10 -o bad
 refuses 2 "no folder|-o DIR" saw --species akamatsu
+refuses 2 "cannot read|no/such" saw --species akamatsu --field no/such -o bad
+refuses 2 "--wood|field table" saw --field measured.field -o bad
+refuses 2 "field: line 3|length" saw --species akamatsu --field short.field -o bad
+refuses 2 "empty" saw --species akamatsu --field empty.field -o bad
+refuses 2 "zero byte" saw --species akamatsu --field zero.field -o bad
+refuses 2 "field_bytes" saw --species akamatsu --field huge.field -o bad
+refuses 2 "--log-length|above the ground" saw --species akamatsu --field measured.field -o bad \
+  --log-height 5000 --log-length 2000
+refuses 2 "tree_field" saw "${quick[@]}" -p tree_field=x -o bad
 refuses 2 "triffid" saw --species triffid -o bad
 refuses 2 "--wood|sugi_paper" saw --species sugi_paper -o bad
 refuses 2 "no-such-wood" saw "${quick[@]}" --wood no-such-wood -o bad
