@@ -40,7 +40,7 @@ static void entry(subject *s) {
 /* What linkers add, and for sozai_entry GCC's AddressSanitizer. */
 static bool by_tools(const char *name) {
   static const char *const names[] = {"_init",  "_fini",       "_end",
-                                      "_edata", "__bss_start", "__odr_asan." SOZAI_ENTRY_SYMBOL};
+                                      "_edata", "__bss_start", ("__odr_asan." SOZAI_ENTRY_SYMBOL)};
   for (uint32_t i = 0; i < COUNT_OF(names); i++)
     if (strcmp(name, names[i]) == 0) return true;
   return false;
