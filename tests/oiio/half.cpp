@@ -65,7 +65,7 @@ void woven(void **) {
       for (size_t i = 0; i < count; i++) arrays[c].push_back(uint16_t(1000 * c + i));
       from[c] = arrays[c].data();
     }
-    for (size_t stride : {8, 9, 14}) { // bytes
+    for (size_t stride : {size_t(8), size_t(9), size_t(14)}) { // bytes
       std::vector<char> four(stride * count + 8, 'x');
       half_weave(four.data(), ptrdiff_t(stride), from, count);
       for (size_t i = 0; i < count; i++)

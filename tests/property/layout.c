@@ -235,7 +235,7 @@ static void areas(void **state) {
       points_add(&p, low + (i % SIDE) * step, low + (double)(i / SIDE) * step, 0, 0);
     }
     points_ask(&p, t);
-    double(*s)[4] = sorted(&p), worst = 0, whole = 0;
+    double(*s)[4] = sorted(&p), worst = 0;
     int units = 0, all = 0, seen[4] = {0};
     for (unsigned i = 0, j; i < p.count; i = j) {
       double n = 0, border = 0;
@@ -253,7 +253,6 @@ static void areas(void **state) {
       }
       seen[which]++;
       units++;
-      whole += a;
       worst = fmax(worst, best);
     }
     /* a unit counts as the tile's share of the plane; those cut by the window's
