@@ -315,7 +315,7 @@ SPECIES(silky_oak, "Southern silky oak (Grevillea robusta)",
 static const sozai_value values_lignum_vitae[] = {
     RINGS(1.6, 0.28, 0.7),
     LATEWOOD(0.3, 0.4),
-    INTERLOCKED(0.14, 6.0, 500.0),
+    INTERLOCKED_BY(0.14, 6.0, 500.0, 0.35),
     NUMBER("slope_noise", 0.035),
     NUMBER("slope_noise_length", 45.0),
     DIFFUSE_POROUS(14.0, 95.0, 0.22),
