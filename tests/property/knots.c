@@ -390,6 +390,52 @@ static void against_1024_samples(void **state) {
         share_mean);
 }
 
+/* ---- what is skipped ------------------------------------------------------ */
+
+/* The same bits alone and among others: where the cells' parts say that no knot is
+ * near, none has any effect. */
+static void alone_as_among_others(void **state) {
+  (void)state;
+  enum { POINTS = 12000 };
+  static const double sizes[] = {0, 1.99, 2.01, 11, 20, 23.9, 24.1, 90};
+  static float among[POINTS][KNOT + 1];
+  unsigned differ = 0, asked = 0, knotty = 0;
+  points p = {0}, one = {0};
+  for (unsigned k = 0; k < TREES; k++) {
+    char text[512];
+    snprintf(text, sizeof text, "%s; cut=log", trees[k][1]);
+    sozai_texture *t = wood_make(trees[k][0], text);
+    uniform_seed(3 + k);
+    for (unsigned f = 0; f < sizeof sizes / sizeof *sizes; f++) {
+      points_clear(&p);
+      for (int i = 0; i < POINTS; i++) {
+        double r = 160 * sqrt(uniform()), turn = 2 * PI * uniform();
+        points_add(&p, r * cos(turn), 4000 * (uniform() - 0.5), r * sin(turn), sizes[f]);
+      }
+      points_ask(&p, t);
+      for (int i = 0; i < POINTS; i++)
+        for (int c = 0; c <= KNOT; c++) among[i][c] = p.out[c][i];
+      for (int i = 0; i < POINTS; i++) {
+        points_clear(&one);
+        points_add(&one, (double)p.point[0][i], (double)p.point[1][i], (double)p.point[2][i],
+                   sizes[f]);
+        points_ask(&one, t);
+        int same = 1;
+        for (int c = 0; c <= KNOT; c++) same &= memcmp(&one.out[c][0], &among[i][c], 4) == 0;
+        differ += !same;
+        knotty += among[i][KNOT] > 0;
+        asked++;
+      }
+    }
+    textures->destroy(t);
+  }
+  points_free(&p);
+  points_free(&one);
+  CHECK(differ == 0 && knotty > 1000,
+        "%u of %u points, %u of them with a knot, differ alone and among others (0)\n", differ,
+        asked, knotty);
+}
+
 /* ---- bad input ----------------------------------------------------------- */
 
 static void refusals(void **state) {
@@ -442,11 +488,16 @@ static int setup(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(radius_bark_and_scar),     cmocka_unit_test(axis_and_years),
-      cmocka_unit_test(branches_cross_the_board), cmocka_unit_test(a_measured_tree),
+      cmocka_unit_test(radius_bark_and_scar),
+      cmocka_unit_test(axis_and_years),
+      cmocka_unit_test(branches_cross_the_board),
+      cmocka_unit_test(a_measured_tree),
 
-      cmocka_unit_test(rings_never_cross),        cmocka_unit_test(a_walk_stays_on_its_fibre),
-      cmocka_unit_test(against_1024_samples),     cmocka_unit_test(refusals),
+      cmocka_unit_test(rings_never_cross),
+      cmocka_unit_test(a_walk_stays_on_its_fibre),
+      cmocka_unit_test(against_1024_samples),
+      cmocka_unit_test(alone_as_among_others),
+      cmocka_unit_test(refusals),
   };
   return cmocka_run_group_tests(tests, setup, wood_teardown);
 }
