@@ -213,7 +213,7 @@ static void marks_are_as_asked(void **state) {
 static double curvature_of_a_mark(const sozai_texture *t, double y) {
   enum { LINES = 121, NEAR = 81 };
   /* sums for y = a + b u + c (u^2 - m2) over u symmetrical about 0 */
-  double m2 = 0, u4 = 0, sy = 0, syu = 0, syu2 = 0, suu = 0;
+  double m2 = 0, u4 = 0, syu = 0, syu2 = 0, suu = 0;
   for (int line = 0; line < LINES; line++) {
     double u = 0.5 * (line - LINES / 2);
     m2 += u * u / LINES;
@@ -233,7 +233,6 @@ static double curvature_of_a_mark(const sozai_texture *t, double y) {
       }
     }
     points_free(&p);
-    sy += y;
     syu += y * u;
     suu += u * u;
     syu2 += y * (u * u - m2);
