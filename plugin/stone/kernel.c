@@ -2,7 +2,9 @@
  *
  * Stone's evaluate: compiled once for each instruction set and width.
  */
+#include "../core/directions.h"
 #include "../core/lanes.h"
+#include "../core/measure.h"
 #include "bands.h"
 #include "footprint.h"
 #include "gloss.h"
@@ -171,21 +173,6 @@ STAGE void stage_grain(const stone_constants *w, const kernel_io *io, block *k) 
   put(io, k, STONE_GRAIN, to_float((vi)(h >> 8)) * splat(1.0f / 16777216.0f));
 }
 
-/* An input's direction; with zero_is_normal, `otherwise` where it is none. */
-INLINE void direction_of(const block *k, const float *const from[3], const vf otherwise[3],
-                         int zero_is_normal, vf out[3]) {
-  for (int c = 0; c < 3; c++) out[c] = otherwise[c];
-  if (!from[0]) return;
-  vf v[3], size = splat(0.0f);
-  for (int c = 0; c < 3; c++) {
-    v[c] = load_lanes(from[c], k->i, k->n);
-    size = size + vabs(v[c]);
-  }
-  vm given = and_(gt(size, splat(0.0f)), lt(size, splat(1e38f)));
-  unit_direction(v);
-  for (int c = 0; c < 3; c++) out[c] = zero_is_normal ? sel(given, v[c], otherwise[c]) : v[c];
-}
-
 /* Bed space to object space, a direction. */
 INLINE void from_bed(const stone_constants *w, int paved, const block *k, vf v[3]) {
   exchange(w, v);
@@ -275,8 +262,8 @@ INLINE void stage_light(const stone_constants *w, int paved, const kernel_io *io
   put(io, k, STONE_SPECULAR, specular);
   if (!radiance) return;
   vf light[3], view[3], below;
-  direction_of(k, io->in->light, k->face, 0, light);
-  direction_of(k, io->in->view, k->face, 1, view);
+  direction_of(io->in->light, k->i, k->n, k->face, 0, light);
+  direction_of(io->in->view, k->i, k->n, k->face, 1, view);
   vf lobe = gloss_lobe(n, light, view, alpha2, specular, &below);
   /* light from behind the sawn face lights no slope of it */
   vf up = gloss_dot(light, k->face);
@@ -359,20 +346,7 @@ static void evaluate(const void *constants, const kernel_io *io, uint32_t from, 
     evaluate_piece(w, io, from, to);
 }
 
-/* Points spread at random through a space that is large to everything. */
-INLINE vf measure_place(uint32_t at, uint32_t axis) {
-  vf r = splat(0.0f);
-  for (uint32_t k = 0; k < LANES; k++) {
-    uint32_t h = hash1((at + k) * 3u + axis + 0x3c6ef372u);
-    set_lane(&r, k, (float)(h >> 8) * (512.0f / 16777216.0f));
-  }
-  return r;
-}
-
-/* One after the other, so that the sum has the same bits for any width. */
-INLINE void measure_add(double *sum, vf x) {
-  for (uint32_t k = 0; k < LANES; k++) *sum += (double)lane(x, k);
-}
+#define MEASURED_EXTENT 512.0f /* large to everything */
 
 static void measure_layer(const stone_cells *c, uint32_t count, double *fill, double *seen) {
   const vf zero = splat(0.0f), side = splat(CELLS_LOOK_MOST);
@@ -381,7 +355,7 @@ static void measure_layer(const stone_cells *c, uint32_t count, double *fill, do
   for (uint32_t i = 0; i < count; i += LANES) {
     vf q[3], share[2];
     cells_near near[2];
-    for (uint32_t a = 0; a < 3; a++) q[a] = measure_place(i, a);
+    for (uint32_t a = 0; a < 3; a++) q[a] = measure_place(i, a, MEASURED_EXTENT);
     cells_find(c, q, &near[0], &near[1]);
     cells_shares(c, &near[0], &near[1], &point, &share[0], &share[1]);
     measure_add(fill, share[0] + share[1]);
@@ -401,7 +375,8 @@ static void measure(const stone_constants *w, uint32_t count, stone_means *out) 
   const vf zero = splat(0.0f), up[3] = {zero, splat(1.0f), zero};
   for (uint32_t i = 0; w->has_veins && i < count; i += LANES) {
     vf p[3];
-    for (uint32_t a = 0; a < 3; a++) p[a] = measure_place(i, a) * splat(1.0f / w->vein_frequency);
+    for (uint32_t a = 0; a < 3; a++)
+      p[a] = measure_place(i, a, MEASURED_EXTENT) * splat(1.0f / w->vein_frequency);
     measure_add(&out->veins, vein_share(w, p, up, up, up, zero));
   }
   out->veins /= count;
@@ -413,7 +388,8 @@ static void measure_laid(const stone_constants *w, uint32_t count, stone_laid_me
   memset(out, 0, sizeof *out);
   if (w->paving.layout.kind == LAYOUT_NONE) return;
   for (uint32_t i = 0; i < count; i += LANES) {
-    vf p[3] = {measure_place(i, 0) * splat(40.0f), measure_place(i, 1) * splat(40.0f), p2};
+    vf p[3] = {measure_place(i, 0, MEASURED_EXTENT) * splat(40.0f),
+               measure_place(i, 1, MEASURED_EXTENT) * splat(40.0f), p2};
     laid q;
     laid_at(w, p, NULL, zero, &q);
     surface f = surface_none();

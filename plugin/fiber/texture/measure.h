@@ -5,32 +5,20 @@
 #ifndef SOZAI_FIBERTEX_MEASURE_H
 #define SOZAI_FIBERTEX_MEASURE_H
 
+#include "../../core/measure.h"
 #include "layers.h"
 #include "surface.h"
 #include "ground.h"
 
-/* Points spread at random through a space that is large to everything. */
-INLINE vf measure_place(uint32_t at, uint32_t axis) {
-  vf r = splat(0.0f);
-  for (uint32_t k = 0; k < LANES; k++) {
-    uint32_t h = hash1((at + k) * 3u + axis + 0x3c6ef372u);
-    set_lane(&r, k, (float)(h >> 8) * (4096.0f / 16777216.0f));
-  }
-  return r;
-}
-
-/* One after the other, so that the sum has the same bits for any width. */
-INLINE void measure_add(double *sum, vf x) {
-  for (uint32_t k = 0; k < LANES; k++) *sum += (double)lane(x, k);
-}
+#define MEASURED_EXTENT 4096.0f /* large to everything */
 
 /* What the yarns show: warp's and weft's shares, and those in their shade. */
 static void measure_cloth(const fibertex_constants *w, uint32_t count, fibertex_means *out) {
   const vf zero = splat(0.0f);
   for (uint32_t i = 0; i < count; i += LANES) {
     cloth_hit q;
-    cloth_at(w, measure_place(i, 0) * splat(w->yarn[1].spacing),
-             measure_place(i, 1) * splat(w->yarn[0].spacing), zero, &q);
+    cloth_at(w, measure_place(i, 0, MEASURED_EXTENT) * splat(w->yarn[1].spacing),
+             measure_place(i, 1, MEASURED_EXTENT) * splat(w->yarn[0].spacing), zero, &q);
     vf weft = sel(q.weft, q.solid, zero), warp = sel(q.weft, zero, q.solid);
     measure_add(&out->yarn[0], warp);
     measure_add(&out->yarn[1], weft);
@@ -68,7 +56,8 @@ static void measure(const fibertex_constants *w, uint32_t count, fibertex_means 
     const fibertex_layer *c = &w->layer[l];
     for (uint32_t i = 0; i < count; i += LANES) {
       vf at[3];
-      for (uint32_t a = 0; a < 3; a++) at[a] = measure_place(i, a) * splat(c->size);
+      for (uint32_t a = 0; a < 3; a++)
+        at[a] = measure_place(i, a, MEASURED_EXTENT) * splat(c->size);
       layers_work of;
       const lane_hit *q = &of[0][0].hit;
       if (c->ends) {

@@ -5,22 +5,8 @@
 #ifndef SOZAI_FIBERTEX_SURFACE_H
 #define SOZAI_FIBERTEX_SURFACE_H
 
+#include "../../core/directions.h"
 #include "block.h"
-
-/* An input's direction; with zero_is_normal, `otherwise` where it is none. */
-INLINE void direction_of(const block *k, const float *const from[3], const vf otherwise[3],
-                         int zero_is_normal, vf out[3]) {
-  for (int c = 0; c < 3; c++) out[c] = otherwise[c];
-  if (!from[0]) return;
-  vf v[3], size = splat(0.0f);
-  for (int c = 0; c < 3; c++) {
-    v[c] = load_lanes(from[c], k->i, k->n);
-    size = size + vabs(v[c]);
-  }
-  vm given = and_(gt(size, splat(0.0f)), lt(size, splat(1e38f)));
-  unit_direction(v);
-  for (int c = 0; c < 3; c++) out[c] = zero_is_normal ? sel(given, v[c], otherwise[c]) : v[c];
-}
 
 /* e1: the axis laid down on the surface; another where it stands upright. */
 INLINE void frame_axes(const fibertex_constants *w, const vf given[3], hull_frame *f) {
@@ -66,7 +52,7 @@ INLINE void stage_view(const kernel_io *io, block *k) {
   const vf zero = splat(0.0f), one = splat(1.0f);
   hull_frame *f = &k->f;
   vf v[3];
-  direction_of(k, io->in->view, f->n, 1, v);
+  direction_of(io->in->view, k->i, k->n, f->n, 1, v);
   /* squarely it is exactly that, so that what slants need can be left out */
   vm level = and_(and_(eq(v[0], f->n[0]), eq(v[1], f->n[1])), eq(v[2], f->n[2]));
   into_frame(f, v, f->view);
@@ -93,7 +79,7 @@ INLINE void stage_bundles(const fibertex_constants *w, int level, block *k) {
 INLINE void stage_light(const fibertex_constants *w, const kernel_io *io, block *k) {
   const vf one = splat(1.0f);
   vf v[3];
-  direction_of(k, io->in->light, k->f.n, 0, v);
+  direction_of(io->in->light, k->i, k->n, k->f.n, 0, v);
   into_frame(&k->f, v, k->f.light);
   k->f.between = dot3(k->f.light, k->f.view);
   k->front = smooth_step(splat(-0.02f), splat(0.22f), k->f.light[2]);
