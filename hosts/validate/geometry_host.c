@@ -98,6 +98,15 @@ void geometry_outlives(subject *s) {
 
 /* ---- the host's services ---------------------------------------------------- */
 
+/* Grows once, and lets it go: what was asked of the host is in the recorder. */
+static bool grown_and_released(subject *s, const sozai_generator_info *info) {
+  grown g;
+  recorder_init(&rec);
+  if (grow_plain(s, info, &rec.abi, &g) != SOZAI_OK) return false;
+  s->geometry->release(g.geometry);
+  return true;
+}
+
 /* "Calls host.progress"; "CANCELLED" */
 void geometry_cancelled(subject *s) {
   if (!generators_start(s)) return;
@@ -106,9 +115,7 @@ void geometry_cancelled(subject *s) {
     const sozai_generator_info *info = s->geometry->info(i);
     grown g;
     if (!subject_wants(s, info->id)) continue;
-    recorder_init(&rec);
-    if (grow_plain(s, info, &rec.abi, &g) != SOZAI_OK) continue;
-    s->geometry->release(g.geometry);
+    if (!grown_and_released(s, info)) continue;
     uint64_t all = atomic_load(&rec.progress_calls);
     reported += all > 0;
     for (uint32_t round = 0; all && round < 6 && !enough(); round++) {
@@ -135,9 +142,7 @@ void geometry_allocator_fails(subject *s) {
     const sozai_generator_info *info = s->geometry->info(i);
     grown g;
     if (!subject_wants(s, info->id)) continue;
-    recorder_init(&rec);
-    if (grow_plain(s, info, &rec.abi, &g) != SOZAI_OK) continue;
-    s->geometry->release(g.geometry);
+    if (!grown_and_released(s, info)) continue;
     recorder_judge(&rec, info->id);
     recorder_empty(&rec, info->id, "after release");
     uint64_t all = atomic_load(&rec.allocations);
