@@ -71,6 +71,7 @@ const entry entries[] = {
     FOOTPRINT(30),
     FOOTPRINT(100),
     ALONE("rays_none", .wood = {.no_rays = true}),
+    ALONE("pigment", .wood = {.pigmented = true}),
     ALONE("reflection_kawai", .channel = "radiance", .wood = {.reflection = "kawai"}),
     ALONE("reflection_cone", .channel = "radiance", .wood = {.reflection = "fibre_cone"}),
     ALONE("section", .wood = {.pictured = true}),

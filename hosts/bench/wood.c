@@ -39,6 +39,7 @@ bool wood_create(const wood *w, const char *picture, const plugin *p, sozai_text
     values[count++] = number("face_height", w->edge ? 9000 : 0);
   }
   if (w->surface) values[count++] = choice("surface", w->surface);
+  if (w->pigmented) values[count++] = number("pigment", 0.5);
   if (w->no_rays) values[count++] = number("ray_density", 0);
   static float rows[KNOTS_MOST][KNOT_COLUMNS];
   sozai_buffer knots = {.size = sizeof knots,

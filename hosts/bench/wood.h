@@ -11,6 +11,7 @@ typedef struct wood {
   const char *cpu;      /* an instruction set, or NULL for the best there is */
   const char *cut;      /* NULL: flat */
   bool no_rays;
+  bool pigmented;
   const char *reflection; /* NULL: the default */
   const char *layout;     /* NULL: one piece */
   const char *surface;    /* NULL: smooth, and height and normal are not asked for */

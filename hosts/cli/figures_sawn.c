@@ -75,9 +75,11 @@ static void count_crossings(const face *f, const sozai_table *knots, json *j, fa
 
 static bool paint_board(plate *p, uint32_t panel, const board *b, const sozai_table *knots,
                         session *s, json *j, failure *why) {
-  const char *const parameters[] = {
-      "tree=sugi",    "tree_age=" AGE, "log_height=5000", "pith_wander=0",
-      "cut_height=0", b->cut,          b->distance,       NULL};
+  const char *const parameters[] = {"tree=sugi",       "tree_age=" AGE,
+                                    "log_height=5000", "pith_wander=0",
+                                    "cut_height=0",    "cut_tilt=0",
+                                    "cut_skew=0",      b->cut,
+                                    b->distance,       NULL};
   const face_view view = {.right = {1, 0, 0},
                           .up = {0, 1, 0},
                           .light = {-0.4, 0.5, 0.77},

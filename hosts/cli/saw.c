@@ -14,9 +14,9 @@
 
 /* What each board's recipe says for itself, or the log's options do. */
 static const char *const own[] = {
-    "cut",    "cut_distance", "cut_height", "cut_rotation", "cut_offset", "veneer_thickness",
-    "layout", "tree",         "tree_age",   "tree_field",   "log_height", "knot_size",
-    "seed",   "knots",        "knot_radii", "stem_rings"};
+    "cut",        "cut_distance", "cut_height", "cut_rotation", "cut_offset", "veneer_thickness",
+    "cut_tilt",   "cut_skew",     "layout",     "tree",         "tree_age",   "tree_field",
+    "log_height", "knot_size",    "seed",       "knots",        "knot_radii", "stem_rings"};
 
 static bool find_plan(const char *name, int *out, failure *why) {
   for (int i = 0; i < SAW_PLANS; i++) {
@@ -105,7 +105,8 @@ static bool make_recipe(const saw_work *w, recipe *r, const option_texts *params
 
 static bool measure_log(saw_work *w, failure *why) {
   const saw_options *o = &w->options;
-  w->log = (saw_log){&w->stem, o->log_height, o->log_length, o->knot_size};
+  w->log = (saw_log){
+      .stem = &w->stem, .base = o->log_height, .length = o->log_length, .knot_size = o->knot_size};
   double top = o->log_height + o->log_length, age = w->stem.age;
   w->lower = saw_stem_radius(&w->stem, o->log_height, age);
   w->job.radius = saw_stem_radius(&w->stem, top, age);
@@ -146,12 +147,21 @@ static bool saw_into(saw_work *w, failure *why) {
   return false;
 }
 
+/* Knots stand about the pith, which wanders. */
+static void find_pith(saw_work *w) {
+  const sozai_wood_1 *woods = w->session->plugin.entry->get_factory(SOZAI_WOOD_1);
+  float y[SAW_PITH];
+  for (int i = 0; i < SAW_PITH; i++) y[i] = (float)(w->log.length * i / (SAW_PITH - 1));
+  if (woods) woods->pith(w->texture, SAW_PITH, y, w->log.pith[0], w->log.pith[1]);
+}
+
 static bool saw_log_up(saw_work *w, recipe *r, failure *why) {
   const sozai_textures_1 *textures = w->session->plugin.textures;
   sozai_texture *texture = NULL;
   w->wood = r;
   if (!recipe_create(r, textures, &w->session->host.abi, &texture, why)) return false;
   w->texture = texture;
+  find_pith(w);
   bool ok = saw_into(w, why);
   textures->destroy(texture);
   return ok;

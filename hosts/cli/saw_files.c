@@ -95,6 +95,8 @@ static bool write_board(const saw_work *w, size_t i, const saw_folder *f, failur
   put_number(to, "cut_distance", c.distance);
   put_number(to, "cut_height", c.height);
   put_number(to, "cut_rotation", c.rotation);
+  put_number(to, "cut_tilt", 0);
+  put_number(to, "cut_skew", 0);
   if (sheet)
     put_number(to, "veneer_thickness", b->thickness);
   else

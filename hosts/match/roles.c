@@ -19,6 +19,7 @@ const match_material match_materials[] = {
      .board = {{"cut", "flat"},
                {"ray_density", "0"},
                {"streak_share", "0"},
+               {"pigment", "0"},
                {"canal_density", "0"},
                {"spalt", "0"}}},
     /* the base and its variation, the minerals that vary it, and the specks */

@@ -131,14 +131,28 @@ static face_plane plane_of(const saw_log *log, const saw_board *b) {
       .half_length = 0.5 * log->length};
 }
 
-/* The middle of what the face has of the chord that a knot's disc, `u` from the
- * pith and square to its axis, cuts from it. false: they do not meet. */
-static bool disc_meets(const saw_log *log, const face_plane *f, const knot *k, double u,
-                       double radius, double point[3]) {
+/* The log's pith at a height above its lower end. */
+static void pith_at(const saw_log *log, double y, double out[2]) {
+  double at = fmin(fmax(y / log->length, 0), 1) * (SAW_PITH - 1);
+  int i = (int)fmin(at, SAW_PITH - 2);
+  for (int c = 0; c < 2; c++) {
+    double low = (double)log->pith[c][i], high = (double)log->pith[c][i + 1];
+    out[c] = low + (high - low) * (at - i);
+  }
+}
+
+/* Places on what the face has of the chord that a knot's disc, `u` from the pith
+ * and square to its axis, cuts from it: its middle and its quarters, for where a knot
+ * ends it is rounder than a disc. 0: they do not meet. */
+enum { ON_CHORD = 3 };
+static int disc_meets(const saw_log *log, const face_plane *f, const knot *k, double u,
+                      double radius, double point[ON_CHORD][3]) {
   double c = cos(k->azimuth), s = sin(k->azimuth), off = 0, lean = 0, square = 0;
   const double axis[3] = {k->cosine * c, k->cosine * k->rise, k->cosine * s};
-  const double from[3] = {u * c - f->centre[0], k->height - log->base + u * k->rise - f->centre[1],
-                          u * s - f->centre[2]};
+  double y = k->height - log->base + u * k->rise, pith[2];
+  pith_at(log, y, pith);
+  const double from[3] = {pith[0] + u * c - f->centre[0], y - f->centre[1],
+                          pith[1] + u * s - f->centre[2]};
   for (int i = 0; i < 3; i++) {
     off += from[i] * f->out[i];
     lean += axis[i] * f->out[i];
@@ -146,7 +160,7 @@ static bool disc_meets(const saw_log *log, const face_plane *f, const knot *k, d
   double across = 1 - lean * lean; /* square of the face's normal within the disc */
   if (across < 1e-6) across = 1e-6;
   square = radius * radius - off * off / across;
-  if (square < 0) return false;
+  if (square < 0) return 0;
   /* along the chord, in the face: across it and up the stem */
   const double way[3] = {axis[1] * f->out[2] - axis[2] * f->out[1],
                          axis[2] * f->out[0] - axis[0] * f->out[2],
@@ -163,36 +177,41 @@ static bool disc_meets(const saw_log *log, const face_plane *f, const knot *k, d
   const double half[2] = {f->half_width, f->half_length};
   for (int i = 0; i < 2; i++) {
     if (fabs(step[i]) < 1e-9) {
-      if (fabs(at[i]) > half[i]) return false;
+      if (fabs(at[i]) > half[i]) return 0;
       continue;
     }
     double a = (-half[i] - at[i]) / step[i], b = (half[i] - at[i]) / step[i];
     low = fmax(low, fmin(a, b));
     high = fmin(high, fmax(a, b));
   }
-  if (low > high) return false;
-  double t = 0.5 * (low + high);
-  for (int i = 0; i < 3; i++)
-    point[i] =
-        f->centre[i] + (at[0] + t * step[0]) * f->along[i] + (i == 1 ? at[1] + t * step[1] : 0);
-  return true;
+  if (low > high) return 0;
+  for (int k = 0; k < ON_CHORD; k++) {
+    double t = low + (high - low) * (k + 1) / (ON_CHORD + 1);
+    for (int i = 0; i < 3; i++)
+      point[k][i] =
+          f->centre[i] + (at[0] + t * step[0]) * f->along[i] + (i == 1 ? at[1] + t * step[1] : 0);
+  }
+  return ON_CHORD;
 }
 
-#define STEP 0.1   /* years: stems grow by less than a millimetre in it */
-#define BEYOND 8.0 /* mm: wood's rings may carry a knot so much farther than the tree's */
+#define STEP 0.1    /* years: stems grow by less than a millimetre in it */
+#define BEYOND 15.0 /* mm: wood's rings may carry a knot so much farther than the tree's */
 
 static void on_board(const saw_log *log, const saw_board *b, const knot *k, uint32_t number,
                      saw_knot_seen seen, void *context) {
   face_plane f = plane_of(log, b);
-  double point[3], bark = saw_stem_radius(log->stem, k->height, log->stem->age);
+  double point[ON_CHORD][3], bark = saw_stem_radius(log->stem, k->height, log->stem->age);
   double last = saw_stem_radius(log->stem, k->height, k->end);
   for (double year = k->birth; year <= k->end; year += STEP) {
     double u = saw_stem_radius(log->stem, k->height, year);
     double radius = log->knot_size * knot_radius(log->stem, k, year);
-    if (disc_meets(log, &f, k, u, radius, point)) seen(context, number, point);
+    int places = disc_meets(log, &f, k, u, radius, point);
+    for (int i = 0; i < places; i++) seen(context, number, point[i]);
   }
-  for (double u = last; u <= fmin(last + BEYOND, bark); u += 0.5)
-    if (disc_meets(log, &f, k, u, log->knot_size * k->radius, point)) seen(context, number, point);
+  for (double u = last; u <= fmin(last + BEYOND, bark); u += 0.5) {
+    int places = disc_meets(log, &f, k, u, log->knot_size * k->radius, point);
+    for (int i = 0; i < places; i++) seen(context, number, point[i]);
+  }
 }
 
 /* The first year in which the stem is thicker than that, where the knot is. */

@@ -14,11 +14,14 @@ typedef struct saw_stem {
   double age;
 } saw_stem;
 
+#define SAW_PITH 257 /* heights at which a log's pith is known */
+
 /* A log of it. */
 typedef struct saw_log {
   const saw_stem *stem;
-  double base, length; /* mm: of its lower end above the ground */
-  double knot_size;    /* wood's factor of the knots' radii */
+  double base, length;     /* mm: of its lower end above the ground */
+  double knot_size;        /* wood's factor of the knots' radii */
+  float pith[2][SAW_PITH]; /* mm: x and z of the pith, evenly from end to end */
 } saw_log;
 
 bool saw_stem_read(saw_stem *s, const sozai_geometry_1 *table, const sozai_geometry *g,
@@ -32,7 +35,7 @@ double saw_log_volume(const saw_log *log);
 
 /* Places in the log, mm, where a knot, a row of the table, may come through a
  * board's face; all of one knot follow one another. A knot is taken for a cone
- * about a straight pith, as wide in each year as its branch was and as long as the
+ * about the pith, as wide in each year as its branch was and as long as the
  * stem was thick, and a little longer: whether it is there the wood must say. */
 typedef void (*saw_knot_seen)(void *context, uint32_t knot, const double point[3]);
 void saw_knot_places(const saw_log *log, const saw_board *b, saw_knot_seen seen, void *context);

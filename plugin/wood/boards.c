@@ -74,6 +74,9 @@ int32_t wood_build_boards(wood_constants *w, const settings *s, const float (*co
   b->rift = (float)(rift / sum);
   b->distance = (float)number_at(s, P_CUT_DISTANCE);
   if (b->distance < 0.0f) b->distance = -b->distance;
+  const double turn = 2.4494897 * 0.017453292519943295769;
+  b->lean = (float)(turn * number_at(s, P_CUT_TILT));
+  b->skew = (float)(turn * number_at(s, P_CUT_SKEW));
   b->tone = (float)number_at(s, P_TONE_SPREAD);
   b->flip = (int32_t)number_at(s, P_FLIP);
   b->end = c.kind == LAYOUT_END_GRAIN || (int32_t)number_at(s, P_CUT) == CUT_END;

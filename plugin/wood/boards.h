@@ -48,6 +48,31 @@ INLINE vf board_cut(const wood_boards *b, vf which, vf place) {
   return middle + spread * (place + place - splat(1.0f));
 }
 
+/* The sine of an angle of random size and its cosine; two uniform numbers make its
+ * density a triangle. */
+INLINE void board_leans(float most, vu *h, vf *sine, vf *cosine) {
+  vf first = board_random(h), sum = first + board_random(h) - splat(1.0f);
+  *sine = clamp(splat(most) * sum, splat(-0.8f), splat(0.8f));
+  *cosine = vsqrt(splat(1.0f) - *sine * *sine);
+}
+
+/* A board's length out of the stem's direction, towards its face and within it. The
+ * same turn as that of a board that is cut alone; see build.c. */
+INLINE void board_lean(const wood_boards *b, vu *h, vf row[3][3], vf q[3]) {
+  vf st, ct, sk, ck;
+  board_leans(b->lean, h, &st, &ct);
+  board_leans(b->skew, h, &sk, &ck);
+  vf across = sk * ct, along = ck * ct, over = sk * st, under = ck * st;
+  for (int c = 0; c < 4; c++) {
+    vf *x = c < 3 ? &row[0][c] : &q[0], *y = c < 3 ? &row[1][c] : &q[1];
+    vf *z = c < 3 ? &row[2][c] : &q[2];
+    vf fx = *x, fy = *y, fz = *z;
+    *x = ck * fx + across * fy - over * fz;
+    *y = along * fy - sk * fx - under * fz;
+    *z = st * fy + ct * fz;
+  }
+}
+
 /* A sheet peeled off the log: x along it, y up the stem, its face outwards. What
  * lay at the angle a has the length x = R a - thickness a^2 / 4 pi before it, and
  * the radius s = sqrt(R^2 - thickness x / pi): a = 2 x / (R + s). */
@@ -132,6 +157,7 @@ INLINE void board_at(const wood_constants *w, const vf p[3], vf e, wood_board *o
     q[0] = zero - v * flip;
     q[1] = u * flip;
     q[2] = p[2];
+    board_lean(b, &h, row, q);
     sine_cosine_turns(cut, &sine, &cosine);
     distance = vmax(distance, (half * unit->width + splat(10.0f)) * sine);
     place[1] = height * vmax(splat(500.0f) - half * unit->length, splat(150.0f));

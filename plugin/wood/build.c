@@ -84,7 +84,13 @@ static int32_t build_cut(wood_constants *w, const settings *s) {
   /* the object's axes in the log, before the turn: columns are x, y, z */
   static const double along[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   static const double end[3][3] = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
-  const double(*axes)[3] = cut == CUT_END ? end : along;
+  /* a board's length leans towards its face and within it */
+  const double lean = TWO_PI / 360.0 * number_at(s, P_CUT_TILT);
+  const double askew = TWO_PI / 360.0 * number_at(s, P_CUT_SKEW);
+  const double ct = scalar_cos(lean), st = scalar_sin(lean), ck = scalar_cos(askew),
+               sk = scalar_sin(askew);
+  const double tilted[3][3] = {{ck, sk * ct, -sk * st}, {-sk, ck * ct, -ck * st}, {0, st, ct}};
+  const double(*axes)[3] = cut == CUT_END ? end : cut == CUT_LOG ? along : tilted;
   static const double half_root = 0.70710678118654752440;
   double place[3] = {0, cut == CUT_LOG ? 0 : number_at(s, P_CUT_HEIGHT), 0};
   if (cut == CUT_FLAT) place[2] = d;
@@ -656,6 +662,8 @@ static int32_t build_colour(wood_constants *w, const sozai_host *host, const set
   memcpy(w->ray, colours[P_RAY_COLOUR], sizeof w->ray);
   memcpy(w->sap_early, colours[P_SAP_EARLY], sizeof w->sap_early);
   memcpy(w->sap_late, colours[P_SAP_LATE], sizeof w->sap_late);
+  memcpy(w->pigment, colours[P_PIGMENT_COLOUR], sizeof w->pigment);
+  pigment_build(w, s);
   memcpy(w->streak, colours[P_STREAK_COLOUR], sizeof w->streak);
   double streaks = number_at(s, P_STREAK_SHARE);
   if (streaks > 0.0) {

@@ -18,6 +18,9 @@ void wood_release_knots(wood_constants *w, const sozai_host *host);
 /* The layout of boards, if there is one. */
 int32_t wood_build_boards(wood_constants *w, const settings *s, const float (*colours)[3]);
 
+/* The table of pigment's bands. */
+void pigment_build(wood_constants *w, const settings *s);
+
 /* The table that vessel radii are drawn from; once, at init. */
 void wood_build_prepare(void);
 

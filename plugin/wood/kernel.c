@@ -13,6 +13,7 @@
 #include "heart.h"
 #include "knots.h"
 #include "picture.h"
+#include "pigment.h"
 #include "plies/ply.h"
 #include "rays.h"
 #include "surface/relief.h"
@@ -157,7 +158,7 @@ typedef struct {
   vf late, over_late, cover, ray, albedo[3];
   vf exponent, strength, incident, tilted, power; /* figure */
   vf light[3];                                    /* log space */
-  vf streak;                                      /* share of minerals */
+  vf streak, pigment;                             /* share of minerals; depth of bands */
   vf lost;                                        /* variance of the surface's slopes */
   ray_place rays;
   ray_cells ray_at;
@@ -692,6 +693,11 @@ static __attribute__((noinline)) void stage_streaks(const wood_constants *w, int
   k->streak = vmin(splat(WOOD_STREAK) * g.depth, splat(1.0f));
 }
 
+INLINE void stage_pigment(const wood_constants *w, int boards, block *k) {
+  vf span = vsqrt(k->f.bb) * k->ring.inverse_width;
+  k->pigment = pigment_at(w, own_of(boards, k), k->years, span, k->x, k->z, k->f.aa + k->f.bb);
+}
+
 /* Bleached wood is nearer to white, which is white in every working space; what
  * the zone lines are made of is melanin. */
 INLINE void stage_spalt_colour(block *k) {
@@ -731,6 +737,10 @@ INLINE void stage_colour(const wood_constants *w, int boards, const kernel_io *i
   int some = any(pale);
   for (int c = 0; c < 3; c++) {
     vf light = splat(w->early[c]), deep = splat(w->late[c]);
+    if (w->has_pigment) {
+      light = mix(light, splat(w->pigment[c]), k->pigment);
+      deep = mix(deep, splat(PIGMENT_LATE * w->pigment[c]), k->pigment);
+    }
     if (some) {
       light = sel(pale, mix(splat(w->sap_early[c]), light, heart), light);
       deep = sel(pale, mix(splat(w->sap_late[c]), deep, heart), deep);
@@ -971,6 +981,7 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const kern
       EACH(stage_shift(w, boards, 2, &blocks[k]));
     }
     if (want->relief) EACH(stage_relief(w, boards, io, &blocks[k], &reliefs[k]));
+    if (want->colour && w->has_pigment) EACH(stage_pigment(w, boards, &blocks[k]));
     if (want->colour && w->streaks.share > 0.0f) EACH(stage_streaks(w, boards, &blocks[k]));
     if (want->colour) EACH(stage_colour(w, boards, io, &blocks[k]));
   }

@@ -60,6 +60,18 @@ static const sozai_parameter cut_offset = {
    .doc = "Added to the point in log space, after the turn; y is the height along the stem.",
    .hard_min = -100000, .hard_max = 100000, .soft_min = -1000, .soft_max = 1000, .default_number = {0, 0, 0}};
 
+static const sozai_parameter cut_tilt = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "cut_tilt", .label = "Tilt of the cut", .group = "cut", .unit = "deg",
+   .doc = "How far a board's length leans away from the stem's, towards its face: rings run out of a flat-sawn face in arches. For cut = flat, quarter and rift; in a layout, the standard deviation from board to board.",
+   .hard_min = -45, .hard_max = 45, .soft_min = -3, .soft_max = 3, .default_number = {1}};
+
+static const sozai_parameter cut_skew = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "cut_skew", .label = "Skew of the cut", .group = "cut", .unit = "deg",
+   .doc = "How far a board's length leans away from the stem's within its face, towards +x: lines of a quarter-sawn face run askew to its edges. As cut_tilt otherwise.",
+   .hard_min = -45, .hard_max = 45, .soft_min = -3, .soft_max = 3, .default_number = {0.3}};
+
 static const sozai_parameter veneer_thickness = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "veneer_thickness", .label = "Veneer thickness", .group = "cut", .unit = "mm",
@@ -116,7 +128,7 @@ static const sozai_parameter pith_wander = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "pith_wander", .label = "Pith wander", .group = "rings", .unit = "mm",
    .doc = "How far the pith strays from a straight line, over waves of 0.9 m.",
-   .hard_min = 0, .hard_max = 100, .soft_min = 0, .soft_max = 40, .default_number = {9}};
+   .hard_min = 0, .hard_max = 100, .soft_min = 0, .soft_max = 40, .default_number = {14}};
 
 static const sozai_parameter late_fraction = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -641,6 +653,43 @@ static const sozai_parameter heart_stray = {
    .doc = "How many rings the boundary departs from following one, at most, round the stem.",
    .hard_min = 0, .hard_max = 50, .soft_min = 0, .soft_max = 10, .default_number = {3}};
 
+static const sozai_parameter pigment = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "pigment", .label = "Pigment figure", .group = "colour", .unit = "",
+   .doc = "How deep the deepest bands of pigment in the heartwood are: the share of pigment_colour in them. Bands go with groups of rings, as in walnut, olive and rosewood.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
+
+static const sozai_parameter pigment_spacing = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "pigment_spacing", .label = "Spacing of bands", .group = "colour", .unit = "years",
+   .doc = "From one band of pigment to the next, the mean; it is irregular.",
+   .hard_min = 0.5, .hard_max = 64, .soft_min = 1, .soft_max = 20, .default_number = {6}};
+
+static const sozai_parameter pigment_width = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "pigment_width", .label = "Width of bands", .group = "colour", .unit = "",
+   .doc = "Of a band of pigment, relative to pigment_spacing, the mean. It deepens outwards and ends at its outer edge.",
+   .hard_min = 0.05, .hard_max = 3, .soft_min = 0.1, .soft_max = 1.5, .default_number = {0.6}};
+
+static const sozai_parameter pigment_stray = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "pigment_stray", .label = "Stray of bands", .group = "colour", .unit = "years",
+   .doc = "How many rings a band of pigment departs from following one, at most.",
+   .hard_min = 0, .hard_max = 20, .soft_min = 0, .soft_max = 6, .default_number = {2}};
+
+static const sozai_parameter pigment_reach = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "pigment_reach", .label = "Reach of bands", .group = "colour", .unit = "mm",
+   .doc = "Across the section: how far a band of pigment keeps its course and strength.",
+   .hard_min = 5, .hard_max = 2000, .soft_min = 20, .soft_max = 200, .default_number = {50}};
+
+static const sozai_parameter pigment_colour = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "pigment_colour", .label = "Pigment colour", .group = "colour", .unit = "",
+   .doc = "Of earlywood where a band of pigment is deepest; of latewood there three quarters of it.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.3, 0.2, 0.14},
+   .default_text = "sRGB"};
+
 static const sozai_parameter streak_share = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "streak_share", .label = "Mineral streaks", .group = "colour", .unit = "",
@@ -1062,6 +1111,8 @@ const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_CUT_HEIGHT] = &cut_height,
    [P_CUT_ROTATION] = &cut_rotation,
    [P_CUT_OFFSET] = &cut_offset,
+   [P_CUT_TILT] = &cut_tilt,
+   [P_CUT_SKEW] = &cut_skew,
    [P_VENEER] = &veneer_thickness,
    [P_RING_WIDTH] = &ring_width,
    [P_RING_VARIATION] = &ring_variation,
@@ -1152,6 +1203,12 @@ const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_HEART_YEARS] = &heart_years,
    [P_HEART_EDGE] = &heart_edge,
    [P_HEART_STRAY] = &heart_stray,
+   [P_PIGMENT] = &pigment,
+   [P_PIGMENT_SPACING] = &pigment_spacing,
+   [P_PIGMENT_WIDTH] = &pigment_width,
+   [P_PIGMENT_STRAY] = &pigment_stray,
+   [P_PIGMENT_REACH] = &pigment_reach,
+   [P_PIGMENT_COLOUR] = &pigment_colour,
    [P_STREAK_SHARE] = &streak_share,
    [P_STREAK_WIDTH] = &streak_width,
    [P_STREAK_LENGTH] = &streak_length,

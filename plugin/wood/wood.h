@@ -35,6 +35,9 @@
 #define WOOD_CONE_DIVE 17     /* steps of the sine of the dive angle, 0 to 1 */
 #define WOOD_CONE_LEAST 0.05f /* of cos^2(psi_d / 2): where cones close, the lobe stays finite */
 #define WOOD_STREAK 0.62f     /* how much of its colour a streak's depth gives */
+#define PIGMENT_STEPS 4       /* samples of the bands to a year */
+#define PIGMENT_LATE 0.75f    /* of its colour in latewood */
+#define PIGMENT_FADE 0.6f     /* how much weaker bands may be in one place than in another */
 #define CURL_STRAY_REACH 1.6f /* of the reach, that the phase strays over */
 #define CANAL_CORE 0.4f       /* share of a resin canal that is its lumen */
 #define WOOD_RIM 256          /* directions in which the rim of a picture is known */
@@ -69,6 +72,7 @@ enum {
   SEED_CURL_SWELL,
   SEED_WAVE_SWELL,
   SEED_RIBBON,
+  SEED_PIGMENT,
   WOOD_SEEDS
 };
 
@@ -102,6 +106,7 @@ typedef struct {
   layout_profile profile;
   float flat, rift; /* shares of the cuts; the rest is quarter-sawn */
   float distance;   /* mm from the pith: half of it to two and a half times it */
+  float lean, skew; /* of the length out of the stem's direction: 6^0.5 times the sd of its sine */
   float tone;       /* sd of a board's shade, relative */
   float joint_colour[3];
   int32_t flip, end;
@@ -229,10 +234,14 @@ typedef struct {
   float early[3], late[3], vessel[3], ray[3];
 
   float sap_early[3], sap_late[3];
-  wood_tubes streaks;            /* of minerals */
-  float streak[3];               /* their colour */
-  float heart_years, heart_edge; /* years: where the heartwood ends, and how gradually */
-  float heart_stray;             /* years: most that the boundary departs from the ring */
+  wood_tubes streaks; /* of minerals */
+  float streak[3];    /* their colour */
+  int32_t has_pigment;
+  float pigment[3];                      /* colour of its bands in earlywood */
+  float pigment_stray, pigment_period;   /* years; integral over the table */
+  float pigment_frequency, pigment_near; /* 1/mm; mm^2: the footprint that bands are whole under */
+  float heart_years, heart_edge;         /* years: where the heartwood ends, and how gradually */
+  float heart_stray;                     /* years: most that the boundary departs from the ring */
   float heart_cos[3], heart_sin[3];
 
   /* a section from a picture */
@@ -274,6 +283,8 @@ typedef struct {
   /* the same again as the kernel loads it: what belongs to a ring in one place */
   float ring_row[WOOD_RINGS]
                 [4]; /* start, inverse width, weight of its latewood and of the last's */
+  /* of a sample: the integral up to it, and the depth's terms of it; see pigment.h */
+  float pigment_row[WOOD_RINGS * PIGMENT_STEPS][4];
   /* of the bin: the ring that its start lies in, and where the next one begins */
   float bin[WOOD_BINS_MAX][2];
 } wood_constants;

@@ -10,7 +10,7 @@
 #include "truth.h"
 
 #define PI 3.14159265358979
-enum { PLACES = 100 };
+enum { PLACES = 200 };
 
 static void against_1024_samples(void **state) {
   (void)state;
@@ -82,7 +82,9 @@ static void detail_fades(void **state) {
       sd[f] = sqrt(fmax(square - mean * mean, 0));
       points_free(&p);
     }
-    CHECK(sd[1] < sd[0] && sd[2] < 0.35 * sd[0],
+    /* arches of peeled plies are wider than that */
+    double most = wood_is_panel(wood_preset(k)) ? 0.5 : 0.35;
+    CHECK(sd[1] < sd[0] && sd[2] < most * sd[0],
           "%s: albedo's sd %.4f at a point, %.4f under 2 mm, %.4f under 50 mm\n", wood_preset(k),
           sd[0], sd[1], sd[2]);
     textures->destroy(t);

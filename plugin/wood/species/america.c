@@ -95,6 +95,8 @@ static const sozai_value values_black_walnut[] = {
     SRGB("ray_colour", 128, 96, 73),
     AGED(140, 108, 76, 8.0),
     FIBRES(22.0, 510.0),
+    PIGMENT(0.75, 6.0, 0.6, 2.0, 50.0),
+    SRGB("pigment_colour", 62, 44, 36),
 };
 SPECIES(
     black_walnut, "Black walnut (Juglans nigra)",
@@ -119,6 +121,8 @@ static const sozai_value values_cherry[] = {
     SRGB("ray_colour", 208, 152, 111),
     AGED(146, 84, 46, 0.8),
     FIBRES(20.0, 470.0),
+    PIGMENT(0.3, 9.0, 0.6, 3.0, 60.0),
+    SRGB("pigment_colour", 150, 94, 62),
 };
 SPECIES(cherry, "Black cherry (Prunus serotina)",
         "Reddish brown and satin-smooth, deepening with light; fine bright rays.",
@@ -242,6 +246,8 @@ static const sozai_value values_mahogany[] = {
     SRGB("ray_colour", 158, 97, 65),
     AGED(124, 70, 42, 1.5),
     FIBRES(20.0, 480.0),
+    PIGMENT(0.25, 8.0, 0.6, 2.0, 70.0),
+    SRGB("pigment_colour", 118, 62, 42),
 };
 SPECIES(mahogany, "Big-leaf mahogany (Swietenia macrophylla)",
         "Reddish brown, golden in the light; a pale line at each ring, grain slightly interlocked.",
@@ -290,6 +296,8 @@ static const sozai_value values_rosewood[] = {
     SRGB("ray_colour", 122, 78, 55),
     AGED(124, 82, 58, 6.0),
     FIBRES(16.0, 740.0),
+    PIGMENT(0.95, 3.0, 0.5, 2.5, 35.0),
+    SRGB("pigment_colour", 38, 22, 18),
 };
 SPECIES(rosewood, "Brazilian rosewood (Dalbergia nigra)",
         "Chocolate to purplish brown, drawn with black streaks that wander like landscapes.",
@@ -315,6 +323,8 @@ static const sozai_value values_cocobolo[] = {
     SRGB("ray_colour", 164, 94, 59),
     AGED(98, 52, 36, 1.0),
     FIBRES(15.0, 890.0),
+    PIGMENT(0.9, 3.0, 0.45, 2.5, 35.0),
+    SRGB("pigment_colour", 50, 22, 16),
 };
 SPECIES(cocobolo, "Cocobolo (Dalbergia retusa)",
         "Orange-red with black lines; dense, oily and bright.", RICHTER "; " WAGENFUEHR);
@@ -338,6 +348,8 @@ static const sozai_value values_purpleheart[] = {
     SRGB("ray_colour", 122, 79, 90),
     AGED(80, 48, 48, 1.5),
     FIBRES(20.0, 710.0),
+    PIGMENT(0.3, 6.0, 0.6, 2.0, 60.0),
+    SRGB("pigment_colour", 76, 40, 58),
 };
 SPECIES(purpleheart, "Purpleheart (Peltogyne paniculata)",
         "Vivid purple-brown, straight and even, its vessels filled.", RICHTER "; " WAGENFUEHR);

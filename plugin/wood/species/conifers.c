@@ -184,6 +184,8 @@ static const sozai_value values_western_red_cedar[] = {
     NUMBER("specular", 0.05),
     AGED(152, 106, 76, 1.5),
     TRACHEIDS(34.0, 40.0, 12.0, 310.0),
+    PIGMENT(0.55, 7.0, 0.8, 3.0, 70.0),
+    SRGB("pigment_colour", 116, 68, 44),
 };
 SPECIES(western_red_cedar, "Western red cedar (Thuja plicata)",
         "A conifer: from pinkish to chocolate brown, drifting; thin dark latewood.",
@@ -213,6 +215,8 @@ static const sozai_value values_yew[] = {
     NUMBER("specular", 0.1),
     AGED(160, 94, 52, 3.0),
     TRACHEIDS(20.0, 22.0, 10.0, 600.0),
+    PIGMENT(0.4, 8.0, 0.6, 3.0, 40.0),
+    SRGB("pigment_colour", 112, 54, 30),
 };
 SPECIES(yew, "Yew (Taxus baccata)",
         "A conifer: orange-brown within thin white sapwood, with wavy, close rings.",
@@ -320,6 +324,8 @@ static const sozai_value values_ichii[] = {
     NUMBER("specular", 0.1),
     AGED(158, 98, 60, 3.0),
     TRACHEIDS(22.0, 25.0, 11.0, 440.0),
+    PIGMENT(0.3, 8.0, 0.7, 3.0, 60.0),
+    SRGB("pigment_colour", 140, 84, 52),
 };
 SPECIES(ichii, "Ichii, Japanese yew (Taxus cuspidata)",
         "A conifer: reddish orange, fine and smooth, in a thin white sapwood.",
@@ -341,6 +347,8 @@ static const sozai_value values_redwood[] = {
     NUMBER("specular", 0.05),
     AGED(126, 80, 58, 1.5),
     TRACHEIDS(52.0, 58.0, 18.0, 360.0),
+    PIGMENT(0.3, 8.0, 0.7, 3.0, 80.0),
+    SRGB("pigment_colour", 118, 58, 48),
 };
 SPECIES(redwood, "Coast redwood (Sequoia sempervirens)",
         "A conifer: deep reddish brown, coarse and straight, with abrupt dark latewood.",

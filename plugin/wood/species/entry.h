@@ -71,6 +71,9 @@ SPECIES_ALL(DECLARE)
 #define AGED(r, g, b, years) SRGB("aged_colour", r, g, b), NUMBER("ageing_years", years)
 #define MINERAL_STREAKS(share, width, length)                                                      \
   NUMBER("streak_share", share), NUMBER("streak_width", width), NUMBER("streak_length", length)
+#define PIGMENT(depth, spacing, width, stray, reach)                                               \
+  NUMBER("pigment", depth), NUMBER("pigment_spacing", spacing), NUMBER("pigment_width", width),    \
+      NUMBER("pigment_stray", stray), NUMBER("pigment_reach", reach)
 #define CANALS(density, diameter)                                                                  \
   NUMBER("canal_density", density), NUMBER("canal_diameter", diameter)
 /* Cells in um and basic density, from which the share of walls follows. */

@@ -94,6 +94,8 @@ static const sozai_value values_elm[] = {
     AGED(158, 114, 74, 4.0),
     FIBRES(20.0, 530.0),
     NUMBER("tyloses", 0.3),
+    PIGMENT(0.35, 8.0, 0.6, 2.0, 60.0),
+    SRGB("pigment_colour", 134, 98, 66),
 };
 SPECIES(elm, "Wych elm (Ulmus glabra)",
         "Brown with a green cast; the latewood's vessels lie in wavy bands.",
@@ -145,6 +147,8 @@ static const sozai_value values_robinia[] = {
     AGED(144, 100, 50, 1.0),
     FIBRES(17.0, 650.0),
     NUMBER("tyloses", 1.0),
+    PIGMENT(0.35, 7.0, 0.6, 2.0, 60.0),
+    SRGB("pigment_colour", 120, 92, 40),
 };
 SPECIES(robinia, "Black locust, robinia (Robinia pseudoacacia)",
         "Greenish gold, hard and glossy, its vessels stopped; bold flames.",
@@ -173,6 +177,8 @@ static const sozai_value values_pear[] = {
     SRGB("ray_colour", 196, 150, 116),
     AGED(174, 122, 86, 3.0),
     FIBRES(20.0, 590.0),
+    PIGMENT(0.2, 8.0, 0.7, 3.0, 60.0),
+    SRGB("pigment_colour", 166, 118, 92),
 };
 SPECIES(pear, "Pear (Pyrus communis)", "Pinkish brown, the most even of woods; rings barely drawn.",
         SCHOCH "; " WAGENFUEHR);
@@ -367,6 +373,8 @@ static const sozai_value values_olive[] = {
     SRGB("ray_colour", 192, 157, 104),
     AGED(162, 122, 72, 4.0),
     FIBRES(15.0, 760.0),
+    PIGMENT(0.9, 3.0, 0.5, 4.0, 25.0),
+    SRGB("pigment_colour", 84, 58, 34),
 };
 SPECIES(olive, "Olive (Olea europaea)",
         "Yellow-brown, marbled with dark brown; fine, oily and smooth.", WAGENFUEHR "; " RICHTER);
@@ -434,6 +442,8 @@ static const sozai_value values_apple[] = {
     SRGB("ray_colour", 180, 124, 90),
     AGED(154, 98, 66, 3.0),
     FIBRES(20.0, 600.0),
+    PIGMENT(0.35, 6.0, 0.6, 2.5, 40.0),
+    SRGB("pigment_colour", 140, 84, 62),
 };
 SPECIES(apple, "Apple (Malus domestica)", "Reddish brown, fine and even, often with darker drifts.",
         SCHOCH "; " WAGENFUEHR);
@@ -457,6 +467,8 @@ static const sozai_value values_plum[] = {
     SRGB("ray_colour", 200, 146, 108),
     AGED(142, 88, 58, 2.0),
     FIBRES(20.0, 620.0),
+    PIGMENT(0.7, 4.0, 0.5, 2.5, 30.0),
+    SRGB("pigment_colour", 112, 50, 52),
 };
 SPECIES(plum, "Plum (Prunus domestica)",
         "Purplish to orange brown, banded from ring to ring; small bright rays.",
@@ -482,6 +494,8 @@ static const sozai_value values_laburnum[] = {
     SRGB("ray_colour", 152, 116, 72),
     AGED(96, 66, 38, 1.5),
     FIBRES(20.0, 680.0),
+    PIGMENT(0.5, 5.0, 0.5, 2.0, 40.0),
+    SRGB("pigment_colour", 74, 48, 26),
 };
 SPECIES(laburnum, "Laburnum (Laburnum anagyroides)",
         "Dark olive brown in thin yellow sapwood; fine bright rays, strong rings.",

@@ -18,6 +18,8 @@ static const sozai_value values_onigurumi[] = {
     NUMBER("specular", 0.06),
     AGED(172, 130, 86, 6.0),
     FIBRES(22.0, 450.0),
+    PIGMENT(0.45, 8.0, 0.6, 2.5, 60.0),
+    SRGB("pigment_colour", 96, 70, 48),
 };
 SPECIES(onigurumi, "Onigurumi, Japanese walnut (Juglans mandshurica var. sachalinensis)",
         "Brown, with vessels that shrink across the ring and show as fine dark streaks.",
@@ -115,6 +117,8 @@ static const sozai_value values_harunire[] = {
     AGED(166, 122, 78, 4.0),
     FIBRES(20.0, 500.0),
     NUMBER("tyloses", 0.3),
+    PIGMENT(0.3, 8.0, 0.6, 2.0, 60.0),
+    SRGB("pigment_colour", 134, 98, 66),
 };
 SPECIES(harunire, "Harunire, Japanese elm (Ulmus davidiana var. japonica)",
         "Brown and lively; large earlywood vessels, many small ones in the latewood.",
@@ -330,6 +334,8 @@ static const sozai_value values_kusunoki[] = {
     SRGB("ray_colour", 196, 154, 108),
     AGED(154, 108, 66, 3.0),
     FIBRES(20.0, 430.0),
+    PIGMENT(0.4, 6.0, 0.7, 3.0, 60.0),
+    SRGB("pigment_colour", 112, 80, 54),
 };
 SPECIES(kusunoki, "Kusunoki, camphor tree (Camphora officinarum)",
         "Yellowish to reddish brown, streaked; grain interlocks and vessels show as short lines.",
@@ -377,6 +383,8 @@ static const sozai_value values_isunoki[] = {
     SRGB("ray_colour", 152, 110, 86),
     AGED(118, 78, 56, 4.0),
     FIBRES(15.0, 740.0),
+    PIGMENT(0.4, 5.0, 0.6, 2.0, 50.0),
+    SRGB("pigment_colour", 84, 52, 44),
 };
 SPECIES(isunoki, "Isunoki, winter hazel wood (Distylium racemosum)",
         "Purplish brown, heavy and dense; vessels too fine to see.", ITOH "; " FFPRI);
@@ -448,6 +456,8 @@ static const sozai_value values_enju[] = {
     SRGB("ray_colour", 160, 130, 88),
     AGED(116, 84, 50, 2.0),
     FIBRES(20.0, 560.0),
+    PIGMENT(0.4, 6.0, 0.6, 2.0, 60.0),
+    SRGB("pigment_colour", 84, 62, 40),
 };
 SPECIES(enju, "Enju, Amur maackia (Maackia amurensis)",
         "Dark olive brown with a thin pale sapwood; bold flames of coarse latewood.",
@@ -474,6 +484,8 @@ static const sozai_value values_kuwa[] = {
     AGED(122, 82, 44, 1.0),
     FIBRES(20.0, 520.0),
     NUMBER("tyloses", 0.8),
+    PIGMENT(0.4, 6.0, 0.6, 2.0, 60.0),
+    SRGB("pigment_colour", 104, 66, 26),
 };
 SPECIES(kuwa, "Kuwa, Japanese mulberry (Morus bombycis)",
         "Golden brown that darkens with age; strong flames and a lively gloss.",

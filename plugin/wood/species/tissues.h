@@ -46,7 +46,9 @@
     RAYS(4.0, 0.4, 35.0, 28.0), \
     SRGB("ray_colour", 158, 126, 94), \
     AGED(164, 130, 90, 6.0), \
-    FIBRES(22.0, 540.0)
+    FIBRES(22.0, 540.0), \
+    PIGMENT(0.75, 6.0, 0.6, 2.0, 50.0), \
+    SRGB("pigment_colour", 72, 51, 39)
 
 #define LARCH \
     RINGS(1.7, 0.3, 0.6), \

@@ -22,6 +22,8 @@ static const sozai_value values_teak[] = {
     SRGB("ray_colour", 190, 144, 90),
     AGED(166, 120, 68, 1.0),
     FIBRES(20.0, 560.0),
+    PIGMENT(0.55, 7.0, 0.35, 2.0, 60.0),
+    SRGB("pigment_colour", 98, 66, 34),
 };
 SPECIES(teak, "Teak (Tectona grandis)",
         "Golden brown with dark streaks, oily; rows of vessels open each ring.",
@@ -46,6 +48,8 @@ static const sozai_value values_sapele[] = {
     SRGB("ray_colour", 142, 85, 57),
     AGED(114, 66, 42, 1.5),
     FIBRES(19.0, 550.0),
+    PIGMENT(0.25, 8.0, 0.6, 2.0, 70.0),
+    SRGB("pigment_colour", 104, 56, 38),
 };
 SPECIES(sapele, "Sapele (Entandrophragma cylindricum)",
         "Reddish brown; interlocked grain gives a narrow, regular ribbon on the quarter.",
@@ -70,6 +74,8 @@ static const sozai_value values_iroko[] = {
     SRGB("ray_colour", 182, 139, 85),
     AGED(124, 84, 48, 1.0),
     FIBRES(20.0, 540.0),
+    PIGMENT(0.35, 6.0, 0.6, 2.0, 60.0),
+    SRGB("pigment_colour", 118, 84, 40),
 };
 SPECIES(iroko, "Iroko (Milicia excelsa)",
         "Yellow to golden brown; large vessels in pale flecks of soft tissue, interlocked.",
@@ -118,6 +124,8 @@ static const sozai_value values_zebrano[] = {
     SRGB("ray_colour", 198, 158, 106),
     AGED(162, 120, 74, 4.0),
     FIBRES(20.0, 650.0),
+    PIGMENT(0.5, 5.0, 0.5, 1.5, 60.0),
+    SRGB("pigment_colour", 112, 80, 48),
 };
 SPECIES(zebrano, "Zebrano (Microberlinia brazzavillensis)",
         "Pale golden brown, striped with dark brown veins; interlocked.", RICHTER "; " WAGENFUEHR);
@@ -142,6 +150,8 @@ static const sozai_value values_padauk[] = {
     SRGB("ray_colour", 162, 81, 54),
     AGED(88, 50, 36, 1.0),
     FIBRES(20.0, 620.0),
+    PIGMENT(0.45, 4.0, 0.6, 2.0, 60.0),
+    SRGB("pigment_colour", 94, 34, 28),
 };
 SPECIES(padauk, "African padauk (Pterocarpus soyauxii)",
         "Bright orange-red going to purplish brown; few large vessels.", RICHTER "; " WAGENFUEHR);
@@ -165,6 +175,8 @@ static const sozai_value values_ebony[] = {
     SRGB("ray_colour", 46, 36, 31),
     AGED(56, 44, 37, 10.0),
     FIBRES(14.0, 880.0),
+    PIGMENT(0.5, 5.0, 0.6, 2.0, 50.0),
+    SRGB("pigment_colour", 20, 17, 17),
 };
 SPECIES(ebony, "African ebony (Diospyros crassiflora)",
         "Black, with here and there a brown streak; dense and fine.", RICHTER "; " WAGENFUEHR);
@@ -188,6 +200,8 @@ static const sozai_value values_macassar_ebony[] = {
     SRGB("ray_colour", 112, 77, 54),
     AGED(128, 92, 64, 8.0),
     FIBRES(14.0, 900.0),
+    PIGMENT(0.6, 4.0, 0.5, 2.0, 40.0),
+    SRGB("pigment_colour", 30, 22, 19),
 };
 SPECIES(macassar_ebony, "Macassar ebony (Diospyros celebica)",
         "Dark, striped from brown to black in bands as wide as a finger's nail.",
@@ -213,6 +227,8 @@ static const sozai_value values_bubinga[] = {
     SRGB("ray_colour", 154, 89, 64),
     AGED(120, 68, 46, 2.0),
     FIBRES(20.0, 710.0),
+    PIGMENT(0.6, 2.5, 0.4, 1.5, 40.0),
+    SRGB("pigment_colour", 108, 46, 44),
 };
 SPECIES(bubinga, "Bubinga (Guibourtia tessmannii)",
         "Red-brown veined with purple; dense and glossy.", RICHTER "; " WAGENFUEHR);
@@ -236,6 +252,8 @@ static const sozai_value values_afrormosia[] = {
     SRGB("ray_colour", 174, 128, 80),
     AGED(122, 82, 46, 1.0),
     FIBRES(20.0, 590.0),
+    PIGMENT(0.3, 6.0, 0.6, 2.0, 60.0),
+    SRGB("pigment_colour", 122, 82, 44),
 };
 SPECIES(afrormosia, "Afrormosia (Pericopsis elata)",
         "Yellow-brown going to teak's tone; fine, with a narrow interlocked ribbon.",
@@ -284,6 +302,8 @@ static const sozai_value values_jarrah[] = {
     SRGB("ray_colour", 136, 74, 55),
     AGED(98, 56, 44, 2.0),
     FIBRES(20.0, 680.0),
+    PIGMENT(0.35, 6.0, 0.6, 2.0, 60.0),
+    SRGB("pigment_colour", 96, 44, 36),
 };
 SPECIES(jarrah, "Jarrah (Eucalyptus marginata)",
         "Deep red-brown, even; vessels in slanting lines, filled with red gum.",
@@ -331,6 +351,8 @@ static const sozai_value values_lignum_vitae[] = {
     SRGB("ray_colour", 108, 94, 61),
     AGED(74, 72, 48, 0.6),
     FIBRES(12.0, 1050.0),
+    PIGMENT(0.65, 4.0, 0.6, 2.5, 40.0),
+    SRGB("pigment_colour", 52, 46, 30),
 };
 SPECIES(lignum_vitae, "Lignum vitae (Guaiacum officinale)",
         "Dark olive to greenish black, waxy; the hardest, grain closely interlocked.",
