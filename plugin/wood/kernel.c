@@ -694,8 +694,8 @@ static __attribute__((noinline)) void stage_streaks(const wood_constants *w, int
 }
 
 INLINE void stage_pigment(const wood_constants *w, int boards, block *k) {
-  vf span = vsqrt(k->f.bb) * k->ring.inverse_width;
-  k->pigment = pigment_at(w, own_of(boards, k), k->years, span, k->x, k->z, k->f.aa + k->f.bb);
+  k->pigment =
+      pigment_at(w, own_of(boards, k), k->stem.rho, vsqrt(k->f.bb), k->x, k->z, k->f.aa + k->f.bb);
 }
 
 /* Bleached wood is nearer to white, which is white in every working space; what

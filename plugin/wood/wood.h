@@ -35,7 +35,7 @@
 #define WOOD_CONE_DIVE 17     /* steps of the sine of the dive angle, 0 to 1 */
 #define WOOD_CONE_LEAST 0.05f /* of cos^2(psi_d / 2): where cones close, the lobe stays finite */
 #define WOOD_STREAK 0.62f     /* how much of its colour a streak's depth gives */
-#define PIGMENT_STEPS 4       /* samples of the bands to a year */
+#define PIGMENT_SAMPLES 1536  /* of the bands over the table of rings */
 #define PIGMENT_LATE 0.75f    /* of its colour in latewood */
 #define PIGMENT_FADE 0.6f     /* how much weaker bands may be in one place than in another */
 #define CURL_STRAY_REACH 1.6f /* of the reach, that the phase strays over */
@@ -238,7 +238,8 @@ typedef struct {
   float streak[3];    /* their colour */
   int32_t has_pigment;
   float pigment[3];                      /* colour of its bands in earlywood */
-  float pigment_stray, pigment_period;   /* years; integral over the table */
+  float pigment_stray, pigment_period;   /* mm; integral over the table */
+  float pigment_per_mm;                  /* samples */
   float pigment_frequency, pigment_near; /* 1/mm; mm^2: the footprint that bands are whole under */
   float heart_years, heart_edge;         /* years: where the heartwood ends, and how gradually */
   float heart_stray;                     /* years: most that the boundary departs from the ring */
@@ -284,7 +285,7 @@ typedef struct {
   float ring_row[WOOD_RINGS]
                 [4]; /* start, inverse width, weight of its latewood and of the last's */
   /* of a sample: the integral up to it, and the depth's terms of it; see pigment.h */
-  float pigment_row[WOOD_RINGS * PIGMENT_STEPS][4];
+  float pigment_row[PIGMENT_SAMPLES][4];
   /* of the bin: the ring that its start lies in, and where the next one begins */
   float bin[WOOD_BINS_MAX][2];
 } wood_constants;

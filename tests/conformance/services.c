@@ -179,6 +179,7 @@ static void the_hosts_own(void **state) {
                                        "joint_colour",
                                        "grey_colour",
                                        "streak_colour",
+                                       "pigment_colour",
                                        "aged_colour",
                                        "canal_colour",
                                        "knot_colour",
@@ -195,7 +196,7 @@ static void the_hosts_own(void **state) {
   sozai_texture *t;
   calls = 0;
   assert_int_equal(l.textures->create(&host, "wood", NULL, values, PLAIN + OTHERS, &t), SOZAI_OK);
-  assert_int_equal(calls, 15); /* fourteen colours, and the hue of one */
+  assert_int_equal(calls, 16); /* fifteen colours, and the hue of one */
   const float p[3] = {40, 50, 3};
   float rgb[3], *const channels[3] = {&rgb[0], &rgb[1], &rgb[2]};
   sozai_batch b = {.size = sizeof b,

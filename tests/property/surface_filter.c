@@ -11,7 +11,7 @@
 #include "truth.h"
 
 #define PI 3.14159265358979
-enum { SIDE = 32, SAMPLES = SIDE * SIDE, PLACES = 40, SIZES = 9 };
+enum { SIDE = 32, SAMPLES = SIDE * SIDE, PLACES = 80, SIZES = 9 };
 
 static const char *const kinds[] = {"surface=brushed",
                                     "surface=charred",
