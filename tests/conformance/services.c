@@ -205,7 +205,7 @@ static void the_hosts_own(void **state) {
                    .out = channels,
                    .out_count = 3};
   assert_int_equal(l.textures->evaluate(t, &b), SOZAI_OK);
-  assert_int_equal(calls, 15); /* none for a point */
+  assert_int_equal(calls, 16); /* none for a point */
   assert_true(fabs((double)rgb[0] - 0.75) < 1e-6 && fabs((double)rgb[2] - 0.5) < 1e-6);
   l.textures->destroy(t);
   float unused[3];
