@@ -542,6 +542,10 @@ static void build_vessels(wood_constants *w, const settings *s) {
 
 /* ---- rays ------------------------------------------------------------- */
 
+static double limited(double x, double low, double high) {
+  return x < low ? low : x > high ? high : x;
+}
+
 static void build_rays(wood_constants *w, const settings *s) {
   double density = number_at(s, P_RAY_DENSITY), height = number_at(s, P_RAY_HEIGHT);
   double width = 1e-3 * number_at(s, P_RAY_WIDTH), length = number_at(s, P_RAY_LENGTH);
@@ -561,13 +565,18 @@ static void build_rays(wood_constants *w, const settings *s) {
   double half = 0.5 * width, room = 0.329;
   if (half > 0.2 * arc) half = 0.2 * arc;
   w->ray_half = (float)half;
-  double left = room * arc - 1.4 * half, stray = 0.1 * arc;
-  if (stray > 3.0 * half) stray = 3.0 * half;
+  /* broad rays are uneven: fibres pass between their cells */
+  double uneven = limited((height - 3.0) / 9.0, 0.0, 1.0) * 0.45;
+  w->ray_uneven = (float)uneven;
+  double most = 1.4 * (1.0 + uneven) * half;
+  double left = room * arc - most, stray = 0.1 * arc;
+  if (stray > 2.5 * half) stray = 2.5 * half;
   if (stray > left) stray = left;
-  w->ray_clear = (float)(room - (1.4 * half + stray) / arc);
+  w->ray_clear = (float)(room - (most + stray) / arc);
   w->ray_stray = (float)(stray / 2147483648.0);
-  w->ray_wave_radial = (float)(1.0 / (4.0 + 0.2 * height));
-  w->ray_wave_along = (float)(1.0 / (0.5 * height));
+  /* rays run straight from the pith, and sway with the fibres that go round them */
+  w->ray_wave_radial = (float)(1.0 / (8.0 + 1.2 * height));
+  w->ray_wave_along = (float)(1.0 / (0.4 * height));
   /* two thirds of a lens's height and width, less what the ends' taper takes */
   w->ray_cover = (float)(density * height * 2.0 * half * 2.0 / 3.0 * 11.0 / 12.0);
 }
@@ -587,10 +596,6 @@ static void build_canals(wood_constants *w, const settings *s, const float (*col
     w->canal_colour[c] = colours[P_CANAL_COLOUR][c];
     w->canal_lumen[c] = 0.55f * colours[P_CANAL_COLOUR][c];
   }
-}
-
-static double limited(double x, double low, double high) {
-  return x < low ? low : x > high ? high : x;
 }
 
 static void build_cells(wood_constants *w, const settings *s) {

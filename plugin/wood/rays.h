@@ -81,6 +81,22 @@ typedef struct {
   vf at, inverse_tall; /* in half heights: of the point, and of a cell */
 } ray_body;
 
+#define RAY_UNEVEN_RADIAL 4.0f /* mm: size of a broad ray's unevenness along the radius, */
+#define RAY_UNEVEN_ALONG 0.8f  /* and along the fibre */
+
+/* Factor of a broad ray's thickness; within ray_uneven of 1, which is its mean. root:
+ * the ray's own. Far from every ray it does not matter. */
+INLINE vf ray_unevenness(const wood_constants *w, const ray_place *p, vu root) {
+  noise_axis out = noise_split_cubic(p->rho * splat(1.0f / RAY_UNEVEN_RADIAL), HASH_X);
+  noise_axis up = noise_split_cubic(p->y * splat(1.0f / RAY_UNEVEN_ALONG), HASH_Y);
+  vf across, along, n = noise_value2(&out, &up, root, &across, &along);
+  vf keep = splat(w->ray_uneven / HASH_ONE);
+  if (filter_touches(p->along, RAY_UNEVEN_ALONG)) {
+    keep = keep * filter_keep(p->along, RAY_UNEVEN_ALONG);
+  }
+  return splat(1.0f) + keep * n;
+}
+
 /* The ray of the cell `side` columns on. Past the sector's edge it is one that
  * might be there: only footprints that blur it away look so far. */
 INLINE ray_body ray_body_of(const wood_constants *w, const ray_place *p, const ray_cells *q,
@@ -107,6 +123,10 @@ INLINE ray_body ray_body_of(const wood_constants *w, const ray_place *p, const r
       clamp01((q->within - starts) * splat(16.0f)) * clamp01((ends - q->within) * splat(16.0f));
   r.thick = thick * taper;
   r.a = (q->x - to_float(side) - place) * q->arc + q->stray;
+  if (w->ray_uneven > 0.0f) {
+    vf most = r.thick * splat(1.0f + w->ray_uneven) + q->reach;
+    if (any(lt(vabs(r.a), most))) r.thick = r.thick * ray_unevenness(w, p, root);
+  }
   r.inverse_tall = one / tall;
   r.at = (y - centre) * r.inverse_tall;
   return r;

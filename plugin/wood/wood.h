@@ -218,6 +218,7 @@ typedef struct {
   float ray_cover;                         /* expected */
   float ray_stray;                         /* mm of a sheet's waves, over HASH_ONE */
   float ray_wave_radial, ray_wave_along;   /* 1/mm */
+  float ray_uneven;                        /* of the thickness, within which it varies */
 
   /* shifted brightness */
   float fibre_scale[WOOD_FIBRE_OCTAVES];     /* amplitude, over the noise's bound */

@@ -92,9 +92,12 @@ static void counts(void **state) {
       for (int at = 0; at < f.nx * f.ny; at++) {
         if (!f.ray[at]) continue;
         piece q = take(&f, at);
+        /* broad rays are uneven: crumbs off their thin ends are not rays */
+        double size = q.cells * f.step * f.step;
+        area += size;
+        if (size < 0.08e-3 * cases[k].height * cases[k].width) continue;
         int cut = q.left == 0 || q.low == 0 || q.right == f.nx - 1 || q.high == f.ny - 1;
         n += cut ? 0.5 : 1;
-        area += q.cells * f.step * f.step;
         if (cut) continue;
         height += (q.high - q.low + 1) * f.step;
         whole++;
@@ -117,7 +120,8 @@ static void counts(void **state) {
   }
 }
 
-/* Half a millimetre along the fibre changes little of a ray 20 mm high. */
+/* Half a millimetre along the fibre changes little of a ray 20 mm high, but for its
+ * frayed edges. */
 static void carried(void **state) {
   (void)state;
   sozai_texture *t =
@@ -151,7 +155,7 @@ static void carried(void **state) {
   }
   points_ask(&b, t);
   for (unsigned i = 0; i < a.count; i++) across += a.out[RAY][i] >= 0.5f && b.out[RAY][i] > 0.5f;
-  CHECK(stayed > 0.93 * in && across < 0.3 * in,
+  CHECK(stayed > 0.9 * in && across < 0.3 * in,
         "of %d points in rays %d stay along the fibre, %d across it\n", in, stayed, across);
   points_free(&a);
   points_free(&b);
