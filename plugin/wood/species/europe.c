@@ -40,7 +40,7 @@ static const sozai_value values_oak[] = {
     SRGB("sapwood_latewood_colour", 196, 170, 128),
     NUMBER("heartwood_years", 140.0),
     NUMBER("specular", 0.06),
-    RAYS(0.02, 16.0, 400.0, 40.0),
+    RAYS(0.019, 16.0, 370.0, 40.0),
     SRGB("ray_colour", 203, 170, 125),
     AGED(168, 124, 76, 4.0),
     FIBRES(18.0, 570.0),

@@ -88,7 +88,7 @@ static const sozai_value values_mizunara[] = {
     SRGB("sapwood_latewood_colour", 200, 176, 136),
     NUMBER("heartwood_years", 150.0),
     NUMBER("specular", 0.06),
-    RAYS(0.022, 14.0, 400.0, 40.0),
+    RAYS(0.021, 14.0, 370.0, 40.0),
     SRGB("ray_colour", 207, 176, 134),
     AGED(172, 132, 86, 4.0),
     FIBRES(18.0, 560.0),
