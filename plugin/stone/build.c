@@ -193,9 +193,15 @@ static void set_looks(stone_constants *w, const settings *s) {
     stone_cells *c = &w->layer[l];
     double contrast = layer_contrast(s, c, first[l], second[l], l == LAYER_GRAINS ? base : ground);
     double share = __builtin_sqrt(contrast / CONTRAST);
-    if (!c->on || share >= 1.0) continue;
-    c->looks = (float)(share * (double)c->looks);
-    c->fade = (float)(share * (double)c->fade);
+    if (!c->on) continue;
+    if (share < 0.01) share = 0.01;
+    if (share < 1.0) {
+      c->looks = (float)(share * (double)c->looks);
+      c->fade = (float)(share * (double)c->fade);
+    }
+    c->single = 0.599f / c->looks; /* rounded to one: footprint.h */
+    if (c->single > c->fade) c->single = c->fade;
+    if (c->shaped && c->single > 0.5f) c->single = 0.5f;
   }
 }
 

@@ -64,6 +64,7 @@ typedef struct {
   float size;                  /* mm */
   float fade;                  /* footprint, in cells, from which the mean stands in */
   float looks;                 /* parts to a cell that a footprint is looked at in */
+  float single;                /* footprint, in cells, up to which one look is all */
   int32_t on, shaped;          /* shaped: eroded, or cut to a ball */
   uint32_t seed, seed_warp;
 } stone_cells;
