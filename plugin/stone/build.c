@@ -64,7 +64,7 @@ static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped
     }
     /* of a ball of a cell's volume, down to a seventh of its thickness */
     if (b->flatness > 0.0) c->thick = (float)(0.62 * (1.0 - 0.85 * b->flatness));
-    c->looks = (float)(4.5 + 1.5 * b->flatness);
+    c->looks = 4.5f;
     c->grading = 0.0f;
   }
 }

@@ -103,24 +103,35 @@ INLINE void cells_try(const stone_cells *c, int graded, const cells_about *a, in
 
 INLINE int cells_further(int n) { return (n % 3 == 2) + (n / 3 % 3 == 2) + (n / 9 == 2); }
 
-INLINE void cells_nearest(const stone_cells *c, int graded, const cells_about *a, vf *d1, vf *d2) {
-  UNROLL(27)
-  for (int n = 0; n < 27; n++) {
-    if (cells_further(n) < 2) cells_try(c, graded, a, n % 3, n / 3 % 3, n / 9, d1, d2);
+/* Those of the 27 of which `further` says so. */
+#define CELLS_TRY_ALL(which)                                                                       \
+  UNROLL(27)                                                                                       \
+  for (int n = 0; n < 27; n++) {                                                                   \
+    if (which) cells_try(c, graded, a, n % 3, n / 3 % 3, n / 9, d1, d2);                           \
   }
-  /* Seven lie on the further side along two axes: no nearer than the squares of those
-   * two distances, of which the least two count. */
+
+INLINE void cells_nearest(const stone_cells *c, int graded, const cells_about *a, vf *d1, vf *d2) {
+  CELLS_TRY_ALL(cells_further(n) == 0)
+  /* No cell on the further side is nearer than the square of the distance there; nor
+   * one that is further along two axes than the sum of two, of which the least count. */
   vf square[3], sum = splat(0.0f), most = sum;
   for (int k = 0; k < 3; k++) {
     vf far = vabs(a->from[k][0]) + splat(1.0f - 0.5f * CELLS_JITTER);
-    square[k] = far * far;
+    square[k] = far * far * splat(0.9999f);
     sum = sum + square[k];
     most = vmax(most, square[k]);
   }
-  if (!any(gt(*d2, (sum - most) * splat(0.9999f)))) return;
-  UNROLL(27)
-  for (int n = 0; n < 27; n++) {
-    if (cells_further(n) >= 2) cells_try(c, graded, a, n % 3, n / 3 % 3, n / 9, d1, d2);
+  if (any(gt(*d2, square[0]))) {
+    CELLS_TRY_ALL(n % 3 == 2 && cells_further(n) == 1)
+  }
+  if (any(gt(*d2, square[1]))) {
+    CELLS_TRY_ALL(n / 3 % 3 == 2 && cells_further(n) == 1)
+  }
+  if (any(gt(*d2, square[2]))) {
+    CELLS_TRY_ALL(n / 9 == 2 && cells_further(n) == 1)
+  }
+  if (any(gt(*d2, sum - most))) {
+    CELLS_TRY_ALL(cells_further(n) >= 2)
   }
 }
 

@@ -20,7 +20,7 @@
 #include "value.h"
 
 #define LAMELLAE 13.0f     /* to a cell, of the finest direction's */
-#define LAMELLAE_GONE 0.8f /* cells: wider footprints see none */
+#define LAMELLAE_GONE 0.4f /* cells: wider footprints see none */
 #define CRYSTAL_FINE 7.3f  /* frequency of what is fine within crystals, 1/cell */
 #define CRACK_MEAN 0.1023f /* of max(0, 1 - |n| / 0.05), n gradient noise */
 #define FLECK_MEAN 0.0137f /* of clamp01((n - 0.36) 8) */
@@ -64,8 +64,10 @@ INLINE crystal_noise crystal_at(const stone_cells *c, const vf q[3], const cells
 /* The integral from 0 to f of value noise's blend, and of the rest. */
 INLINE vf crystal_blend(vf f) { return f * f * f * (splat(1.0f) - splat(0.5f) * f); }
 
-/* The mean over the footprint, within +-1; of all places 0. Value noise along the
- * crystal's direction, its integral exact for up to two lamellae. h: the crystal's. */
+/* The mean over the footprint, within +-1.5; of all places 0. Value noise along the
+ * crystal's direction, its integral exact for up to two lamellae. Each is the difference
+ * of two numbers, the next one's other way round: many together are as good as none. h:
+ * the crystal's. */
 INLINE vf crystal_lamellae(vu h, const vf q[3], const cells_square *s) {
   const vf k = splat(LAMELLAE / HASH_ONE);
   vu hash = hash_upper(h ^ splatu(0x3c6ef35fu));
@@ -78,9 +80,10 @@ INLINE vf crystal_lamellae(vu h, const vf q[3], const cells_square *s) {
   if (!any(gt(keep, zero))) return zero;
   vi first;
   vf from = t - splat(0.5f) * side, f = from - vfloor(from, &first);
-  vf value[4], high[3];
-  for (int i = 0; i < 4; i++)
-    value[i] = hash_signed((vu)first * splatu(HASH_X) + hash + splatu((uint32_t)i * HASH_X));
+  vf number[5], value[4], high[3];
+  for (int i = 0; i < 5; i++)
+    number[i] = hash_signed((vu)first * splatu(HASH_X) + hash + splatu((uint32_t)i * HASH_X));
+  for (int i = 0; i < 4; i++) value[i] = number[i] - number[i + 1];
   /* from f to f + side over three pieces of one each, of which the first begins at f */
   high[0] = vmin(f + side, one);
   high[1] = clamp01(f + side - one);
@@ -89,7 +92,7 @@ INLINE vf crystal_lamellae(vu h, const vf q[3], const cells_square *s) {
            (value[1] - value[0]) * (crystal_blend(high[0]) - crystal_blend(f));
   for (int i = 1; i < 3; i++)
     sum = sum + value[i] * high[i] + (value[i + 1] - value[i]) * crystal_blend(high[i]);
-  return keep * sum / (side * splat(HASH_ONE));
+  return keep * sum / (side * splat(1.4142135f * HASH_ONE));
 }
 
 /* What of it does not differ from crystal to crystal: of the base's and the third

@@ -46,7 +46,7 @@ INLINE void cells_add(const stone_cells *c, vu h, const cells_kind *kind, vf sha
 }
 
 #define CELLS_STEPS 6        /* looks along a side of the footprint, at most */
-#define CELLS_FINE 0.12f     /* cells: wider parts do not tell the finer of the faces' bends */
+#define CELLS_FINE 0.07f     /* cells: wider parts do not tell the finer of the faces' bends */
 #define CELLS_LOOK_MOST 0.5f /* cells: a look at bodies sees past all of their faces but one */
 
 /* A footprint on a layer, and what has been seen of it. Its looks are parts side by
@@ -212,7 +212,7 @@ INLINE void eye_close(const stone_cells *c, const cells_eye *e, cells_cover *out
   }
 }
 
-#define CELLS_LOOKS 4 /* that go through the stages side by side */
+#define CELLS_LOOKS 8 /* that go through the stages side by side */
 
 /* Look i, j of a footprint's. */
 INLINE void look_at(const stone_cells *c, cells_eye *e, int i, int j, vm there, cells_look *o) {
