@@ -46,7 +46,7 @@ INLINE void cells_add(const stone_cells *c, vu h, const cells_kind *kind, vf sha
 }
 
 #define CELLS_STEPS 6        /* looks along a side of the footprint, at most */
-#define CELLS_FINE 0.07f     /* cells: wider parts do not tell the finer of the faces' bends */
+#define CELLS_FINE 0.6f      /* cells: wider footprints do not tell the finer of the faces' bends */
 #define CELLS_LOOK_MOST 0.5f /* cells: a look at bodies sees past all of their faces but one */
 
 /* A footprint on a layer, and what has been seen of it. Its looks are parts side by
@@ -144,6 +144,13 @@ INLINE void looks_run(const stone_cells *c, cells_look *looks, int count) {
   looks_add(c, looks, count);
 }
 
+/* What the middle of a part knows of the bends there, and what a footprint that is all
+ * but a cell wide need not. */
+INLINE vf eye_fine(const cells_eye *e) {
+  return crystal_keep(e->part_wide, 0.08f, 0.35f) *
+         crystal_keep(e->most, CELLS_FINE, 1.6f * CELLS_FINE);
+}
+
 /* Where the footprint takes more than one look. */
 STAGE void eye_divide(const stone_cells *c, cells_eye *e, const cells_square *all,
                       const vf wide[2]) {
@@ -163,7 +170,7 @@ STAGE void eye_divide(const stone_cells *c, cells_eye *e, const cells_square *al
     e->part.v[k] = all->v[k] * side[1];
   }
   e->part_wide = vmax(cells_length(e->part.u), cells_length(e->part.v));
-  e->fine = crystal_keep(e->part_wide, CELLS_FINE, 2.0f * CELLS_FINE);
+  e->fine = eye_fine(e);
   e->keep = crystal_keep(e->most, c->fade, 2.0f * c->fade);
   e->seen = gt(e->keep, splat(0.0f));
   e->once = !any(or_(gt(e->n[0] * e->n[1], one), not_(e->seen)));
@@ -187,7 +194,7 @@ INLINE void eye_open(const stone_cells *c, cells_eye *e) {
     e->part = all;
     e->part_wide = e->most;
     e->n[0] = e->n[1] = e->inverse[0] = e->inverse[1] = e->keep = one;
-    e->fine = crystal_keep(e->part_wide, CELLS_FINE, 2.0f * CELLS_FINE);
+    e->fine = eye_fine(e);
     e->seen = le(splat(0.0f), one);
     e->once = 1;
     return;
