@@ -202,8 +202,8 @@ INLINE void cells_turn(const stone_cells *c, const vf v[3], vf out[3]) {
   }
 }
 
-#define CELLS_BEND 1.6f      /* frequency of the coarser bends, 1/cell */
-#define CELLS_BEND_FINE 4.4f /* of the finer */
+#define CELLS_BEND 1.15f     /* frequency of the coarser bends, 1/cell */
+#define CELLS_BEND_FINE 3.5f /* of the finer */
 
 /* Bends the cells' faces: moves a point, in cells, by two noises, of the finer of which
  * `finer` is left. Their sum is as good for what is uneven within a crystal: sd 0.22 of
@@ -211,7 +211,7 @@ INLINE void cells_turn(const stone_cells *c, const vf v[3], vf out[3]) {
 INLINE vf cells_bend(const stone_cells *c, vf finer, vf q[3]) {
   if (c->warp == 0.0f) return splat(0.0f);
   const vf coarse = splat(CELLS_BEND), fine = splat(CELLS_BEND_FINE);
-  const float move = 0.5f / VALUE_SD_CUBIC / HASH_ONE;
+  const float move = 0.45f / VALUE_SD_CUBIC / HASH_ONE;
   const vf at[3] = {q[0] * coarse, q[1] * coarse, q[2] * coarse},
            finely[3] = {q[0] * fine, q[1] * fine, q[2] * fine};
   vf g[3], sum = value_three(at, splatu(c->seed_warp), g) * splat(1.0f / HASH_ONE);
