@@ -130,7 +130,8 @@ INLINE vf vein_share(const stone_constants *w, const vf p[3], const vf n[3], con
 }
 
 /* Relative shift of brightness, mean 0: clouds of three sizes, of which a footprint's
- * middle knows less and less as it grows to two and a half of theirs. Aslant, so that no face shows their rows. */
+ * middle knows less and less as it grows to two and a half of theirs. Aslant, so that no face shows
+ * their rows. */
 INLINE vf mottle_shift(const stone_constants *w, const vf p[3], vf s) {
   static const float row[3][3] = {{2.0f, 6.0f, 9.0f}, {6.0f, 7.0f, -6.0f}, {-9.0f, 6.0f, -2.0f}};
   vf sum = splat(0.0f);

@@ -200,7 +200,7 @@ static void set_looks(stone_constants *w, const settings *s) {
       c->fade = (float)(share * (double)c->fade);
     }
     c->single = 0.599f / c->looks; /* rounded to one: footprint.h */
-    if (c->single > c->fade) c->single = c->fade;
+    if (c->single > 0.6f * c->fade) c->single = 0.6f * c->fade;
     if (c->shaped && c->single > 0.5f) c->single = 0.5f;
   }
 }

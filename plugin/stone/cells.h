@@ -93,8 +93,8 @@ INLINE void cells_try(const stone_cells *c, int graded, const cells_about *a, in
   vu h = hash_upper(a->hash[0][x] + a->hash[1][y] + a->hash[2][z]);
   vf at[3];
   cells_centre(h, a->from[0][x], a->from[1][y], a->from[2][z], at);
-  vf d = at[0] * at[0] + at[1] * at[1] + at[2] * at[2] +
-         (graded ? cells_weight(c, h) : splat(1e-6f));
+  vf d =
+      at[0] * at[0] + at[1] * at[1] + at[2] * at[2] + (graded ? cells_weight(c, h) : splat(1e-6f));
   vi n = a->number[0][x] + a->number[1][y] + a->number[2][z];
   vf key = float_of((bits_of(d) & splati(~31)) | n);
   *d2 = vmin(*d2, vmax(*d1, key));

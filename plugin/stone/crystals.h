@@ -57,7 +57,8 @@ INLINE crystal_noise crystal_at(const stone_cells *c, const vf q[3], const cells
   vf a = g[0] * s->u[0] + g[1] * s->u[1] + g[2] * s->u[2];
   vf b = g[0] * s->v[0] + g[1] * s->v[1] + g[2] * s->v[2];
   const float square = 0.5f * 1.8f * CRYSTAL_FINE * CRYSTAL_FINE / (HASH_ONE * HASH_ONE);
-  n.extent2 = vmin(splat(square) * (a * a + b * b), splat(0.05f)); /* a noise is no plane for long */
+  n.extent2 =
+      vmin(splat(square) * (a * a + b * b), splat(0.05f)); /* a noise is no plane for long */
   return n;
 }
 
@@ -71,7 +72,8 @@ INLINE vf crystal_blend(vf f) { return f * f * f * (splat(1.0f) - splat(0.5f) * 
 INLINE vf crystal_lamellae(vu h, const vf q[3], const cells_square *s) {
   const vf k = splat(LAMELLAE / HASH_ONE);
   vu hash = hash_upper(h ^ splatu(0x3c6ef35fu));
-  vf d[3] = {to_float((vi)hash) * k, to_float((vi)(hash << 10)) * k, to_float((vi)(hash << 20)) * k};
+  vf d[3] = {to_float((vi)hash) * k, to_float((vi)(hash << 10)) * k,
+             to_float((vi)(hash << 20)) * k};
   vf t = d[0] * q[0] + d[1] * q[1] + d[2] * q[2];
   vf a = d[0] * s->u[0] + d[1] * s->u[1] + d[2] * s->u[2];
   vf b = d[0] * s->v[0] + d[1] * s->v[1] + d[2] * s->v[2];
@@ -103,8 +105,8 @@ INLINE void crystal_tones(const crystal_noise *n, vf tone[2]) {
      broad = splat(0.5f) * wide - splat(0.0125f), inverse = splat(1.0f) / (broad * wide);
   vf per = inverse * wide; /* 1 / broad */
   vf crack = splat(0.05f) * vmax(broad - vabs(n->fine), zero) * per * per - splat(CRACK_MEAN);
-  vf fleck = clamp01(splat(0.5f) + (n->fine - splat(0.4225f)) * (inverse * broad)) -
-             splat(FLECK_MEAN);
+  vf fleck =
+      clamp01(splat(0.5f) + (n->fine - splat(0.4225f)) * (inverse * broad)) - splat(FLECK_MEAN);
   tone[0] = splat(0.1f) * n->cloud + n->keep * (splat(0.16f) * n->fine - splat(0.6f) * fleck);
   tone[1] = splat(0.3f) * n->cloud + n->keep * (splat(0.3f) * n->fine + splat(0.16f) * crack);
 }

@@ -45,7 +45,7 @@ INLINE void cells_add(const stone_cells *c, vu h, const cells_kind *kind, vf sha
   out->toned[2] = out->toned[2] + b * tone;
 }
 
-#define CELLS_STEPS 6        /* looks along a side of the footprint, at most */
+#define CELLS_STEPS 5        /* looks along a side of the footprint, at most */
 #define CELLS_FINE 0.6f      /* cells: wider footprints do not tell the finer of the faces' bends */
 #define CELLS_LOOK_MOST 0.5f /* cells: a look at bodies sees past all of their faces but one */
 
@@ -171,7 +171,7 @@ STAGE void eye_divide(const stone_cells *c, cells_eye *e, const cells_square *al
   }
   e->part_wide = vmax(cells_length(e->part.u), cells_length(e->part.v));
   e->fine = eye_fine(e);
-  e->keep = crystal_keep(e->most, c->fade, 2.0f * c->fade);
+  e->keep = crystal_keep(e->most, 0.6f * c->fade, 2.1f * c->fade);
   e->seen = gt(e->keep, splat(0.0f));
   e->once = !any(or_(gt(e->n[0] * e->n[1], one), not_(e->seen)));
 }

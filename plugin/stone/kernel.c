@@ -150,7 +150,8 @@ STAGE void stage_fabric(const stone_constants *w, block *k) {
   }
   if (w->has_veins) {
     vf v = vein_share(w, k->p, k->nrm, k->t1, k->t2, k->s);
-    for (int c = 0; c < 3; c++) k->albedo[c] = mix(k->albedo[c], splat(w->colour[COLOUR_VEIN][c]), v);
+    for (int c = 0; c < 3; c++)
+      k->albedo[c] = mix(k->albedo[c], splat(w->colour[COLOUR_VEIN][c]), v);
     k->speck = k->speck * (one - v);
   }
   if (w->layer[LAYER_HOLES].on) {

@@ -62,7 +62,7 @@ typedef struct {
   float cleavage, turbidity;   /* what is seen within a crystal: crystals.h */
   float swell;                 /* what the widest looks see of bodies in excess, a part of them */
   float size;                  /* mm */
-  float fade;                  /* footprint, in cells, from which the mean stands in */
+  float fade;                  /* footprint, in cells, of which all but all is looked at */
   float looks;                 /* parts to a cell that a footprint is looked at in */
   float single;                /* footprint, in cells, up to which one look is all */
   int32_t on, shaped;          /* shaped: eroded, or cut to a ball */
