@@ -174,6 +174,27 @@ INLINE vu cells_block(const stone_cells *c, vi x, vi y, vi z) {
                   (vu)(z >> 2) * splatu(HASH_Z) + splatu(c->seed ^ 0x5bd1e995u));
 }
 
+/* How rich in bodies the beds are that a cell lies in: mean 1. */
+STAGE vf cells_bedding(const stone_bedding *b, const vi at[3]) {
+  vf p[3], unused[3], rich = splat(b->few);
+  for (int k = 0; k < 3; k++) {
+    p[k] = splat(0.0f);
+    for (int i = 0; i < 3; i++)
+      p[k] = p[k] + splat(b->across[k][i]) * (to_float(at[i]) + splat(0.5f));
+  }
+  vf f = splat(b->wave_frequency);
+  vf y = p[1] + splat(b->wave) *
+                    noise_gradient3(p[0] * f, p[1] * f, p[2] * f, splatu(b->seed_wave), unused);
+  for (uint32_t j = 0; j < 2; j++) {
+    vi bed;
+    (void)vfloor(y * splat(b->frequency[j]), &bed);
+    vu h = hash_mix((vu)bed * splatu(HASH_Y) + splatu(b->seed + j));
+    vf u = to_float((vi)(h >> 8)) * splat(1.0f / 16777216.0f);
+    rich = rich + sel(lt(u, splat(b->part)), splat(b->more), splat(0.0f));
+  }
+  return rich;
+}
+
 /* What a cell's mineral goes by, below c->chance times `rich`: 0..1, evenly spread
  * over the cells of a block of 4^3. Where minerals cluster, a block is rich or poor, and
  * so are blocks aslant of it, that no rows be seen: a share times 1 - c, 1 or 1 + c. */
@@ -191,6 +212,7 @@ INLINE vf cells_rank(const stone_cells *c, const vi at[3], vf *rich) {
     vf many = to_float((vi)((b >> 31) + (other >> 31)));
     *rich = splat(1.0f - c->cluster) + splat(c->cluster) * many;
   }
+  if (c->bedded) *rich = *rich * cells_bedding(&c->beds, at);
   return to_float((vi)(rank >> 8)) * splat(1.0f / 16777216.0f);
 }
 
