@@ -174,17 +174,16 @@ INLINE vu cells_block(const stone_cells *c, vi x, vi y, vi z) {
                   (vu)(z >> 2) * splatu(HASH_Z) + splatu(c->seed ^ 0x5bd1e995u));
 }
 
-/* How rich in bodies the beds are that a cell lies in: mean 1. */
-STAGE vf cells_bedding(const stone_bedding *b, const vi at[3]) {
-  vf p[3], unused[3], rich = splat(b->few);
-  for (int k = 0; k < 3; k++) {
-    p[k] = splat(0.0f);
-    for (int i = 0; i < 3; i++)
-      p[k] = p[k] + splat(b->across[k][i]) * (to_float(at[i]) + splat(0.5f));
-  }
-  vf f = splat(b->wave_frequency);
-  vf y = p[1] + splat(b->wave) *
+/* Across the beds, which rise and fall. p: mm, bed space. */
+STAGE vf beds_across(const stone_bedding *b, const vf p[3]) {
+  vf unused[3], f = splat(b->wave_frequency);
+  return p[1] + splat(b->wave) *
                     noise_gradient3(p[0] * f, p[1] * f, p[2] * f, splatu(b->seed_wave), unused);
+}
+
+/* How rich in bodies the beds are at a place across them: mean 1. */
+INLINE vf beds_rich(const stone_bedding *b, vf y) {
+  vf rich = splat(b->few);
   for (uint32_t j = 0; j < 2; j++) {
     vi bed;
     (void)vfloor(y * splat(b->frequency[j]), &bed);
@@ -193,6 +192,29 @@ STAGE vf cells_bedding(const stone_bedding *b, const vi at[3]) {
     rich = rich + sel(lt(u, splat(b->part)), splat(b->more), splat(0.0f));
   }
   return rich;
+}
+
+/* The same of a cell. */
+INLINE vf cells_bedding(const stone_bedding *b, const vi at[3]) {
+  vf p[3];
+  for (int k = 0; k < 3; k++) {
+    p[k] = splat(0.0f);
+    for (int i = 0; i < 3; i++)
+      p[k] = p[k] + splat(b->across[k][i]) * (to_float(at[i]) + splat(0.5f));
+  }
+  return beds_rich(b, beds_across(b, p));
+}
+
+#define BEDS_LOOKS 8
+
+/* The same over a footprint that reaches `wide` mm across the beds. */
+STAGE vf beds_mean(const stone_bedding *b, const vf p[3], vf wide) {
+  vf y = beds_across(b, p), sum = splat(0.0f);
+  for (int i = 0; i < BEDS_LOOKS; i++) {
+    const float at = ((float)i + 0.5f) / BEDS_LOOKS - 0.5f;
+    sum = sum + beds_rich(b, y + splat(at) * wide);
+  }
+  return sum * splat(1.0f / BEDS_LOOKS);
 }
 
 /* What a cell's mineral goes by, below c->chance times `rich`: 0..1, evenly spread

@@ -45,7 +45,8 @@ INLINE void cells_add(const stone_cells *c, vu h, const cells_kind *kind, vf sha
   out->toned[2] = out->toned[2] + b * tone;
 }
 
-#define CELLS_STEPS 5        /* looks along a side of the footprint, at most */
+#define CELLS_STEPS 6        /* looks along a side of the footprint, at most */
+#define CELLS_STEPS_GRAINS 5 /* likewise, at crystals that fill it */
 #define CELLS_FINE 0.6f      /* cells: wider footprints do not tell the finer of the faces' bends */
 #define CELLS_LOOK_MOST 0.5f /* cells: a look at bodies sees past all of their faces but one */
 
@@ -159,7 +160,7 @@ STAGE void eye_divide(const stone_cells *c, cells_eye *e, const cells_square *al
     vi whole;
     vf dense = splat(c->looks) / (one + splat(0.12f) * wide[k]);
     vf looks = vfloor(wide[k] * dense + splat(1.4f), &whole);
-    e->n[k] = clamp(looks, one, splat(CELLS_STEPS));
+    e->n[k] = clamp(looks, one, splat(c->shaped ? CELLS_STEPS : CELLS_STEPS_GRAINS));
     e->inverse[k] = side[k] = one / e->n[k];
     if (c->shaped) {
       side[k] = vmin(side[k], splat(CELLS_LOOK_MOST) / vmax(wide[k], splat(CELLS_LOOK_MOST)));
@@ -209,13 +210,16 @@ INLINE void eye_close(const stone_cells *c, const cells_eye *e, cells_cover *out
     vf at = e->part_wide * splat(1.0f / CELLS_LOOK_MOST);
     each = each / (one + splat(c->swell) * at * at);
   }
-  for (int k = 0; k < 2; k++) {
-    vf mean = splat(c->mean[k]);
-    out->cover[k] = sel(e->seen, mix(mean, e->sum.cover[k] * each, e->keep), mean);
+  vf mean[2] = {splat(c->mean[0]), splat(c->mean[1])};
+  if (c->bedded && any(lt(e->keep, one))) {
+    vf rich = beds_mean(&c->beds, e->p, e->s * vsqrt(e->t1[1] * e->t1[1] + e->t2[1] * e->t2[1]));
+    for (int k = 0; k < 2; k++) mean[k] = mean[k] * rich;
   }
+  for (int k = 0; k < 2; k++)
+    out->cover[k] = sel(e->seen, mix(mean[k], e->sum.cover[k] * each, e->keep), mean[k]);
   for (int k = 0; k < 3; k++) {
-    vf mean = splat(k ? c->mean[k - 1] : 1.0f - c->mean[0] - c->mean[1]);
-    out->toned[k] = sel(e->seen, mix(mean, e->sum.toned[k] * each, e->keep), mean);
+    vf expected = k ? mean[k - 1] : one - mean[0] - mean[1];
+    out->toned[k] = sel(e->seen, mix(expected, e->sum.toned[k] * each, e->keep), expected);
   }
 }
 
