@@ -172,13 +172,14 @@ STAGE void stage_paper(const stone_constants *w, block *k) {
   k->hole = splat(0.0f);
 }
 
-/* The number of the crystal at the point itself. */
+/* The number of the crystal at the point itself, its faces as bent as the colour has
+ * them: the same whether that is asked for or not. */
 STAGE void stage_grain(const stone_constants *w, const kernel_io *io, block *k) {
   const stone_cells *c = &w->layer[LAYER_GRAINS];
   if (!k->crystal_known) {
-    const vf one = splat(1.0f);
-    cells_eye eye = {.fine = one};
+    cells_eye eye = {.p = k->p, .t1 = k->t1, .t2 = k->t2, .s = k->s};
     cells_look look = {.eye = &eye};
+    eye_open(c, &eye);
     cells_turn(c, k->p, look.straight);
     looks_bend(c, &look, 1);
     looks_find(c, &look, 1);
