@@ -213,6 +213,7 @@ INLINE void eye_close(const stone_cells *c, const cells_eye *e, cells_cover *out
   vf mean[2] = {splat(c->mean[0]), splat(c->mean[1])};
   if (c->bedded && any(lt(e->keep, one))) {
     vf rich = beds_mean(&c->beds, e->p, e->s * vsqrt(e->t1[1] * e->t1[1] + e->t2[1] * e->t2[1]));
+    rich = sel(lt(e->keep, one), rich, one); /* where no mean is asked for, none rounds */
     for (int k = 0; k < 2; k++) mean[k] = mean[k] * rich;
   }
   for (int k = 0; k < 2; k++)
