@@ -64,7 +64,7 @@ static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped
     }
     /* of a ball of a cell's volume, down to a seventh of its thickness */
     if (b->flatness > 0.0) c->thick = (float)(0.62 * (1.0 - 0.85 * b->flatness));
-    c->looks = (float)(4.5 + 1.5 * b->flatness);
+    c->looks = 4.5f;
     c->grading = 0.0f;
   }
 }
@@ -84,6 +84,32 @@ static void set_shares(stone_cells *c, const body *b, double fill) {
   double most = sum > 0.0 ? 1.0 / sum - 1.0 : 0.0;
   if (most > 0.95) most = 0.95;
   if ((double)c->cluster > most) c->cluster = (float)most;
+}
+
+/* Bodies that keep to certain beds, by as much as `share`. Where there are most there can
+ * be no more than all. */
+static void set_bedding(stone_cells *c, const stone_constants *w, double share) {
+  stone_bedding *b = &c->beds;
+  double sum = (double)c->chance[1], most = sum > 0.0 ? 1.0 / sum : 0.0;
+  /* in two families of beds: few + 2 more is most; few + 2 part more is 1 */
+  double times = (most - 1.0 + share) / share;
+  if (times > 3.5) times = 3.5;
+  if (times < 1.0) return;
+  c->bedded = 1;
+  b->few = (float)(1.0 - share);
+  b->more = (float)(0.5 * share * times);
+  b->part = (float)(1.0 / times);
+  for (int k = 0; k < 3; k++) {
+    double square = 0.0;
+    for (int i = 0; i < 3; i++) square += (double)c->turn[i][k] * (double)c->turn[i][k];
+    for (int i = 0; i < 3; i++) b->across[k][i] = (float)((double)c->turn[i][k] / square);
+  }
+  b->frequency[0] = 0.6f * w->bed_frequency;
+  b->frequency[1] = 1.7f * w->bed_frequency;
+  b->wave = w->bed_wave;
+  b->wave_frequency = w->bed_wave_frequency;
+  b->seed = hash1(c->seed + 77u);
+  b->seed_wave = w->seed_bed + 7u; /* bands.h: the beds' own */
 }
 
 static body grains_of(const settings *s) {
@@ -193,9 +219,15 @@ static void set_looks(stone_constants *w, const settings *s) {
     stone_cells *c = &w->layer[l];
     double contrast = layer_contrast(s, c, first[l], second[l], l == LAYER_GRAINS ? base : ground);
     double share = __builtin_sqrt(contrast / CONTRAST);
-    if (!c->on || share >= 1.0) continue;
-    c->looks = (float)(share * (double)c->looks);
-    c->fade = (float)(share * (double)c->fade);
+    if (!c->on) continue;
+    if (share < 0.01) share = 0.01;
+    if (share < 1.0) {
+      c->looks = (float)(share * (double)c->looks);
+      c->fade = (float)(share * (double)c->fade);
+    }
+    c->single = 0.599f / c->looks; /* rounded to one: footprint.h */
+    if (c->single > 0.6f * c->fade) c->single = 0.6f * c->fade;
+    if (c->shaped && c->single > 0.5f) c->single = 0.5f;
   }
 }
 
@@ -216,6 +248,8 @@ static void build_layers(stone_constants *w, const settings *s, stone_measure *m
       w->layer[l].swell = (float)(m.seen[l] / m.fill[l] - 1.0);
     }
   }
+  double bedding = number_at(s, P_HOLE_BEDDING);
+  if (w->layer[LAYER_HOLES].on && bedding > 0.0) set_bedding(&w->layer[LAYER_HOLES], w, bedding);
   set_looks(w, s);
 }
 

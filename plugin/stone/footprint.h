@@ -25,9 +25,9 @@ typedef struct {
 } cells_kind;
 
 INLINE cells_kind cells_kind_of(const stone_cells *c, const vi at[3]) {
-  vf u = cells_rank(c, at);
-  vm first = lt(u, splat(c->chance[0]));
-  return (cells_kind){first, and_(lt(u, splat(c->chance[1])), not_(first))};
+  vf rich, u = cells_rank(c, at, &rich);
+  vm first = lt(u, splat(c->chance[0]) * rich);
+  return (cells_kind){first, and_(lt(u, splat(c->chance[1]) * rich), not_(first))};
 }
 
 /* A cell's share goes to its mineral, and with the cell's brightness. uneven: that
@@ -45,112 +45,232 @@ INLINE void cells_add(const stone_cells *c, vu h, const cells_kind *kind, vf sha
   out->toned[2] = out->toned[2] + b * tone;
 }
 
-/* A square well below a cell's size: the two cells that it meets. wide: its longer
- * side; fine: how much of the faces' finer bends is left. nearest: the cell that its
- * middle is in. Of bodies, those of kind 0 are not there, and nobody asks for toned[0]. */
-INLINE void cells_look(const stone_cells *c, const vf p[3], const cells_square *s, vf wide, vf fine,
-                       cells_cover *out, vu *nearest) {
-  vf straight[3], q[3], share[2], one = splat(1.0f), zero = splat(0.0f);
-  cells_turn(c, p, straight);
-  for (int k = 0; k < 3; k++) q[k] = straight[k];
-  vf cloud = cells_bend(c, fine, q), uneven = cloud * splat(1.3f * c->variation) + one;
+#define CELLS_STEPS 6        /* looks along a side of the footprint, at most */
+#define CELLS_STEPS_GRAINS 5 /* likewise, at crystals that fill it */
+#define CELLS_FINE 0.6f      /* cells: wider footprints do not tell the finer of the faces' bends */
+#define CELLS_LOOK_MOST 0.5f /* cells: a look at bodies sees past all of their faces but one */
+
+/* A footprint on a layer, and what has been seen of it. Its looks are parts side by
+ * side, each well below a cell's size. Lengths in cells but for s. */
+typedef struct {
+  const vf *p, *t1, *t2;
+  vf s;
+  vf n[2], inverse[2]; /* looks along each side */
+  cells_square part;
+  vf part_wide, most; /* the part's longer side, and the whole's */
+  vf keep, fine;      /* how much the looks count beside the mean; of the faces' finer bends */
+  vm seen;
+  int once; /* one look at the middle is all, to every lane */
+  vu nearest;
+  cells_cover sum;
+} cells_eye;
+
+/* A look at the two cells that meet at a part of a footprint, on its way through the
+ * three stages below. They run over a few looks each, so that one look's chains of
+ * operations fill the waits of the next one's. */
+typedef struct {
+  cells_eye *eye;
+  vm there;
+  vf straight[3], q[3], cloud; /* where it is, before and after the faces' bends */
   cells_near near[2];
-  cells_find(c, q, &near[0], &near[1]);
-  *nearest = near[0].h;
-  cells_kind kind[2];
-  vm there[2];
-  for (int n = 0; n < 2; n++) {
-    kind[n] = cells_kind_of(c, near[n].at);
-    there[n] = c->shaped ? or_(kind[n].first, kind[n].second) : le(zero, one);
-  }
-  if (!any(or_(there[0], there[1]))) return;
-  cells_shares(c, &near[0], &near[1], s, &share[0], &share[1]);
-  int textured = crystal_textured(c);
-  crystal_noise inner;
-  if (textured) inner = crystal_at(c, straight, s, wide, cloud);
-  for (int n = 0; n < 2; n++) {
-    if (!any(and_(there[n], gt(share[n], zero)))) continue;
-    vf tone[2] = {uneven, uneven};
-    if (textured) {
-      crystal_tones(c, &inner, near[n].h, straight, s, tone);
-      for (int k = 0; k < 2; k++) tone[k] = vmax(tone[k] + uneven, zero);
-    }
-    cells_add(c, near[n].h, &kind[n], share[n], tone, out);
+} cells_look;
+
+STAGE void looks_bend(const stone_cells *c, cells_look *looks, int count) {
+  for (int l = 0; l < count; l++) {
+    cells_look *o = &looks[l];
+    for (int k = 0; k < 3; k++) o->q[k] = o->straight[k];
+    o->cloud = cells_bend(c, o->eye->fine, o->q);
   }
 }
 
-#define CELLS_STEPS 6        /* looks along a side of the footprint, at most */
-#define CELLS_FINE 1.5f      /* cells: wider footprints do not tell the finer of the faces' bends */
-#define CELLS_LOOK_MOST 0.5f /* cells: a look at bodies sees past all of their faces but one */
-
-/* Over a footprint: as many looks as it takes, and past what those reach the
- * expected shares. t1, t2: the square's sides, unit; s: mm. Whether one look
- * at the point itself was all; then nearest is the cell that it is in. */
-STAGE int cells_at(const stone_cells *c, const vf p[3], const vf t1[3], const vf t2[3], vf s,
-                   cells_cover *out, vu *nearest) {
-  vf zero = splat(0.0f), one = splat(1.0f);
-  cells_square all, part;
-  cells_turn(c, t1, all.u);
-  cells_turn(c, t2, all.v);
-  for (int k = 0; k < 3; k++) {
-    all.u[k] = all.u[k] * s;
-    all.v[k] = all.v[k] * s;
+STAGE void looks_find(const stone_cells *c, cells_look *looks, int count) {
+  if (c->grading > 0.0f) {
+    for (int l = 0; l < count; l++)
+      cells_find_as(c, 1, looks[l].q, &looks[l].near[0], &looks[l].near[1]);
+  } else {
+    for (int l = 0; l < count; l++)
+      cells_find_as(c, 0, looks[l].q, &looks[l].near[0], &looks[l].near[1]);
   }
-  vf wide[2] = {cells_length(all.u), cells_length(all.v)}, n[2], inverse[2], side[2];
-  vf most = vmax(wide[0], wide[1]);
-  vf keep = one - smooth_step(splat(c->fade), splat(2.0f * c->fade), most);
-  vf fine = one - smooth_step(splat(CELLS_FINE), splat(1.5f * CELLS_FINE), most);
+}
+
+/* Of bodies, those of kind 0 are not there, and nobody asks for toned[0]. */
+INLINE void look_add(const stone_cells *c, const cells_look *o) {
+  vf share[2], zero = splat(0.0f), one = splat(1.0f);
+  cells_eye *eye = o->eye;
+  eye->nearest = o->near[0].h;
+  cells_kind kind[2];
+  for (int n = 0; n < 2; n++) kind[n] = cells_kind_of(c, o->near[n].at);
+  if (c->shaped) {
+    vm body = or_(or_(kind[0].first, kind[0].second), or_(kind[1].first, kind[1].second));
+    if (!any(body)) return;
+  }
+  cells_shares(c, &o->near[0], &o->near[1], &eye->part, &share[0], &share[1]);
+  vf uneven = o->cloud * splat(1.3f * c->variation) + one, common[2] = {uneven, uneven};
+  int textured = crystal_textured(c);
+  if (textured && c->turbidity > 0.0f) {
+    crystal_noise inner = crystal_at(c, o->straight, &eye->part, eye->part_wide, o->cloud);
+    vf tone[2];
+    crystal_tones(&inner, tone);
+    for (int k = 0; k < 2; k++) common[k] = uneven + tone[k];
+  }
+  int lamellae = c->cleavage > 0.0f && any(lt(eye->most, splat(LAMELLAE_GONE)));
+  cells_cover look = cells_none();
+  for (int n = 0; n < 2; n++) {
+    vf tone[2] = {common[0], common[1]};
+    if (lamellae) {
+      vf l = splat(c->cleavage) * crystal_lamellae(o->near[n].h, o->straight, &eye->part);
+      l = l * crystal_keep(eye->most, 0.3f * LAMELLAE_GONE, LAMELLAE_GONE);
+      tone[0] = tone[0] + splat(0.1f) * l;
+      tone[1] = tone[1] + splat(0.05f) * l;
+    }
+    if (textured) {
+      for (int k = 0; k < 2; k++) tone[k] = vmax(tone[k], zero);
+    }
+    cells_add(c, o->near[n].h, &kind[n], share[n], tone, &look);
+  }
+  cells_cover *sum = &eye->sum;
+  for (int k = 0; k < 2; k++)
+    sum->cover[k] = sel(o->there, sum->cover[k] + look.cover[k], sum->cover[k]);
+  for (int k = 0; k < 3; k++)
+    sum->toned[k] = sel(o->there, sum->toned[k] + look.toned[k], sum->toned[k]);
+}
+
+STAGE void looks_add(const stone_cells *c, const cells_look *looks, int count) {
+  for (int l = 0; l < count; l++) look_add(c, &looks[l]);
+}
+
+INLINE void looks_run(const stone_cells *c, cells_look *looks, int count) {
+  looks_bend(c, looks, count);
+  looks_find(c, looks, count);
+  looks_add(c, looks, count);
+}
+
+/* What the middle of a part knows of the bends there, and what a footprint that is all
+ * but a cell wide need not. */
+INLINE vf eye_fine(const cells_eye *e) {
+  return crystal_keep(e->part_wide, 0.08f, 0.35f) *
+         crystal_keep(e->most, CELLS_FINE, 1.6f * CELLS_FINE);
+}
+
+/* Where the footprint takes more than one look. */
+STAGE void eye_divide(const stone_cells *c, cells_eye *e, const cells_square *all,
+                      const vf wide[2]) {
+  vf one = splat(1.0f), side[2];
   for (int k = 0; k < 2; k++) {
     vi whole;
     vf dense = splat(c->looks) / (one + splat(0.12f) * wide[k]);
     vf looks = vfloor(wide[k] * dense + splat(1.4f), &whole);
-    n[k] = clamp(looks, one, splat(CELLS_STEPS));
-    inverse[k] = side[k] = one / n[k];
+    e->n[k] = clamp(looks, one, splat(c->shaped ? CELLS_STEPS : CELLS_STEPS_GRAINS));
+    e->inverse[k] = side[k] = one / e->n[k];
     if (c->shaped) {
       side[k] = vmin(side[k], splat(CELLS_LOOK_MOST) / vmax(wide[k], splat(CELLS_LOOK_MOST)));
     }
   }
   for (int k = 0; k < 3; k++) {
-    part.u[k] = all.u[k] * side[0];
-    part.v[k] = all.v[k] * side[1];
+    e->part.u[k] = all->u[k] * side[0];
+    e->part.v[k] = all->v[k] * side[1];
   }
-  vf part_wide = vmax(cells_length(part.u), cells_length(part.v));
-  cells_cover sum = cells_none();
-  vm seen = gt(keep, zero), more = gt(n[0] * n[1], one);
-  int once = !any(or_(more, not_(seen)));
-  for (int j = 0; j < CELLS_STEPS; j++) {
-    vm row = and_(seen, lt(splat((float)j), n[1]));
-    if (!any(row)) break;
-    vf v = (splat((float)j + 0.5f) * inverse[1] - splat(0.5f)) * s;
-    for (int i = 0; i < CELLS_STEPS; i++) {
-      vm there = and_(row, lt(splat((float)i), n[0]));
-      if (!any(there)) break;
-      vf u = (splat((float)i + 0.5f) * inverse[0] - splat(0.5f)) * s, at[3];
-      for (int k = 0; k < 3; k++) at[k] = p[k] + t1[k] * u + t2[k] * v;
-      cells_cover look = cells_none();
-      cells_look(c, at, &part, part_wide, fine, &look, nearest);
-      for (int k = 0; k < 2; k++) {
-        sum.cover[k] = sel(there, sum.cover[k] + look.cover[k], sum.cover[k]);
-      }
-      for (int k = 0; k < 3; k++) {
-        sum.toned[k] = sel(there, sum.toned[k] + look.toned[k], sum.toned[k]);
-      }
-    }
+  e->part_wide = vmax(cells_length(e->part.u), cells_length(e->part.v));
+  e->fine = eye_fine(e);
+  e->keep = crystal_keep(e->most, 0.6f * c->fade, 2.1f * c->fade);
+  e->seen = gt(e->keep, splat(0.0f));
+  e->once = !any(or_(gt(e->n[0] * e->n[1], one), not_(e->seen)));
+}
+
+INLINE void eye_open(const stone_cells *c, cells_eye *e) {
+  vf one = splat(1.0f), wide[2];
+  cells_square all;
+  cells_turn(c, e->t1, all.u);
+  cells_turn(c, e->t2, all.v);
+  for (int k = 0; k < 3; k++) {
+    all.u[k] = all.u[k] * e->s;
+    all.v[k] = all.v[k] * e->s;
   }
-  vf each = inverse[0] * inverse[1];
+  e->sum = cells_none();
+  e->nearest = splatu(0);
+  wide[0] = cells_length(all.u);
+  wide[1] = cells_length(all.v);
+  e->most = vmax(wide[0], wide[1]);
+  if (!any(gt(e->most, splat(c->single)))) {
+    e->part = all;
+    e->part_wide = e->most;
+    e->n[0] = e->n[1] = e->inverse[0] = e->inverse[1] = e->keep = one;
+    e->fine = eye_fine(e);
+    e->seen = le(splat(0.0f), one);
+    e->once = 1;
+    return;
+  }
+  eye_divide(c, e, &all, wide);
+}
+
+/* What has been seen, and as far as the looks do not reach the expected shares. */
+INLINE void eye_close(const stone_cells *c, const cells_eye *e, cells_cover *out) {
+  vf one = splat(1.0f), each = e->inverse[0] * e->inverse[1];
   if (c->shaped) {
-    vf at = part_wide * splat(1.0f / CELLS_LOOK_MOST);
+    vf at = e->part_wide * splat(1.0f / CELLS_LOOK_MOST);
     each = each / (one + splat(c->swell) * at * at);
   }
-  for (int k = 0; k < 2; k++) {
-    vf mean = splat(c->mean[k]);
-    out->cover[k] = sel(seen, mix(mean, sum.cover[k] * each, keep), mean);
+  vf mean[2] = {splat(c->mean[0]), splat(c->mean[1])};
+  if (c->bedded && any(lt(e->keep, one))) {
+    vf rich = beds_mean(&c->beds, e->p, e->s * vsqrt(e->t1[1] * e->t1[1] + e->t2[1] * e->t2[1]));
+    rich = sel(lt(e->keep, one), rich, one); /* where no mean is asked for, none rounds */
+    for (int k = 0; k < 2; k++) mean[k] = mean[k] * rich;
   }
+  for (int k = 0; k < 2; k++)
+    out->cover[k] = sel(e->seen, mix(mean[k], e->sum.cover[k] * each, e->keep), mean[k]);
   for (int k = 0; k < 3; k++) {
-    vf mean = splat(k ? c->mean[k - 1] : 1.0f - c->mean[0] - c->mean[1]);
-    out->toned[k] = sel(seen, mix(mean, sum.toned[k] * each, keep), mean);
+    vf expected = k ? mean[k - 1] : one - mean[0] - mean[1];
+    out->toned[k] = sel(e->seen, mix(expected, e->sum.toned[k] * each, e->keep), expected);
   }
-  return once;
+}
+
+#define CELLS_LOOKS 8 /* that go through the stages side by side */
+
+/* Look i, j of a footprint's. */
+INLINE void look_at(const stone_cells *c, cells_eye *e, int i, int j, vm there, cells_look *o) {
+  vf half = splat(0.5f), at[3];
+  vf u = (splat((float)i + 0.5f) * e->inverse[0] - half) * e->s;
+  vf v = (splat((float)j + 0.5f) * e->inverse[1] - half) * e->s;
+  for (int k = 0; k < 3; k++) at[k] = e->p[k] + e->t1[k] * u + e->t2[k] * v;
+  cells_turn(c, at, o->straight);
+  o->there = there;
+  o->eye = e;
+}
+
+STAGE void eye_look_about(const stone_cells *c, cells_eye *e) {
+  cells_look looks[CELLS_LOOKS];
+  int count = 0;
+  for (int j = 0; j < CELLS_STEPS; j++) {
+    vm row = and_(e->seen, lt(splat((float)j), e->n[1]));
+    if (!any(row)) break;
+    for (int i = 0; i < CELLS_STEPS; i++) {
+      vm there = and_(row, lt(splat((float)i), e->n[0]));
+      if (!any(there)) break;
+      look_at(c, e, i, j, there, &looks[count++]);
+      if (count < CELLS_LOOKS) continue;
+      looks_run(c, looks, count);
+      count = 0;
+    }
+  }
+  looks_run(c, looks, count);
+}
+
+/* A layer of cells under a few footprints: as many looks as each takes. Their p, t1, t2
+ * (bed space; the square's sides, unit) and s (mm) are given. */
+STAGE void cells_at(const stone_cells *c, cells_eye *eyes, int count, cells_cover *out) {
+  int once = 1;
+  for (int e = 0; e < count; e++) {
+    eye_open(c, &eyes[e]);
+    once &= eyes[e].once;
+  }
+  if (once && count <= CELLS_LOOKS) {
+    cells_look looks[CELLS_LOOKS];
+    for (int e = 0; e < count; e++) look_at(c, &eyes[e], 0, 0, eyes[e].seen, &looks[e]);
+    looks_run(c, looks, count);
+  } else {
+    for (int e = 0; e < count; e++) eye_look_about(c, &eyes[e]);
+  }
+  for (int e = 0; e < count; e++) eye_close(c, &eyes[e], &out[e]);
 }
 
 #endif

@@ -22,7 +22,8 @@ INLINE vf hole_depth_of(const stone_constants *w, const cells_near *a, const cel
   vf in = splat(0.5f) * (b->d - a->d) * inverse_root(g2 + splat(1e-12f)) - cells_erosion(c, a->h);
   if (c->radius < 4.0f) in = vmin(in, cells_radius(c, a->h) - vsqrt(r2));
   in = vmax(in, zero);
-  vm open = lt(cells_rank(c, a->at), splat(c->chance[1]));
+  vf rich, rank = cells_rank(c, a->at, &rich);
+  vm open = lt(rank, splat(c->chance[1]) * rich);
   /* steep at the rim, flat at the bottom */
   vf depth = splat(2.0f * w->hole_depth) * in / (one + splat(4.0f) * in);
   return sel(open, depth, zero);

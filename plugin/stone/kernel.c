@@ -13,6 +13,9 @@
 
 extern const stone_kernel KERNEL_NAME(stone_kernel_);
 
+/* Blocks that go through each stage before the next begins. */
+#define STONE_BLOCKS CELLS_LOOKS
+
 /* A block of LANES points on its way through the stages. */
 typedef struct {
   uint32_t i, n;
@@ -23,7 +26,8 @@ typedef struct {
   vf albedo[3], speck, hole;
   int crystal_known; /* the colour has met it */
   vu crystal;        /* that the point is in */
-  laid laid;         /* where there is a paving */
+  cells_cover cover[STONE_LAYERS];
+  laid laid; /* where there is a paving */
   surface surface;
 } block;
 
@@ -86,64 +90,73 @@ INLINE void stage_load(const stone_constants *w, int paved, const kernel_io *io,
   square_sides(k->nrm, k->t1, k->t2);
 }
 
-/* A layer over what is there: its two colours cover part of all others. */
-INLINE void lay_over(const stone_cells *c, const block *k, vf weight[STONE_COLOURS], int first,
-                     int second, vf *cover) {
-  cells_cover q;
-  vu unused;
-  cells_at(c, k->p, k->t1, k->t2, k->s, &q, &unused);
-  *cover = vmin(q.cover[0] + q.cover[1], splat(1.0f));
-  vf left = splat(1.0f) - *cover;
-  for (int i = 0; i < STONE_COLOURS; i++) weight[i] = weight[i] * left;
-  weight[first] = weight[first] + q.toned[1];
-  weight[second] = weight[second] + q.toned[2];
+/* The layers of cells, each over all of the blocks. */
+STAGE void stage_cells(const stone_constants *w, block *blocks, int count) {
+  cells_eye eyes[STONE_BLOCKS];
+  cells_cover out[STONE_BLOCKS];
+  for (int l = 0; l < STONE_LAYERS; l++) {
+    if (!w->layer[l].on) continue;
+    for (int b = 0; b < count; b++) {
+      eyes[b].p = blocks[b].p;
+      eyes[b].t1 = blocks[b].t1;
+      eyes[b].t2 = blocks[b].t2;
+      eyes[b].s = blocks[b].s;
+    }
+    cells_at(&w->layer[l], eyes, count, out);
+    for (int b = 0; b < count; b++) {
+      blocks[b].cover[l] = out[b];
+      if (l != LAYER_GRAINS) continue;
+      blocks[b].crystal_known = eyes[b].once;
+      blocks[b].crystal = eyes[b].nearest;
+    }
+  }
 }
 
-STAGE void stage_fabric(const stone_constants *w, block *k) {
-  vf zero = splat(0.0f), one = splat(1.0f), weight[STONE_COLOURS];
-  for (int i = 0; i < STONE_COLOURS; i++) weight[i] = zero;
-  weight[COLOUR_BASE] = one;
-  k->speck = k->hole = zero;
-  if (w->layer[LAYER_GRAINS].on) {
-    cells_cover q;
-    k->crystal_known = cells_at(&w->layer[LAYER_GRAINS], k->p, k->t1, k->t2, k->s, &q, &k->crystal);
-    weight[COLOUR_BASE] = q.toned[0];
-    weight[COLOUR_SECOND] = q.toned[1];
-    weight[COLOUR_THIRD] = q.toned[2];
+/* Two colours of the palette, by their shares, over a part of what is there. */
+INLINE void lay_over(const stone_constants *w, const cells_cover *q, int first, int second,
+                     block *k, vf *cover) {
+  vf one = splat(1.0f);
+  *cover = vmin(q->cover[0] + q->cover[1], one);
+  for (int c = 0; c < 3; c++) {
+    k->albedo[c] = k->albedo[c] * (one - *cover) + q->toned[1] * splat(w->colour[first][c]) +
+                   q->toned[2] * splat(w->colour[second][c]);
   }
+}
+
+/* From the layers' shares, and all that varies slowly, to the colour. */
+STAGE void stage_fabric(const stone_constants *w, block *k) {
+  vf zero = splat(0.0f), one = splat(1.0f), bed = zero, shift = one, cover;
+  k->speck = k->hole = zero;
   if (w->has_beds) {
     vf flat2 = vmax(one - k->nrm[1] * k->nrm[1], zero);
-    vf b = splat(w->bed_contrast) * bed_share(w, k->p, k->s, flat2);
-    weight[COLOUR_BED] = weight[COLOUR_BASE] * b;
-    weight[COLOUR_BASE] = weight[COLOUR_BASE] * (one - b);
+    bed = splat(w->bed_contrast) * bed_share(w, k->p, k->s, flat2);
   }
-  if (w->has_mottle) {
-    vf shift = one + mottle_shift(w, k->p, k->s);
-    for (int i = 0; i <= COLOUR_BED; i++) weight[i] = weight[i] * shift;
+  if (w->has_mottle) shift = one + mottle_shift(w, k->p, k->s);
+  for (int c = 0; c < 3; c++) {
+    vf base = splat(w->colour[COLOUR_BASE][c]);
+    if (w->has_beds) base = mix(base, splat(w->colour[COLOUR_BED][c]), bed);
+    if (w->layer[LAYER_GRAINS].on) {
+      const vf *toned = k->cover[LAYER_GRAINS].toned;
+      base = toned[0] * base + toned[1] * splat(w->colour[COLOUR_SECOND][c]) +
+             toned[2] * splat(w->colour[COLOUR_THIRD][c]);
+    }
+    k->albedo[c] = base * shift;
   }
-  vf cover;
-  if (w->layer[LAYER_SPECKS].on) {
-    lay_over(&w->layer[LAYER_SPECKS], k, weight, COLOUR_BLACK, COLOUR_WHITE, &k->speck);
-  }
+  if (w->layer[LAYER_SPECKS].on)
+    lay_over(w, &k->cover[LAYER_SPECKS], COLOUR_BLACK, COLOUR_WHITE, k, &k->speck);
   if (w->layer[LAYER_INCLUSIONS].on) {
-    lay_over(&w->layer[LAYER_INCLUSIONS], k, weight, COLOUR_INCLUSION, COLOUR_INCLUSION_SECOND,
-             &cover);
+    lay_over(w, &k->cover[LAYER_INCLUSIONS], COLOUR_INCLUSION, COLOUR_INCLUSION_SECOND, k, &cover);
     k->speck = k->speck * (one - cover);
   }
   if (w->has_veins) {
-    vf v = vein_share(w, k->p, k->nrm, k->t1, k->t2, k->s), left = one - v;
-    for (int i = 0; i < STONE_COLOURS; i++) weight[i] = weight[i] * left;
-    weight[COLOUR_VEIN] = v;
-    k->speck = k->speck * left;
+    vf v = vein_share(w, k->p, k->nrm, k->t1, k->t2, k->s);
+    for (int c = 0; c < 3; c++)
+      k->albedo[c] = mix(k->albedo[c], splat(w->colour[COLOUR_VEIN][c]), v);
+    k->speck = k->speck * (one - v);
   }
   if (w->layer[LAYER_HOLES].on) {
-    lay_over(&w->layer[LAYER_HOLES], k, weight, COLOUR_HOLE, COLOUR_HOLE, &k->hole);
+    lay_over(w, &k->cover[LAYER_HOLES], COLOUR_HOLE, COLOUR_HOLE, k, &k->hole);
     k->speck = k->speck * (one - k->hole);
-  }
-  for (int c = 0; c < 3; c++) {
-    vf sum = zero;
-    for (int i = 0; i < STONE_COLOURS; i++) sum = sum + weight[i] * splat(w->colour[i][c]);
-    k->albedo[c] = sum;
   }
 }
 
@@ -159,15 +172,18 @@ STAGE void stage_paper(const stone_constants *w, block *k) {
   k->hole = splat(0.0f);
 }
 
-/* The number of the crystal at the point itself. */
+/* The number of the crystal at the point itself, its faces as bent as the colour has
+ * them: the same whether that is asked for or not. */
 STAGE void stage_grain(const stone_constants *w, const kernel_io *io, block *k) {
   const stone_cells *c = &w->layer[LAYER_GRAINS];
   if (!k->crystal_known) {
-    vf q[3];
-    cells_near near[2];
-    cells_place(c, k->p, q);
-    cells_find(c, q, &near[0], &near[1]);
-    k->crystal = near[0].h;
+    cells_eye eye = {.p = k->p, .t1 = k->t1, .t2 = k->t2, .s = k->s};
+    cells_look look = {.eye = &eye};
+    eye_open(c, &eye);
+    cells_turn(c, k->p, look.straight);
+    looks_bend(c, &look, 1);
+    looks_find(c, &look, 1);
+    k->crystal = look.near[0].h;
   }
   vu h = hash_mix(k->crystal + splatu(HASH_Z));
   put(io, k, STONE_GRAIN, to_float((vi)(h >> 8)) * splat(1.0f / 16777216.0f));
@@ -306,26 +322,43 @@ INLINE void evaluate_as(int paved, const stone_constants *w, const kernel_io *io
   int surface = normal || kernel_wants(io, STONE_HEIGHT, 1) || kernel_wants(io, STONE_MOSS, 3) ||
                 (covered && (albedo || speck));
   int colour = albedo || speck || (hollow && surface);
-  for (uint32_t i = from; i < to; i += LANES) {
-    block k = {.i = i, .n = to - i < LANES ? to - i : LANES};
-    stage_load(w, paved, io, &k);
-    stage_laid(w, paved, io, &k);
-    if (colour) {
-      if (w->mode == 0)
-        stage_fabric(w, &k);
+  int grain = kernel_wants(io, STONE_GRAIN, 1), fabric = colour && w->mode == 0;
+  block blocks[STONE_BLOCKS];
+  for (uint32_t i = from; i < to;) {
+    int count = 0;
+    for (; i < to && count < STONE_BLOCKS; i += LANES, count++) {
+      block *k = &blocks[count];
+      k->i = i;
+      k->n = to - i < LANES ? to - i : LANES;
+      k->crystal_known = 0;
+      stage_load(w, paved, io, k);
+      stage_laid(w, paved, io, k);
+    }
+    if (fabric) stage_cells(w, blocks, count);
+    for (int b = 0; b < count; b++) {
+      block *k = &blocks[b];
+      if (fabric)
+        stage_fabric(w, k);
+      else if (colour)
+        stage_paper(w, k);
       else
-        stage_paper(w, &k);
-    } else {
-      k.hole = splat(0.0f);
+        k->hole = splat(0.0f);
     }
-    if (surface) stage_surface(w, paved, io, &k);
-    if (colour) {
-      if (covered && surface) stage_cover(w, paved, &k);
-      for (int c = 0; c < 3; c++) put(io, &k, STONE_ALBEDO + c, k.albedo[c]);
-      put(io, &k, STONE_SPECK, k.speck);
+    if (surface) {
+      for (int b = 0; b < count; b++) stage_surface(w, paved, io, &blocks[b]);
     }
-    if (kernel_wants(io, STONE_GRAIN, 1)) stage_grain(w, io, &k);
-    if (normal) stage_light(w, paved, io, &k, radiance);
+    for (int b = 0; b < count; b++) {
+      block *k = &blocks[b];
+      if (colour) {
+        if (covered && surface) stage_cover(w, paved, k);
+        for (int c = 0; c < 3; c++) put(io, k, STONE_ALBEDO + c, k->albedo[c]);
+        put(io, k, STONE_SPECK, k->speck);
+      }
+      if (grain) stage_grain(w, io, k);
+    }
+    if (normal) {
+      for (int b = 0; b < count; b++) stage_light(w, paved, io, &blocks[b], radiance);
+    }
   }
 }
 

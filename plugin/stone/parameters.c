@@ -302,6 +302,12 @@ static const sozai_parameter hole_stretch = {
    .doc = "How much longer they are along the bed.",
    .hard_min = 0.2, .hard_max = 20, .soft_min = 1, .soft_max = 8, .default_number = {1}};
 
+static const sozai_parameter hole_bedding = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "hole_bedding", .label = "Hole bedding", .group = "holes", .unit = "",
+   .doc = "How much they keep to certain beds, at 1 leaving others without any.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
+
 static const sozai_parameter base_colour = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
    .id = "base_colour", .label = "Base", .group = "colour", .unit = "",
@@ -484,6 +490,7 @@ const sozai_parameter *const stone_parameters[STONE_PARAMETERS] = {
    [P_HOLE_SIZE] = &hole_size,
    [P_HOLE_SHARE] = &hole_share,
    [P_HOLE_STRETCH] = &hole_stretch,
+   [P_HOLE_BEDDING] = &hole_bedding,
    [P_HOLE_DEPTH] = &laid_hole_depth,
    [P_BASE] = &base_colour,
    [P_SECOND] = &second_colour,

@@ -44,6 +44,16 @@ enum {
 
 enum { LAYER_GRAINS, LAYER_INCLUSIONS, LAYER_SPECKS, LAYER_HOLES, STONE_LAYERS };
 
+/* Beds that a layer's bodies keep to: two families, of which a part has all that there
+ * is in this way. */
+typedef struct {
+  float across[3][3];         /* mm: cells to bed space */
+  float frequency[2];         /* 1/mm */
+  float wave, wave_frequency; /* mm; 1/mm */
+  float few, more, part;      /* how many elsewhere; how many more there, of one family */
+  uint32_t seed, seed_wave;
+} stone_bedding;
+
 /* A layer of cells: a power diagram of jittered points, one to a lattice cell.
  * Lengths are in lattice cells where no unit stands. */
 typedef struct {
@@ -62,9 +72,12 @@ typedef struct {
   float cleavage, turbidity;   /* what is seen within a crystal: crystals.h */
   float swell;                 /* what the widest looks see of bodies in excess, a part of them */
   float size;                  /* mm */
-  float fade;                  /* footprint, in cells, from which the mean stands in */
+  float fade;                  /* footprint, in cells, of which all but all is looked at */
   float looks;                 /* parts to a cell that a footprint is looked at in */
+  float single;                /* footprint, in cells, up to which one look is all */
   int32_t on, shaped;          /* shaped: eroded, or cut to a ball */
+  int32_t bedded;              /* bodies keep to certain beds */
+  stone_bedding beds;
   uint32_t seed, seed_warp;
 } stone_cells;
 

@@ -72,6 +72,7 @@ static const sozai_value values_travertino[] = {
     NUMBER("hole_size", 2.3),
     NUMBER("hole_share", 0.05),
     NUMBER("hole_stretch", 3.6),
+    NUMBER("hole_bedding", 0.85),
     SRGB("hole_colour", 122, 96, 66),
     CHOICE("finish", "honed"),
     NUMBER("ior", 1.6),

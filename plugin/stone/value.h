@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Noise for what bends or clouds and is no surface, of which nobody asks for the
+ * gradient: value noise, of three numbers from one hash or of one.
+ */
+#ifndef SOZAI_STONE_VALUE_H
+#define SOZAI_STONE_VALUE_H
+
+#include "../core/noise.h"
+
+/* sd of each, of all places, over HASH_ONE: corners' 1/3, times the mean of the blends'
+ * squares, which is 26/35 along an axis for the cubic and 181/231 for the quintic. */
+#define VALUE_SD_CUBIC 0.3697f
+#define VALUE_SD 0.4004f
+
+INLINE vu value_corner(const noise_axis a[3], int c, vu seed) {
+  vu x = c & 1 ? a[0].high : a[0].low, y = c & 2 ? a[1].high : a[1].low;
+  return x + y + ((c & 4 ? a[2].high : a[2].low) + seed);
+}
+
+/* Value noise of three numbers within +-HASH_ONE that know nothing of each other; and
+ * gradient noise, of which they are the corners' gradients: little besides, and with
+ * next to nothing in it that is wider than its lattice. */
+INLINE vf value_three(const vf p[3], vu seed, vf out[3]) {
+  static const uint32_t prime[3] = {HASH_X, HASH_Y, HASH_Z};
+  noise_axis a[3];
+  vf v[3][8], s[3][2], ends[3];
+  for (int k = 0; k < 3; k++) a[k] = noise_split_cubic(p[k], prime[k]);
+  for (int c = 0; c < 8; c++) {
+    vu h = hash_upper(value_corner(a, c, seed));
+    v[0][c] = to_float((vi)h);
+    v[1][c] = to_float((vi)(h << 10));
+    v[2][c] = to_float((vi)(h << 20));
+  }
+  for (int k = 0; k < 3; k++) {
+    vf e[4];
+    for (int i = 0; i < 4; i++) e[i] = mix(v[k][2 * i], v[k][2 * i + 1], a[0].w);
+    for (int i = 0; i < 2; i++) s[k][i] = mix(e[2 * i], e[2 * i + 1], a[1].w);
+    out[k] = mix(s[k][0], s[k][1], a[2].w);
+    if (k == 1) ends[1] = mix(e[1], e[3], a[2].w);
+  }
+  /* a gradient times its corner's distance is that times the place in the cell, but for
+   * what the upper ends along its axis have of it */
+  ends[0] = mix(mix(v[0][1], v[0][3], a[1].w), mix(v[0][5], v[0][7], a[1].w), a[2].w);
+  ends[2] = s[2][1];
+  vf sum = splat(0.0f);
+  for (int k = 0; k < 3; k++) sum = sum + (out[k] * a[k].f - ends[k] * a[k].w);
+  return sum;
+}
+
+/* Value noise of one, within +-HASH_ONE. */
+INLINE vf value_one(const vf p[3], vu seed) {
+  static const uint32_t prime[3] = {HASH_X, HASH_Y, HASH_Z};
+  noise_axis a[3];
+  vf v[8], e[4], s[2];
+  for (int k = 0; k < 3; k++) a[k] = noise_split(p[k], prime[k]);
+  for (int c = 0; c < 8; c++) v[c] = hash_signed(value_corner(a, c, seed));
+  for (int i = 0; i < 4; i++) e[i] = mix(v[2 * i], v[2 * i + 1], a[0].w);
+  for (int i = 0; i < 2; i++) s[i] = mix(e[2 * i], e[2 * i + 1], a[1].w);
+  return mix(s[0], s[1], a[2].w);
+}
+
+#endif
