@@ -105,7 +105,7 @@ INLINE void stage_empty(const fibertex_constants *w, block *k) {
     k->sum.albedo[c] = k->sum.direct[c] = k->best.direction[c] = zero;
   }
   k->sum.bare = k->sum.depth = k->most = k->next = zero;
-  k->best.slope = k->best.across = k->best.bare = k->best.detail = zero;
+  k->best.slope = k->best.bend = k->best.across = k->best.strand = k->best.lit = zero;
   k->best.id = splatu(0);
 }
 
