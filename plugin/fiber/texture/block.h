@@ -43,7 +43,6 @@ typedef struct {
 typedef struct {
   uint32_t i, n;
   cloth_place cloth;
-  vf turned; /* of a cloth: whether across is against e2, 1 or -1 */
   vf at[3];
   hull_frame f;
   lattice_frame g[LATTICES];
@@ -61,7 +60,7 @@ typedef struct {
   vf most, next;
   struct {
     vf direction[2], slope, bend, across;
-    vf strand, lit;   /* what of its share is a strand, and lit */
+    vf strand, lit;  /* what of its share is a strand, and lit */
     vf bare, detail; /* in the end: how lit it is; 1 a strand, 0 no more than a mean */
     vu id;
   } best;

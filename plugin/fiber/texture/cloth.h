@@ -13,7 +13,7 @@
 
 /* Where the warp lies on the surface. */
 typedef struct {
-  vf u, v;    /* along warp, along weft: mm */
+  vf u, v;    /* along the frame's first axis, which is the warp, and its second: mm */
   vf axis[3]; /* the warp's */
 } cloth_place;
 
