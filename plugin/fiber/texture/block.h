@@ -50,6 +50,7 @@ typedef struct {
   ground ground;
   vf s;
   sums sum;
+  vf hole;                     /* what of it neither yarns nor what is below them cover */
   vf shade;                    /* what is left of light by strands close above */
   vf front;                    /* 0 behind, 1 in front, with a soft edge */
   vf inverse[2];               /* 1 over the cosines of light and view, none too great */

@@ -159,9 +159,7 @@ STAGE void layers_of_yarn(const fibertex_constants *w, const fibertex_layer *c, 
   stages_of_lanes(w, c, layers, 0, k, blocks, of);
   EACH_LAYER {
     const vf d[2] = {splat(c[l].twist[0]), splat(c[l].twist[1])};
-    lane_hit *hit = &of[l][b].hit;
-    hit->cover = hit->cover * k[b].ground.solid;
-    hit->mean = hit->mean * k[b].ground.solid;
+    const lane_hit *hit = &of[l][b].hit;
     compose(w, &c[l], &k[b], hit, splat(0.0f), d, splat(c[l].depth) + k[b].ground.level, light);
   }
 }
@@ -175,6 +173,12 @@ INLINE int layers_wanted(const block *k, uint32_t blocks) {
   return any(some);
 }
 
+/* What of a footprint lies between yarns is so for all of their layers. */
+INLINE void keep_holes(block *k) {
+  k->hole = k->sum.left * (splat(1.0f) - k->ground.solid);
+  k->sum.left = k->sum.left - k->hole;
+}
+
 /* Down through the shell. */
 INLINE void stage_layers(const fibertex_constants *w, int woven, block *k, uint32_t blocks,
                          int level, int light) {
@@ -183,6 +187,7 @@ INLINE void stage_layers(const fibertex_constants *w, int woven, block *k, uint3
   for (uint32_t l = 0; l < all && layers_wanted(k, blocks); l += layers) {
     uint32_t to = l < first ? first : all;
     layers = to - l < LAYERS_TOGETHER ? to - l : LAYERS_TOGETHER;
+    if (woven && l == first) EACH(b, blocks) keep_holes(&k[b]);
     if (woven && l >= first)
       layers_of_yarn(w, w->layer + l, layers, k, blocks, light);
     else

@@ -102,6 +102,7 @@ INLINE void stage_empty(const fibertex_constants *w, block *k) {
   const vf zero = splat(0.0f), one = splat(1.0f);
   k->far = smooth_step(splat(w->far[0]), splat(w->far[1]), k->s);
   k->sum.left = k->shade = one;
+  k->hole = zero;
   for (int c = 0; c < 2; c++) {
     k->sum.albedo[c] = k->sum.direct[c] = k->best.direction[c] = zero;
   }
