@@ -222,7 +222,7 @@ static const aggregate list[] = {
      .rays = 12000,
      .mean = {0.07, 0.05, 0.05},
      .each = {0.2, 0.18, 0.23},
-     .apart = 0.075},
+     .apart = 0.08},
     {.name = "half-thick",
      .preset = "felt",
      .diameter = 20,
@@ -238,7 +238,7 @@ static const aggregate list[] = {
      .rays = 8000,
      .mean = {0.03, 0.03, 0.06},
      .each = {0.04, 0.04, 0.09},
-     .apart = 0.055},
+     .apart = 0.07},
 };
 
 static void all_of_them(void **unused) {

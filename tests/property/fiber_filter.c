@@ -12,7 +12,7 @@
 #include "truth.h"
 
 #define PI 3.14159265358979
-enum { PLACES = 60, SIZES = 8, KINDS = 3, COVERAGE = 6 };
+enum { PLACES = 150, SIZES = 8, KINDS = 3, COVERAGE = 6 };
 static const double sizes[SIZES] = {0.003, 0.01, 0.03, 0.1, 0.3, 1, 3, 10};
 
 /* As truth_ask, under a light and from an eye that are not above. */
@@ -95,8 +95,8 @@ static void against_1024_samples(void **state) {
   }
   /* The goals are missed where a footprint holds some strands: docs/fiber-texture.md.
    * What is held is that this gets no worse. */
-  static const double held[KINDS] = {0.1, 0.08, 0.1}, held_mean[KINDS] = {0.004, 0.005, 0.02};
-  static const unsigned held_missed[KINDS] = {143, 157, 58};
+  static const double held[KINDS] = {0.095, 0.078, 0.1}, held_mean[KINDS] = {0.003, 0.005, 0.004};
+  static const unsigned held_missed[KINDS] = {143, 155, 56};
   for (int kind = 0; kind < KINDS; kind++) {
     assert_true(worst[kind] <= held[kind] && worst_mean[kind] <= held_mean[kind]);
     assert_true(missed[kind] <= held_missed[kind]);

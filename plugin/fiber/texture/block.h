@@ -11,7 +11,7 @@
 
 /* Work of several blocks goes through a stage side by side: a stage waits for its own
  * results most of the time, and does not for another block's. */
-#define BLOCKS_TOGETHER (LANES == 1 ? 1 : 32 / LANES)
+#define BLOCKS_TOGETHER (LANES == 1 ? 1 : 64 / LANES)
 
 #ifdef __clang__
 #define ROLLED PRAGMA_(clang loop unroll(disable))
@@ -43,7 +43,6 @@ typedef struct {
 typedef struct {
   uint32_t i, n;
   cloth_place cloth;
-  vf turned; /* of a cloth: whether across is against e2, 1 or -1 */
   vf at[3];
   hull_frame f;
   lattice_frame g[LATTICES];
@@ -51,6 +50,7 @@ typedef struct {
   ground ground;
   vf s;
   sums sum;
+  vf hole;                     /* what of it neither yarns nor what is below them cover */
   vf shade;                    /* what is left of light by strands close above */
   vf front;                    /* 0 behind, 1 in front, with a soft edge */
   vf inverse[2];               /* 1 over the cosines of light and view, none too great */
@@ -60,7 +60,9 @@ typedef struct {
   /* the strand that most is seen of, and how much of the next */
   vf most, next;
   struct {
-    vf direction[2], slope, across, bare, detail;
+    vf direction[2], slope, bend, across;
+    vf strand, lit;  /* what of its share is a strand, and lit */
+    vf bare, detail; /* in the end: how lit it is; 1 a strand, 0 no more than a mean */
     vu id;
   } best;
 } block;

@@ -181,8 +181,9 @@ static double build_shell(fibertex_constants *w, const settings *s, const fibert
       double apart = 0.8 + 0.4 * (double)((k * 5) % 7) / 6.0;
       place_layer(w, l, size * apart, 0.5 * d, closest(k, count), wanted[l],
                   over + shown * (seen + 0.5 * each));
-      /* the lowest end where the next bundle begins: nobody sees them so sharply */
-      if (k >= count - 2) w->layer[l].reach2 *= 2.1f;
+      /* the lower, the more end where the next bundle begins: nobody sees them so sharply, and
+       * gaps between bundles of all layers would be cobbles from afar */
+      w->layer[l].reach2 *= (float)(1.0 + 1.1 * least(1.0, 1.5 * k / (count - 2)));
     }
     seen += each;
   }

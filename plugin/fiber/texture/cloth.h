@@ -13,7 +13,7 @@
 
 /* Where the warp lies on the surface. */
 typedef struct {
-  vf u, v;    /* along warp, along weft: mm */
+  vf u, v;    /* along the frame's first axis, which is the warp, and its second: mm */
   vf axis[3]; /* the warp's */
 } cloth_place;
 
@@ -88,8 +88,11 @@ INLINE void cloth_yarn(const fibertex_constants *w, int which, vi mine, vf at, v
   vf rest = one - q->across * q->across;
   q->on = gt(rest, zero);
   q->solid = sel(q->on, one, zero);
-  /* of a footprint, the share that lies on the yarn */
-  vf part = clamp01((one - vabs(q->across)) * q->half / vmax(s, splat(1e-9f)) + half);
+  /* of a footprint, the share that lies on the yarn; what is wider than from one yarn to the
+   * next has as much as that */
+  vf box = vmin(vmax(s, splat(1e-9f)), splat(y->spacing));
+  vf from_middle = vabs(q->across) * q->half, to = vmin(from_middle + half * box, q->half);
+  vf part = clamp01((to - vmax(from_middle - half * box, zero - q->half)) / box);
   q->solid = sel(gt(s, zero), part, q->solid);
   q->top = sel(
       q->on, splat(y->over) + splat(y->rise) * middle + splat(y->height) * vsqrt(vmax(rest, zero)),
@@ -126,7 +129,9 @@ INLINE cloth_hit cloth_yarns(const fibertex_constants *w, int which, vf at, vf o
   cloth_yarn(w, which, left, at, f, s, &a);
   cloth_yarn(w, which, left + splati(1), at, f - one, s, &b);
   a.weft = b.weft = lt(one, half);
-  return cloth_higher(&a, &b);
+  cloth_hit r = cloth_higher(&a, &b);
+  r.solid = vmin(a.solid + b.solid, one); /* side by side */
+  return r;
 }
 
 INLINE void cloth_at(const fibertex_constants *w, vf u, vf v, vf s, cloth_hit *q) {

@@ -38,7 +38,6 @@ STAGE void ground_cloth(const fibertex_constants *w, block *k) {
   ground *g = &k->ground;
   cloth_hit q;
   cloth_at(w, k->cloth.u, k->cloth.v, k->s, &q);
-  q.across = q.across * k->turned;
   cloth_frame(w, &q, g->along, g->across, g->up);
   g->weft = q.share;
   g->ambient = q.ambient;

@@ -60,6 +60,7 @@ INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io 
     EACH(b, count) stage_empty(w, &of[b]);
     stage_layers(w, woven, of, count, level, light);
     stage_looks(w, woven, of, count, light, all);
+    EACH(b, count) stage_best(&of[b]);
     EACH(b, count) stage_deep(w, &of[b]);
     EACH(b, count) stage_show(w, woven, io, &of[b], &all[b], light, &out[b]);
     stage_store(io, of, count, out);

@@ -81,12 +81,13 @@ INLINE vf lane_far(const fibertex_layer *c, vf s) {
 
 /* What a layer shows: coverage, and of the strand that covers most the rest. */
 typedef struct {
-  vf cover;
+  vf cover;  /* by its strands, */
+  vf mean;   /* and by what is no more than a mean of them */
   vf slope;  /* of the centreline, the bundle's and its own */
   vf across; /* place across the strand, -1 to 1 */
-  vf tone, second, bright;
-  vf soft;   /* how near a strand is, 0 to 1: it takes light from what is below */
-  vf detail; /* 1 where strands are seen, 0 where only their mean is */
+  vf tone;   /* over a field's 2^31 */
+  vf second, bright;
+  vf soft; /* how near a strand is, 0 to 1: it takes light from what is below */
   vu id;
 } lane_hit;
 
@@ -213,9 +214,9 @@ INLINE void lane_choose(const fibertex_constants *w, const fibertex_layer *c, in
   vf sum = lo + hi;
   vf across2 = vmin((sum * sum - lo * hi) * splat(1.0f / 3.0f), one);
   q->across = clamp(sum * splat(0.5f), splat(-1.0f), one) + zero;
-  q->tone = splat(FIELD(1.0f)) * field_of(id, 3);
+  q->tone = field_of(id, 3);
   q->id = id;
-  q->second = lane_second(w, id);
+  q->second = w->second_chance ? lane_second(w, id) : zero;
   /* what is brighter in the middle: 1 at the mean */
   vf bright = splat(c->lift) * (splat(1.0f / (1.0f - LANE_RIM / 3.0f)) -
                                 splat(LANE_RIM / (1.0f - LANE_RIM / 3.0f)) * across2);
@@ -225,24 +226,15 @@ INLINE void lane_choose(const fibertex_constants *w, const fibertex_layer *c, in
                        splat(LANE_DIVE / (1.0f - LANE_DIVE / 3.0f)) * (v * v));
   }
   q->bright = bright;
-  q->detail = one;
+  q->mean = zero;
 }
 
-/* Between the two. The mean of what is covered has its strands in proportion to coverage. */
-INLINE void lane_blend(const fibertex_constants *w, const fibertex_layer *c, const lane_place *p,
-                       vf far, vf expected, lane_hit *q) {
-  const vf one = splat(1.0f), zero = splat(0.0f);
-  vf near = one - far, seen = near * q->cover, all = seen + far * expected;
-  vf part = sel(gt(far, zero), seen / vmax(all, splat(1e-6f)), one), rest = one - part;
-  q->cover = all;
-  q->slope = q->slope * part + (p->bend * rest + zero);
-  q->across = q->across * part + zero; /* no -0 */
-  q->id = (vu)seli(lt(far, one), (vi)q->id, splati(0));
-  q->tone = q->tone * part;
-  q->second = q->second * part + splat(w->second_share) * rest;
-  q->bright = q->bright * part + rest;
+/* Between the two: a layer shows a part by its strands and a part by their mean. */
+INLINE void lane_blend(const fibertex_layer *c, vf far, vf expected, lane_hit *q) {
+  vf near = splat(1.0f) - far;
+  q->cover = near * q->cover;
+  q->mean = far * expected;
   q->soft = q->soft * near + splat(c->soft) * far;
-  q->detail = near;
 }
 
 #endif

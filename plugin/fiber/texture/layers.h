@@ -9,15 +9,21 @@
 
 /* A layer's strands over what is below them; direction: in the ground's frame. */
 INLINE void compose(const fibertex_constants *w, const fibertex_layer *c, block *k,
-                    const lane_hit *q, const vf direction[2], vf level, int light) {
-  const vf one = splat(1.0f);
+                    const lane_hit *q, vf bend, const vf direction[2], vf level, int light) {
   sums *sum = &k->sum;
-  vf share = sum->left * q->cover;
+  vf strand = sum->left * q->cover, rest = sum->left * q->mean, share = strand + rest;
   sum->left = sum->left - share;
-  vf dark = k->shade * q->bright, part = share * dark * (one + splat(w->variation) * q->tone);
-  vf second = part * q->second, first = part - second, ambient = splat(c->ambient);
+  /* the mean of strands is 1 bright */
+  vf bright = strand * q->bright, shade = k->shade;
+  vf toned = bright + bright * (splat(FIELD(1.0f) * w->variation) * q->tone);
+  vf first = (toned + rest) * shade, ambient = splat(c->ambient), lit = k->lit;
+  if (w->second_chance) {
+    vf second = (toned * q->second + rest * splat(w->second_share)) * shade;
+    first = first - second;
+    sum->albedo[1] = sum->albedo[1] + second * ambient;
+    if (light) sum->direct[1] = sum->direct[1] + second * lit;
+  }
   sum->albedo[0] = sum->albedo[0] + first * ambient;
-  sum->albedo[1] = sum->albedo[1] + second * ambient;
   sum->depth = sum->depth + share * level;
   vm more = gt(share, k->most);
   k->next = vmax(k->next, vmin(share, k->most));
@@ -27,19 +33,30 @@ INLINE void compose(const fibertex_constants *w, const fibertex_layer *c, block 
     k->best.direction[i] = sel(more, direction[i], k->best.direction[i]);
   }
   k->best.slope = sel(more, q->slope, k->best.slope);
+  k->best.bend = sel(more, bend, k->best.bend);
   k->best.across = sel(more, q->across, k->best.across);
-  k->best.detail = sel(more, q->detail, k->best.detail);
+  k->best.strand = sel(more, strand, k->best.strand);
   if (light) {
-    vf lit = k->lit;
+    vf bare = (bright + rest) * (shade * lit);
     sum->direct[0] = sum->direct[0] + first * lit;
-    sum->direct[1] = sum->direct[1] + second * lit;
-    lit = dark * lit;
-    sum->bare = sum->bare + share * lit;
-    k->best.bare = sel(more, lit, k->best.bare);
-    k->lit = k->lit * k->step[0];
+    sum->bare = sum->bare + bare;
+    k->best.lit = sel(more, bare, k->best.lit);
+    k->lit = lit * k->step[0];
     k->step[0] = k->step[0] * k->step[1];
   }
-  k->shade = k->shade * (one + splat(w->contact) * (splat(c->soft) - q->soft));
+  k->shade = shade * (splat(1.0f + w->contact * c->soft) - splat(w->contact) * q->soft);
+}
+
+/* What of it is only known when all layers have been: of what covers most, how much is a strand's
+ * and how much its bundle's mean. */
+INLINE void stage_best(block *k) {
+  const vf zero = splat(0.0f), one = splat(1.0f);
+  vf inverse = one / vmax(k->most, splat(1e-6f));
+  vf part = k->best.detail = vmin(k->best.strand * inverse, one);
+  k->best.bare = k->best.lit * inverse;
+  k->best.slope = k->best.slope * part + (k->best.bend * (one - part) + zero);
+  k->best.across = k->best.across * part + zero; /* no -0 */
+  k->best.id = (vu)seli(gt(part, zero), (vi)k->best.id, splati(0));
 }
 
 INLINE void yarn_place(const fibertex_layer *c, const vf at[2], vu h, lane_place *p) {
@@ -108,7 +125,7 @@ INLINE void stages_of_lanes(const fibertex_constants *w, const fibertex_layer *c
   if (!any(means)) return;
   EACH_LAYER {
     layer_work *q = &of[l][b];
-    lane_blend(w, &c[l], &q->p, q->far, q->expected, &q->hit);
+    lane_blend(&c[l], q->far, q->expected, &q->hit);
   }
 }
 
@@ -130,7 +147,8 @@ STAGE void layers_of_hull(const fibertex_constants *w, const fibertex_layer *c, 
   layers_work of;
   stages_of_hull(w, c, layers, k, blocks, level, of);
   EACH_LAYER {
-    compose(w, &c[l], &k[b], &of[l][b].hit, of[l][b].direction, splat(c[l].depth), light);
+    const layer_work *q = &of[l][b];
+    compose(w, &c[l], &k[b], &q->hit, q->p.bend, q->direction, splat(c[l].depth), light);
   }
 }
 
@@ -141,9 +159,8 @@ STAGE void layers_of_yarn(const fibertex_constants *w, const fibertex_layer *c, 
   stages_of_lanes(w, c, layers, 0, k, blocks, of);
   EACH_LAYER {
     const vf d[2] = {splat(c[l].twist[0]), splat(c[l].twist[1])};
-    lane_hit *hit = &of[l][b].hit;
-    hit->cover = hit->cover * k[b].ground.solid;
-    compose(w, &c[l], &k[b], hit, d, splat(c[l].depth) + k[b].ground.level, light);
+    const lane_hit *hit = &of[l][b].hit;
+    compose(w, &c[l], &k[b], hit, splat(0.0f), d, splat(c[l].depth) + k[b].ground.level, light);
   }
 }
 
@@ -156,6 +173,12 @@ INLINE int layers_wanted(const block *k, uint32_t blocks) {
   return any(some);
 }
 
+/* What of a footprint lies between yarns is so for all of their layers. */
+INLINE void keep_holes(block *k) {
+  k->hole = k->sum.left * (splat(1.0f) - k->ground.solid);
+  k->sum.left = k->sum.left - k->hole;
+}
+
 /* Down through the shell. */
 INLINE void stage_layers(const fibertex_constants *w, int woven, block *k, uint32_t blocks,
                          int level, int light) {
@@ -164,6 +187,7 @@ INLINE void stage_layers(const fibertex_constants *w, int woven, block *k, uint3
   for (uint32_t l = 0; l < all && layers_wanted(k, blocks); l += layers) {
     uint32_t to = l < first ? first : all;
     layers = to - l < LAYERS_TOGETHER ? to - l : LAYERS_TOGETHER;
+    if (woven && l == first) EACH(b, blocks) keep_holes(&k[b]);
     if (woven && l >= first)
       layers_of_yarn(w, w->layer + l, layers, k, blocks, light);
     else

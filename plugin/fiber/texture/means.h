@@ -126,9 +126,10 @@ STAGE void far_sums(const fibertex_constants *w, const block *k, int light, sums
 
 /* What is below the layers, seen between their strands. */
 INLINE void stage_deep(const fibertex_constants *w, block *k) {
-  vf under = k->sum.left * splat(w->deep) * k->ground.solid, shaded = under * k->shade;
+  vf under = k->sum.left * splat(w->deep), shaded = under * k->shade;
   add_mean(w, &k->sum, under, shaded * splat(w->deep_ambient), shaded * k->deep_lit,
            under * (splat(w->deep_depth) + k->ground.level));
+  k->sum.left = k->sum.left + k->hole;
 }
 
 #endif

@@ -28,7 +28,7 @@ INLINE void into_frame(const hull_frame *f, const vf v[3], vf out[3]) {
 
 /* What is at the point: where it is, its normal, its footprint. */
 INLINE void stage_point(const fibertex_constants *w, int woven, const kernel_io *io, block *k) {
-  const vf zero = splat(0.0f), one = splat(1.0f);
+  const vf zero = splat(0.0f);
   vf axis[3], other[3];
   for (int c = 0; c < 3; c++) {
     k->at[c] = finite_coordinate(load_lanes(io->in->point[c], k->i, k->n)) + splat(w->offset[c]);
@@ -45,7 +45,8 @@ INLINE void stage_point(const fibertex_constants *w, int woven, const kernel_io 
   }
   if (woven) cloth_axes(w, k->f.n, k->at, &k->cloth, other);
   frame_axes(w, woven ? k->cloth.axis : axis, &k->f);
-  if (woven) k->turned = sel(lt(dot3(other, k->f.e2), zero), zero - one, one);
+  /* along e2, so that a twill leans the same way from every side, as it is woven */
+  if (woven) k->cloth.v = sel(lt(dot3(other, k->f.e2), zero), zero - k->cloth.v, k->cloth.v);
 }
 
 INLINE void stage_view(const kernel_io *io, block *k) {
@@ -101,11 +102,12 @@ INLINE void stage_empty(const fibertex_constants *w, block *k) {
   const vf zero = splat(0.0f), one = splat(1.0f);
   k->far = smooth_step(splat(w->far[0]), splat(w->far[1]), k->s);
   k->sum.left = k->shade = one;
+  k->hole = zero;
   for (int c = 0; c < 2; c++) {
     k->sum.albedo[c] = k->sum.direct[c] = k->best.direction[c] = zero;
   }
   k->sum.bare = k->sum.depth = k->most = k->next = zero;
-  k->best.slope = k->best.across = k->best.bare = k->best.detail = zero;
+  k->best.slope = k->best.bend = k->best.across = k->best.strand = k->best.lit = zero;
   k->best.id = splatu(0);
 }
 

@@ -23,7 +23,7 @@
 /* A stage that is large, or called from several places: once in the code. */
 #define STAGE static __attribute__((noinline, unused))
 
-#define FIBERTEX_LAYERS 8
+#define FIBERTEX_LAYERS 7
 #define FIBERTEX_DIRECTIONS 16 /* that bundles lie in: quantiles */
 #define FIBERTEX_LOOKS 6       /* directions that stand for all from afar */
 
