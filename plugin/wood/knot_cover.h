@@ -54,9 +54,9 @@ INLINE knot_place knot_none(void) {
 
 /* A point in the section of a knot; see knots.h. */
 typedef struct {
-  vf u, a, h, hx, hz; /* hx, hz: of h along x and z; along y it is the cosine */
+  vf u, a, h, hx, hz;            /* hx, hz: of h along x and z; along y it is the cosine */
   vf square, inverse, d, da, dh; /* square: of p, and 1 / p */
-  vm grown, grown_wide; /* the knot is there; or within a wide footprint */
+  vm grown, grown_wide;          /* the knot is there; or within a wide footprint */
 } knot_section;
 
 INLINE knot_section knot_section_at(const wood_knots *all, const wood_knot *k, vf y,
@@ -169,8 +169,10 @@ INLINE vf knot_end_width(const wood_knot *k, const knot_window *q, const knot_se
                          const knot_stub *stub) {
   vf dx = q->x * o->inverse + splat(k->pith_x), dy = q->y * o->inverse + splat(k->pith_y);
   vf tall = splat(1.0f / k->upright), lean = splat(k->lean), ht = q->yt * tall, hv = q->yv * tall;
-  vf t = stub->by_d * (dx * q->xt + dy * q->yt) + stub->by_a * (q->xt - lean * ht) + stub->by_h * ht;
-  vf v = stub->by_d * (dx * q->xv + dy * q->yv) + stub->by_a * (q->xv - lean * hv) + stub->by_h * hv;
+  vf t =
+      stub->by_d * (dx * q->xt + dy * q->yt) + stub->by_a * (q->xt - lean * ht) + stub->by_h * ht;
+  vf v =
+      stub->by_d * (dx * q->xv + dy * q->yv) + stub->by_a * (q->xv - lean * hv) + stub->by_h * hv;
   t = q->along - t;
   return vmax(vsqrt(t * t + v * v), splat(0.2f));
 }
@@ -206,9 +208,9 @@ INLINE vf knot_chord(const wood_knot *k, const knot_line *l, vf d) {
 
 /* Of the square: chords along v are exact, and t is gone through by Gauss and
  * Legendre's rule over the part of it that meets the knot, and over that which meets its
- * halo. scale: of rho over u. */
+ * halo. scale: of rho over u; end: rho of it here, and over how much of rho. */
 INLINE knot_shares knot_chords(const wood_knots *all, const wood_knot *k, const knot_window *q,
-                               vf scale) {
+                               vf scale, vf end, vf ends_over, vf edge) {
   static const float node[4] = {-0.8611363f, -0.3399810f, 0.3399810f, 0.8611363f};
   static const float weight[4] = {0.1739274f, 0.3260726f, 0.3260726f, 0.1739274f};
   vf zero = splat(0.0f), one = splat(1.0f), half = splat(0.5f);
@@ -219,9 +221,13 @@ INLINE knot_shares knot_chords(const wood_knots *all, const wood_knot *k, const 
                     .across = (mx * q->yv - my * q->xv) * inverse,
                     .down = (mx * q->xv + my * q->yv) * inverse * inverse};
   vf inverse_along = one / q->along, inverse_scale = one / scale;
-  /* the end is rounded, and aslant: its mean; and over what length, where it is not cut along */
-  vf left = splat(k->end - 0.5f * KNOT_ROUND * k->radius);
-  vf ends = vmin(left * inverse_scale, splat(k->reach)), aslant = splat(KNOT_ASLANT * k->radius);
+  /* the end is rounded, and aslant: its mean, the wider the footprint the more nearly that
+   * of all of it; and over what length, where it is not cut along */
+  vf whole = smooth_step(splat(0.8f * k->radius), splat(2.0f * k->radius), edge);
+  vf aslant = splat(KNOT_ASLANT * k->radius);
+  vf left = mix(end, splat(k->end - 0.5f * KNOT_ROUND * k->radius), whole);
+  vf ends = vmin(left * inverse_scale, splat(k->reach));
+  aslant = mix(vmin(ends_over, aslant), aslant, whole);
   aslant = vmax(aslant * clamp01(splat(2.0f) - q->along / aslant), splat(1e-3f));
   vf inverse_aslant = one / aslant, over = ends + half * aslant;
   vf first = clamp((zero - q->u) * inverse_along, zero - half, half);
@@ -350,7 +356,7 @@ INLINE void knot_see(const wood_knots *all, const wood_knot *k, const knot_secti
   /* 1 - (d / radius)^2 in its mean over the footprint, or over all of the knot */
   vf heart = clamp01(one - (o->d * o->d + wd * wd * splat(1.0f / 6.0f)) / (radius * radius));
   if (any(gt(large, zero))) {
-    knot_shares c = knot_chords(all, k, &q, scale);
+    knot_shares c = knot_chords(all, k, &q, scale, end, ends, edge);
     vm some = gt(large, zero);
     share = sel(some, mix(share, c.knot, large), share);
     skin = sel(some, mix(skin, c.bark, large), skin);

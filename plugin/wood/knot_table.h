@@ -41,17 +41,17 @@
 /* Lengths in mm; K and e as in knots.h; rho is the stem's radius as its rings
  * are reckoned. */
 typedef struct {
-  float c, s;          /* direction from the pith: x, z */
-  float height, slope; /* of its axis: where it leaves the pith; rise over run */
-  float cosine;        /* of its inclination */
-  float squash, lean;  /* p^2 = a^2 + squash h^2 + 2 lean a h, */
-  float upright;       /* (a + lean h)^2 + (upright h)^2; */
-  float pith_a, pith_h;   /* d = p + pith_a a + pith_h h: the pith is a focus of its rings */
-  float pith_x, pith_y;   /* likewise, in the section stretched so that p is round: there */
+  float c, s;               /* direction from the pith: x, z */
+  float height, slope;      /* of its axis: where it leaves the pith; rise over run */
+  float cosine;             /* of its inclination */
+  float squash, lean;       /* p^2 = a^2 + squash h^2 + 2 lean a h, */
+  float upright;            /* (a + lean h)^2 + (upright h)^2; */
+  float pith_a, pith_h;     /* d = p + pith_a a + pith_h h: the pith is a focus of its rings */
+  float pith_x, pith_y;     /* likewise, in the section stretched so that p is round: there */
   float middle_x, middle_y; /* a ring's middle is, over its d, and it is about a circle, */
   float round;              /* of so much of d */
-  float born;          /* rho at which it begins */
-  float length;        /* in rho, until it grew no more */
+  float born;               /* rho at which it begins */
+  float length;             /* in rho, until it grew no more */
   float inverse_length;
   float radius; /* at that time */
   float inverse_radius;
@@ -62,7 +62,7 @@ typedef struct {
   float reach;             /* along u: how far it has any effect, */
   float bends;             /* likewise to its side and along it, */
   float near;              /* mm^2: more closely, where a^2 + h^2 / 4 is below it; */
-  float sees;              /* and d of what a point sees */
+  float sees;              /* and p of what a point sees */
   float check_c, check_s;  /* across the check, in its section; */
   float split_c, split_s;  /* and across one that runs from the pith to one side */
   float apart;             /* its section is looked up so far from the stem's */

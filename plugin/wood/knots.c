@@ -20,7 +20,7 @@
 #define SLOWEST 0.8      /* q */
 #define HIGH 0.4         /* of the collar at a knot's side, over its radius */
 #define HIGH_RISING 0.6  /* and what is more above and below */
-#define PITH 0.15       /* how far a knot's pith is from its middle, over its radius */
+#define PITH 0.15        /* how far a knot's pith is from its middle, over its radius */
 #define WITHOUT_AGE 60.0 /* years, where a table of knots alone tells none */
 
 /* ---- one knot ---------------------------------------------------------- */
@@ -154,8 +154,9 @@ static int make_knot(wood_knot *k, const wood_constants *w, const knot_source *f
   if (!stays && (double)k->end + 12.0 * radius < reach) reach = (double)k->end + 12.0 * radius;
   k->reach = (float)reach;
   set_bounds(k);
-  double sees = 1.3 * (radius + number_at(s, P_KNOT_BARK)), resin = 1.0 + (double)KNOT_HALO;
-  k->sees = (float)((sees > 1.3 * resin * radius ? sees : 1.3 * resin * radius) + 0.2);
+  double sees = radius + number_at(s, P_KNOT_BARK), resin = (1.0 + (double)KNOT_HALO) * radius;
+  double off = __builtin_sqrt(px * px + py * py);
+  k->sees = (float)(1.02 * (sees > resin ? sees : resin) / (1.0 - off) + 0.2);
   raise_collar(k, number_at(s, P_KNOT_COLLAR));
   k->check_c = (float)scalar_cos(2.0 * PI * even(seed, 4));
   k->check_s = (float)scalar_sin(2.0 * PI * even(seed, 4));

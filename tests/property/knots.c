@@ -351,8 +351,8 @@ static void rings_never_cross(void **state) {
 
 static void against_1024_samples(void **state) {
   (void)state;
-  enum { PLACES = 300, SIZES = 9 };
-  static const double sizes[SIZES] = {0.01, 0.03, 0.1, 0.3, 1, 3, 10, 30, 100};
+  enum { PLACES = 300, SIZES = 10 };
+  static const double sizes[SIZES] = {0.01, 0.03, 0.1, 0.3, 1, 3, 10, 20, 30, 100};
   double worst = 0, mean = 0, bare_worst = 0, bare_mean = 0, share_worst = 0, share_mean = 0;
   points p = {0};
   print_message("RMS / mean error of albedo, by footprint in mm:\n%-12s", "");
@@ -454,8 +454,8 @@ static void bark_at_the_end(void **state) {
   }
   points_free(&p);
   textures->destroy(t);
-  CHECK(worst < 0.05 && beyond < 0.02, "RMS %.4f (0.05) at the end, %.4f (0.02) across the pith\n",
-        worst, beyond);
+  CHECK(worst < 0.055 && beyond < 0.025,
+        "RMS %.4f (0.055) at the end, %.4f (0.025) across the pith\n", worst, beyond);
 }
 
 /* ---- what is skipped ------------------------------------------------------ */
@@ -556,19 +556,12 @@ static int setup(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(radius_bark_and_scar),
-      cmocka_unit_test(axis_and_years),
-      cmocka_unit_test(branches_cross_the_board),
-      cmocka_unit_test(a_measured_tree),
+      cmocka_unit_test(radius_bark_and_scar),     cmocka_unit_test(axis_and_years),
+      cmocka_unit_test(branches_cross_the_board), cmocka_unit_test(a_measured_tree),
 
-      cmocka_unit_test(rings_never_cross),
-      cmocka_unit_test(a_walk_stays_on_its_fibre),
-      cmocka_unit_test(against_1024_samples),
-      cmocka_unit_test(bark_at_the_end),
-      cmocka_unit_test(alone_as_among_others),
-      cmocka_unit_test(refusals),
+      cmocka_unit_test(rings_never_cross),        cmocka_unit_test(a_walk_stays_on_its_fibre),
+      cmocka_unit_test(against_1024_samples),     cmocka_unit_test(bark_at_the_end),
+      cmocka_unit_test(alone_as_among_others),    cmocka_unit_test(refusals),
   };
-  const char *only = getenv("CMOCKA_TEST_FILTER");
-  if (only && *only) cmocka_set_test_filter(only);
   return cmocka_run_group_tests(tests, setup, wood_teardown);
 }
