@@ -709,16 +709,24 @@ INLINE void stage_spalt_colour(block *k) {
   }
 }
 
-#define KNOT_RESIN 0.4f /* of the knot's colour in the wood beside it */
+#define KNOT_RESIN 0.8f /* of the knot's colour in the wood beside it */
+#define KNOT_HEART 0.3f /* by which it is darker at its pith than at its edge */
 
 INLINE void stage_knot_colour(const wood_constants *w, block *k, vf late) {
   const knot_place *q = k->knot;
+  vf one = splat(1.0f), least = splat(1e-6f);
   if (!any(gt(q->cover + q->bark + q->halo, splat(0.0f)))) return;
+  /* of what bark leaves, the knot's share; and of the wood beside both, the resin's */
+  vf rest = vmax(one - q->bark, least), cover = vmin(q->cover / rest, one);
+  vf beside = vmax(rest - q->cover, least), ripe = vmin(q->heart / vmax(q->cover, least), one);
+  vf stain = splat(w->knot_stain), full = splat(KNOT_RESIN) * stain;
+  vf resin = clamp01((q->halo - q->cover - q->bark) / beside) * full;
+  ripe = one - splat(KNOT_HEART) * ripe;
   for (int c = 0; c < 3; c++) {
-    vf own = mix(splat(w->knot_early[c]), splat(w->knot_late[c]), late) * k->shift;
-    vf resin = q->halo * splat(KNOT_RESIN * w->knot_stain);
-    k->albedo[c] = mix(k->albedo[c], splat(w->knot_early[c]) * k->shift, resin);
-    k->albedo[c] = mix(k->albedo[c], own, q->cover * splat(w->knot_stain));
+    vf own = mix(splat(w->knot_early[c]), splat(w->knot_late[c]), late) * (k->shift * ripe);
+    vf wet = splat(w->knot_early[c]) * k->shift;
+    own = mix(mix(k->albedo[c], wet, full), own, stain);
+    k->albedo[c] = mix(mix(k->albedo[c], wet, resin), own, cover);
     k->albedo[c] = k->albedo[c] * (splat(1.0f) - splat(0.8f) * q->check);
     k->albedo[c] = mix(k->albedo[c], splat(w->knot_bark[c]) * k->shift, q->bark);
   }

@@ -19,7 +19,8 @@ typedef struct {
   vf late, nodes;                  /* the stem's latewood by nodes over the footprint; how far so */
   vf own;                          /* its own latewood */
   vf cover, bark, check;           /* shares of the footprint; a check is within its knot */
-  vf halo;                         /* 0..1: resin in the wood about it */
+  vf halo;                         /* 0..1: resin in the wood about it, and in the knot wholly */
+  vf heart;                        /* cover times 1 at its pith to 0 at its edge */
   vf near;                         /* 1: within reach of a knot */
   vf turn, turn_x, turn_y, turn_z; /* radians by which the fibres part; as rho's derivatives */
   vf inside;                       /* 1: the point is in a knot, and what follows is of it */
@@ -37,6 +38,7 @@ INLINE knot_place knot_none(void) {
                       .bark = o,
                       .check = o,
                       .halo = o,
+                      .heart = o,
                       .near = o,
                       .turn = o,
                       .turn_x = o,
@@ -52,9 +54,9 @@ INLINE knot_place knot_none(void) {
 
 /* A point in the section of a knot; see knots.h. */
 typedef struct {
-  vf u, a, h, hx, hz; /* hx, hz: of h along x and z; along y it is the cosine */
-  vf square, d, da, dh;
-  vm grown, grown_wide; /* the knot is there; or within a wide footprint */
+  vf u, a, h, hx, hz;            /* hx, hz: of h along x and z; along y it is the cosine */
+  vf square, inverse, d, da, dh; /* square: of p, and 1 / p */
+  vm grown, grown_wide;          /* the knot is there; or within a wide footprint */
 } knot_section;
 
 INLINE knot_section knot_section_at(const wood_knots *all, const wood_knot *k, vf y,
@@ -79,9 +81,11 @@ INLINE void knot_section_slopes(const wood_knot *k, knot_section *o) {
   o->hx = splat(-k->cosine * k->slope * k->c);
   o->hz = splat(-k->cosine * k->slope * k->s);
   vf inverse = inverse_root(vmax(o->square, splat(1e-6f)));
-  o->d = o->square * inverse;
-  o->da = (o->a + splat(k->lean) * o->h) * inverse;
-  o->dh = (splat(k->squash) * o->h + splat(k->lean) * o->a) * inverse;
+  vf pa = splat(k->pith_a), ph = splat(k->pith_h);
+  o->inverse = inverse;
+  o->d = o->square * inverse + pa * o->a + ph * o->h;
+  o->da = (o->a + splat(k->lean) * o->h) * inverse + pa;
+  o->dh = (splat(k->squash) * o->h + splat(k->lean) * o->a) * inverse + ph;
 }
 
 /* e when the stem had grown by the share tau: the inverse of K. */
@@ -109,7 +113,6 @@ typedef struct {
   vf u, x, y;        /* mm, of its middle: along the axis; in the section */
   vf along;          /* mm that the axis runs from one end of t to the other */
   vf xt, yt, xv, yv; /* likewise, in the section, along t and along v */
-  vf s;
 } knot_window;
 
 INLINE knot_window knot_window_of(const wood_knot *k, const knot_section *o, const vf n[3],
@@ -117,7 +120,6 @@ INLINE knot_window knot_window_of(const wood_knot *k, const knot_section *o, con
   knot_window q;
   vf zero = splat(0.0f), kc = splat(k->c), ks = splat(k->s), lean = splat(k->lean), t[3], v[3];
   vf tall = splat(k->upright);
-  q.s = s;
   q.u = o->u;
   q.x = o->a + lean * o->h;
   q.y = tall * o->h;
@@ -154,12 +156,25 @@ INLINE knot_window knot_window_of(const wood_knot *k, const knot_section *o, con
   return q;
 }
 
-/* mm that the footprint has across the knot's edge, where it lies in the direction
- * of the footprint's middle. */
-INLINE vf knot_edge_width(const knot_window *q, vf d) {
-  vf inverse = splat(1.0f) / vmax(d, splat(1e-3f));
-  vf t = (q->x * q->xt + q->y * q->yt) * inverse, v = (q->x * q->xv + q->y * q->yv) * inverse;
+/* mm of d that the footprint has across the knot's edge, where it lies in the
+ * direction of the footprint's middle. */
+INLINE vf knot_edge_width(const wood_knot *k, const knot_window *q, vf inverse) {
+  vf dx = q->x * inverse + splat(k->pith_x), dy = q->y * inverse + splat(k->pith_y);
+  vf t = dx * q->xt + dy * q->yt, v = dx * q->xv + dy * q->yv;
   return vsqrt(t * t + v * v);
+}
+
+/* Likewise of rho less that of the knot's end. */
+INLINE vf knot_end_width(const wood_knot *k, const knot_window *q, const knot_section *o,
+                         const knot_stub *stub) {
+  vf dx = q->x * o->inverse + splat(k->pith_x), dy = q->y * o->inverse + splat(k->pith_y);
+  vf tall = splat(1.0f / k->upright), lean = splat(k->lean), ht = q->yt * tall, hv = q->yv * tall;
+  vf t =
+      stub->by_d * (dx * q->xt + dy * q->yt) + stub->by_a * (q->xt - lean * ht) + stub->by_h * ht;
+  vf v =
+      stub->by_d * (dx * q->xv + dy * q->yv) + stub->by_a * (q->xv - lean * hv) + stub->by_h * hv;
+  t = q->along - t;
+  return vmax(vsqrt(t * t + v * v), splat(0.2f));
 }
 
 /* The branch's radius when the stem's was rho, and the bark about it. */
@@ -173,44 +188,101 @@ INLINE vf knot_bark_at(const wood_knots *all, const wood_knot *k, vf rho) {
 }
 
 typedef struct {
-  vf knot, bark;
+  vf knot, bark, halo;
 } knot_shares;
 
+/* A line along v, in halves of the footprint: how far the section's pith is from it,
+ * and where along it; both shift with the size of the ring that it cuts. */
+typedef struct {
+  vf x, at, inverse;
+  vf across, down; /* of a ring's middle, over d */
+} knot_line;
+
+/* Of it within d. */
+INLINE vf knot_chord(const wood_knot *k, const knot_line *l, vf d) {
+  vf zero = splat(0.0f), half = splat(0.5f);
+  vf x = l->x - l->across * d, middle = l->at + l->down * d, r = splat(k->round) * d;
+  vf chord = vsqrt(vmax(r * r - x * x, zero)) * l->inverse;
+  return vmax(vmin(middle + chord, half) - vmax(middle - chord, zero - half), zero);
+}
+
 /* Of the square: chords along v are exact, and t is gone through by Gauss and
- * Legendre's rule over the part of it that meets the knot. scale: of rho over u. */
+ * Legendre's rule over the part of it that meets the knot, and over that which meets its
+ * halo. scale: of rho over u; end: rho of it here, and over how much of rho. */
 INLINE knot_shares knot_chords(const wood_knots *all, const wood_knot *k, const knot_window *q,
-                               vf scale) {
+                               vf scale, vf end, vf ends_over, vf edge) {
   static const float node[4] = {-0.8611363f, -0.3399810f, 0.3399810f, 0.8611363f};
   static const float weight[4] = {0.1739274f, 0.3260726f, 0.3260726f, 0.1739274f};
   vf zero = splat(0.0f), one = splat(1.0f), half = splat(0.5f);
   vf v2 = vmax(q->xv * q->xv + q->yv * q->yv, splat(1e-9f)), inverse = inverse_root(v2);
   vf x0 = (q->x * q->yv - q->y * q->xv) * inverse, x1 = (q->xt * q->yv - q->yt * q->xv) * inverse;
+  vf mx = splat(k->middle_x), my = splat(k->middle_y);
+  knot_line line = {.inverse = inverse,
+                    .across = (mx * q->yv - my * q->xv) * inverse,
+                    .down = (mx * q->xv + my * q->yv) * inverse * inverse};
   vf inverse_along = one / q->along, inverse_scale = one / scale;
-  vf low = clamp((zero - q->u) * inverse_along, zero - half, half);
-  vf ends = vmin(splat(k->end) * inverse_scale, splat(k->reach));
-  vf high = clamp((ends - q->u) * inverse_along, low, half);
-  vf last = scale * (q->u + q->along * high);
-  vf widest = knot_radius_at(k, last) + knot_bark_at(all, k, last);
+  /* the end is rounded, and aslant: its mean, the wider the footprint the more nearly that
+   * of all of it; and over what length, where it is not cut along */
+  vf whole = smooth_step(splat(0.8f * k->radius), splat(2.0f * k->radius), edge);
+  vf aslant = splat(KNOT_ASLANT * k->radius);
+  vf left = mix(end, splat(k->end - 0.5f * KNOT_ROUND * k->radius), whole);
+  vf ends = vmin(left * inverse_scale, splat(k->reach));
+  aslant = mix(vmin(ends_over, aslant), aslant, whole);
+  aslant = vmax(aslant * clamp01(splat(2.0f) - q->along / aslant), splat(1e-3f));
+  vf inverse_aslant = one / aslant, over = ends + half * aslant;
+  vf first = clamp((zero - q->u) * inverse_along, zero - half, half);
+  vf final = clamp((over - q->u) * inverse_along, first, half);
+  vf last = scale * (q->u + q->along * final), thick = knot_bark_at(all, k, last);
+  vf widest = knot_radius_at(k, last), cap = thick * inverse_scale;
   x1 = sel(lt(vabs(x1), splat(1e-4f)), splat(1e-4f), x1);
-  vf across = one / x1, middle = zero - x0 * across, reach = widest * vabs(across);
-  low = vmax(low, middle - reach);
-  high = vmax(vmin(high, middle + reach), low);
-  knot_shares sum = {zero, zero};
-  for (int i = 0; i < 4; i++) {
-    vf t = half * (low + high) + splat(0.5f * node[i]) * (high - low);
-    vf there = scale * (q->u + q->along * t);
-    vf x = x0 + x1 * t, r = knot_radius_at(k, there), more = r + knot_bark_at(all, k, there);
-    vf px = q->x + q->xt * t, py = q->y + q->yt * t;
-    vf centre = zero - (px * q->xv + py * q->yv) * inverse * inverse;
-    vf chord = vsqrt(vmax(r * r - x * x, zero)) * inverse;
-    vf outer = vsqrt(vmax(more * more - x * x, zero)) * inverse;
-    vf in = vmax(vmin(centre + chord, half) - vmax(centre - chord, zero - half), zero);
-    vf both = vmax(vmin(centre + outer, half) - vmax(centre - outer, zero - half), zero);
-    vf part = splat(weight[i]) * (high - low);
-    sum.knot = sum.knot + part * in;
-    sum.bark = sum.bark + part * vmax(both - in, zero);
+  vf across = one / x1, middle = zero - x0 * across, size = vabs(across);
+  vf drift = line.across * across;
+  knot_shares sum = {zero, zero, zero};
+  /* 0: knot and bark; 1: the halo; 2: bark over the end */
+  for (int part = 0; part < 3; part++) {
+    vf d = part == 0 ? widest + thick : part == 1 ? splat(KNOT_HALO_FAR) * widest : widest;
+    vf from = first, to = final;
+    if (part == 2) {
+      if (!any(lt(zero, cap))) continue;
+      from = clamp((over - aslant - q->u) * inverse_along, zero - half, half);
+      to = clamp((over + cap - q->u) * inverse_along, from, half);
+    }
+    /* rings shrink to the pith: what is between holds all of them */
+    vf reach = splat(k->round) * d * size, aside = drift * d;
+    vf low = vmax(from, middle + vmin(aside, zero) - reach);
+    vf high = vmax(vmin(to, middle + vmax(aside, zero) + reach), low);
+    for (int i = 0; i < 4; i++) {
+      vf t = half * (low + high) + splat(0.5f * node[i]) * (high - low);
+      vf u = q->u + q->along * t, there = scale * u, r = knot_radius_at(k, there);
+      vf px = q->x + q->xt * t, py = q->y + q->yt * t, share = splat(weight[i]) * (high - low);
+      vf stands = clamp01((over - u) * inverse_aslant);
+      vf covered = clamp01((over + cap - u) * inverse_aslant) - stands;
+      share = share * (part == 2 ? covered : stands);
+      line.x = x0 + x1 * t;
+      line.at = zero - (px * q->xv + py * q->yv) * inverse * inverse;
+      if (part == 1) {
+        vf near = knot_chord(k, &line, splat(KNOT_HALO_NEAR) * r);
+        vf far = knot_chord(k, &line, splat(KNOT_HALO_FAR) * r);
+        sum.halo = sum.halo + share * mix(far, near, splat(KNOT_HALO_OF_NEAR));
+        continue;
+      }
+      vf in = knot_chord(k, &line, r);
+      if (part == 2) {
+        sum.bark = sum.bark + share * in;
+        continue;
+      }
+      vf both = knot_chord(k, &line, r + knot_bark_at(all, k, there));
+      sum.knot = sum.knot + share * in;
+      sum.bark = sum.bark + share * vmax(both - in, zero);
+    }
   }
   return sum;
+}
+
+/* Integral of the halo from the pith to d. */
+INLINE vf knot_halo_to(vf d, vf radius) {
+  vf wide = splat(KNOT_HALO) * radius, left = splat(1.0f) - clamp01((d - radius) / wide);
+  return vmin(d, radius) + wide * splat(1.0f / 3.0f) * (splat(1.0f) - left * left * left);
 }
 
 /* Share of -e/2 .. e/2 about x that is within -half .. half. */
@@ -221,61 +293,85 @@ INLINE vf knot_overlap(vf x, vf half, vf e) {
 
 INLINE vf knot_union(vf a, vf b) { return a + b - a * b; }
 
+/* Share of a check at `line` mm across it; dx, dy: its direction across in the section. */
+INLINE vf knot_split(const wood_knot *k, const knot_window *q, float c, float s, vf line, vf gap) {
+  vf inverse_tall = splat(1.0f / k->upright), lean = splat(k->lean), cc = splat(c), cs = splat(s);
+  vf ht = q->yt * inverse_tall, hv = q->yv * inverse_tall;
+  vf across_t = cc * (q->xt - lean * ht) + cs * ht, across_v = cc * (q->xv - lean * hv) + cs * hv;
+  vf e = vmax(vsqrt(across_t * across_t + across_v * across_v), splat(0.04f));
+  return knot_overlap(line, splat(0.5f) * gap, e);
+}
+
+/* A dry branch has split across its pith, most in the middle, and from there to one
+ * side, most on the way. */
+INLINE vf knot_checked(const wood_knots *all, const wood_knot *k, const knot_section *o,
+                       const knot_window *q, vf rho, vf radius) {
+  vf zero = splat(0.0f), one = splat(1.0f), far = o->d / radius;
+  vf width = splat(all->check) * radius * sel(lt(rho, splat(k->death)), splat(0.5f), one);
+  vf from = vmax(one - o->square / (splat(0.77f) * radius * radius), zero);
+  vf line = o->a * splat(k->check_c) + o->h * splat(k->check_s);
+  vf first = knot_split(k, q, k->check_c, k->check_s, line, width * from);
+  vf side = o->h * splat(k->split_c) - o->a * splat(k->split_s);
+  vf line2 = o->a * splat(k->split_c) + o->h * splat(k->split_s);
+  vf on = vmax(one - far * far, zero) * vmin(far * splat(3.0f), one);
+  on = sel(lt(zero, side), on, zero);
+  return vmax(first, knot_split(k, q, k->split_c, k->split_s, line2, splat(0.7f) * width * on));
+}
+
 /* Of one knot, where `near`, weighed. rho: the stem's. */
 INLINE void knot_see(const wood_knots *all, const wood_knot *k, const knot_section *o, vf rho,
                      vf inverse_r, vf s, const vf n[3], int ball, vf weight, vm near,
                      knot_place *out) {
-  vf zero = splat(0.0f), one = splat(1.0f), half = splat(0.5f), dead = splat(k->death);
+  vf zero = splat(0.0f), one = splat(1.0f), half = splat(0.5f);
   knot_window q = knot_window_of(k, o, n, ball, s);
   vf scale = clamp(rho * inverse_r, half, splat(2.0f));
   weight = sel(near, weight, zero);
+  /* on the pith's other side, the front's radius along this knot is below zero */
+  rho = rho + scale * (o->u - vabs(o->u));
 
   /* the part of the footprint along the knot in which there is one; its middle */
   vf inwards = vmin(splat(k->radius) / vmax(o->d, splat(1e-3f)), one);
-  vf end = knot_stub_of(k, o->a * inwards, o->h * inwards, o->d * inwards).end;
-  vf inverse_along = one / q.along;
+  knot_stub stub = knot_stub_of(k, o->a * inwards, o->h * inwards, o->d * inwards);
+  vf end = stub.end, inverse_along = one / q.along;
+  vf ends = knot_end_width(k, &q, o, &stub);
   vf low = clamp((zero - o->u) * inverse_along, zero - half, half);
-  vf high = vmin(vmin(end - rho, splat(k->reach) - o->u) * inverse_along, half);
+  vf high = vmin(vmin((end - rho) / ends, (splat(k->reach) - o->u) * inverse_along), half);
   high = vmax(high, low);
   vf there = rho + half * (low + high) * q.along, radius = knot_radius_at(k, there);
   vf shell = knot_bark_at(all, k, there);
 
   /* a narrow footprint, by the distance from the edge; a wide one, chord by chord */
-  vf edge = knot_edge_width(&q, o->d), large = smooth_step(splat(0.4f), splat(0.8f), edge / radius);
+  vf edge = knot_edge_width(k, &q, o->inverse);
+  vf large = smooth_step(splat(0.4f), splat(0.8f), edge / radius);
   vf wd = vmax(edge, splat(0.08f)), beyond = (o->d - radius) / wd, along = high - low;
   vf share = clamp01(half - beyond) * along;
   vf skin = vmax(clamp01(half - beyond + shell / wd) * along - share, zero);
+  vf reach = half * wd, halo = knot_halo_to(o->d + reach, radius);
+  halo = (halo - knot_halo_to(o->d - reach, radius)) / wd * along;
+  if (any(gt(shell, zero))) {
+    /* and over the end of what is left of it */
+    vf cap = knot_overlap(rho - end - half * shell, half * shell, ends);
+    skin = vmax(skin, cap * clamp01(half - (o->d - splat(k->radius)) / wd));
+  }
+  /* 1 - (d / radius)^2 in its mean over the footprint, or over all of the knot */
+  vf heart = clamp01(one - (o->d * o->d + wd * wd * splat(1.0f / 6.0f)) / (radius * radius));
   if (any(gt(large, zero))) {
-    knot_shares c = knot_chords(all, k, &q, scale);
+    knot_shares c = knot_chords(all, k, &q, scale, end, ends, edge);
     vm some = gt(large, zero);
     share = sel(some, mix(share, c.knot, large), share);
     skin = sel(some, mix(skin, c.bark, large), skin);
+    halo = sel(some, mix(halo, c.halo, large), halo);
+    heart = sel(some, mix(heart, half, large), heart);
   }
   share = share * weight;
-  skin = skin * weight;
-  if (any(gt(shell, zero))) {
-    /* and over the end of what is left of it */
-    vf past = vabs(rho - end - half * shell), e = q.along + splat(0.2f);
-    vf cap = clamp01(half - (past - half * shell) / e) * vmin(shell / e, one) * weight;
-    skin = vmax(skin, cap * clamp01(half - (o->d - splat(k->radius)) / wd));
-  }
-  /* a dry branch has split across its pith, most in the middle */
+  out->bark = vmax(out->bark, skin * weight);
+  out->halo = knot_union(out->halo, halo * weight);
+  if (!any(gt(share, zero))) return;
   if (all->check > 0.0f) {
-    vf cc = splat(k->check_c), cs = splat(k->check_s), line = o->a * cc + o->h * cs;
-    vf inverse_tall = splat(1.0f / k->upright), lean = splat(k->lean);
-    vf ht = q.yt * inverse_tall, hv = q.yv * inverse_tall;
-    vf across_t = cc * (q.xt - lean * ht) + cs * ht, across_v = cc * (q.xv - lean * hv) + cs * hv;
-    vf from = vmax(one - o->square / (splat(0.77f) * radius * radius), zero);
-    vf gap = splat(all->check) * radius * from * sel(lt(rho, dead), half, one);
-    vf split = knot_overlap(line, half * gap,
-                            vmax(vsqrt(across_t * across_t + across_v * across_v), splat(0.04f)));
-    out->check = vmax(out->check, split * share);
+    out->check = vmax(out->check, knot_checked(all, k, o, &q, rho, radius) * share);
   }
-  /* under a wide footprint there is as much resin about a knot as there is knot */
-  vf wide = smooth_step(splat(0.5f * k->radius), splat(2.0f * k->radius), s);
-  out->halo = vmin(out->halo + splat(KNOT_HALO_SHARE) * share * wide, one);
+  out->heart = out->heart + heart * share;
   out->cover = knot_union(out->cover, share);
-  out->bark = vmax(out->bark, skin);
 }
 
 /* Share of knots in a cell of the level's, between those about the point. */

@@ -141,7 +141,8 @@ static void far_knot(wood_knots *all, const wood_knot *k) {
     if (tau <= 0.0) continue;
     double e = 2.0 * tau / (1.0 - q + __builtin_sqrt((1.0 - q) * (1.0 - q) + 4.0 * q * tau));
     double radius = (double)k->radius * e, away = 0.7 * radius;
-    double volume = PI * radius * radius * 2.0 / (double)k->cosine / PARTS;
+    double round = (double)k->round * radius;
+    double volume = PI * round * round / (double)k->upright * 2.0 / (double)k->cosine / PARTS;
     for (int i = 0; i < PARTS; i++) {
       double a = i ? away * scalar_cos(i * PI / 3.0) : 0.0;
       double h = i ? away * scalar_sin(i * PI / 3.0) : 0.0;

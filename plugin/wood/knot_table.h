@@ -24,23 +24,34 @@
 /* How a stub's end is rounded over its radius, and how far aslant. */
 #define KNOT_ROUND 0.5f
 #define KNOT_SLANT 0.45f
+/* Along the axis, over its radius: the width of an even spread with the variance that both
+ * have over the end, 12 (KNOT_SLANT^2 / 4 + KNOT_ROUND^2 / 12). */
+#define KNOT_ASLANT 0.926f
 /* How far the wood about a knot is full of resin, in radii, falling off as the square
- * of what is left; and the area of it over the knot's. */
+ * of what is left; and the area of it over the knot's. The square's fall is that of
+ * discs of all sizes; two of them, by Gauss and Jacobi's rule, have its volume exactly. */
 #define KNOT_HALO 0.9f
 #define KNOT_HALO_SHARE 0.735f
+#define KNOT_HALO_NEAR 1.139592f /* their radii over the knot's, */
+#define KNOT_HALO_FAR 1.580408f
+#define KNOT_HALO_OF_NEAR 0.636083f /* and the nearer one's weight */
 #define KNOT_LEVELS 5
 #define KNOT_COARSE 2 /* the level whose cells say what wide footprints see */
 
 /* Lengths in mm; K and e as in knots.h; rho is the stem's radius as its rings
  * are reckoned. */
 typedef struct {
-  float c, s;          /* direction from the pith: x, z */
-  float height, slope; /* of its axis: where it leaves the pith; rise over run */
-  float cosine;        /* of its inclination */
-  float squash, lean;  /* d^2 = a^2 + squash h^2 + 2 lean a h, */
-  float upright;       /* (a + lean h)^2 + (upright h)^2 */
-  float born;          /* rho at which it begins */
-  float length;        /* in rho, until it grew no more */
+  float c, s;               /* direction from the pith: x, z */
+  float height, slope;      /* of its axis: where it leaves the pith; rise over run */
+  float cosine;             /* of its inclination */
+  float squash, lean;       /* p^2 = a^2 + squash h^2 + 2 lean a h, */
+  float upright;            /* (a + lean h)^2 + (upright h)^2; */
+  float pith_a, pith_h;     /* d = p + pith_a a + pith_h h: the pith is a focus of its rings */
+  float pith_x, pith_y;     /* likewise, in the section stretched so that p is round: there */
+  float middle_x, middle_y; /* a ring's middle is, over its d, and it is about a circle, */
+  float round;              /* of so much of d */
+  float born;               /* rho at which it begins */
+  float length;             /* in rho, until it grew no more */
   float inverse_length;
   float radius; /* at that time */
   float inverse_radius;
@@ -51,8 +62,9 @@ typedef struct {
   float reach;             /* along u: how far it has any effect, */
   float bends;             /* likewise to its side and along it, */
   float near;              /* mm^2: more closely, where a^2 + h^2 / 4 is below it; */
-  float sees;              /* and d of what a point sees */
-  float check_c, check_s;  /* across the check, in its section */
+  float sees;              /* and p of what a point sees */
+  float check_c, check_s;  /* across the check, in its section; */
+  float split_c, split_s;  /* and across one that runs from the pith to one side */
   float apart;             /* its section is looked up so far from the stem's */
 } wood_knot;
 

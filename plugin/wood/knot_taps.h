@@ -83,7 +83,8 @@ INLINE void knot_taps_add(const wood_knot *k, const knot_section *o, vm near, vf
       vm there = and_(and_(lt(splat(k->born), rho), lt(rho, splat(k->end))),
                       and_(lt(zero, u), lt(u, splat(k->reach))));
       vf upright = h2 / n2, d2 = vmax(a * a + squash * h2 + lean2 * a * h, splat(1e-6f));
-      vf radius = knot_radius_at(k, rho), d = d2 * inverse_root(d2);
+      vf radius = knot_radius_at(k, rho);
+      vf d = d2 * inverse_root(d2) + splat(k->pith_a) * a + splat(k->pith_h) * h;
       vf wide = (splat(KNOT_WIDE) + splat(KNOT_WIDE_RISING) * upright) * radius;
       vf v = vmax(one - vmax(d - radius, zero) / wide, zero);
       vf after = vmax(rho - death, zero) * splat(0.6f * k->inverse_radius);

@@ -20,6 +20,7 @@
 #define SLOWEST 0.8      /* q */
 #define HIGH 0.4         /* of the collar at a knot's side, over its radius */
 #define HIGH_RISING 0.6  /* and what is more above and below */
+#define PITH 0.15        /* how far a knot's pith is from its middle, over its radius */
 #define WITHOUT_AGE 60.0 /* years, where a table of knots alone tells none */
 
 /* ---- one knot ---------------------------------------------------------- */
@@ -68,19 +69,23 @@ static double even(uint32_t seed, uint32_t k) {
   return hash1(seed + k * 0x9e3779b9u) / 4294967296.0;
 }
 
-/* How far from its axis a knot has any effect: the collar's, the fibres'. */
-static double bends(double radius) {
-  double far = (double)KNOT_STREAM * __builtin_sqrt((double)KNOT_WINDOW);
-  double collar = 1.0 + (double)(KNOT_WIDE + KNOT_WIDE_RISING);
-  if (far < collar) far = collar;
-  return 1.15 * far * radius;
-}
-
-/* Likewise more closely, as a^2 + h^2 / 4: of the collar this is 6.7 radii^2 at most,
- * its oblong section included. */
-static double nearest(double radius) {
-  double window = (double)KNOT_WINDOW, collar = 6.8;
-  return (window > collar ? window : collar) * radius * radius;
+/* How far from its axis a knot has any effect: the collar's, where its section is
+ * widest, and the fibres'; and more closely, as a^2 + h^2 / 4. */
+static void set_bounds(wood_knot *k) {
+  enum { DIRECTIONS = 64 };
+  double radius = (double)k->radius, window = (double)KNOT_WINDOW, near = window;
+  double far = 1.15 * (double)KNOT_STREAM * __builtin_sqrt(window);
+  for (int i = 0; i < DIRECTIONS; i++) {
+    double turn = 2.0 * PI * i / DIRECTIONS, a = scalar_cos(turn), h = scalar_sin(turn);
+    double p2 = a * a + (double)k->squash * h * h + 2.0 * (double)k->lean * a * h;
+    double d = __builtin_sqrt(p2) + (double)k->pith_a * a + (double)k->pith_h * h;
+    double collar = 1.01 * (1.0 + (double)KNOT_WIDE + (double)KNOT_WIDE_RISING * h * h) / d;
+    double squared = collar * collar * (a * a + 0.25 * h * h);
+    if (collar > far) far = collar;
+    if (squared > near) near = squared;
+  }
+  k->bends = (float)(far * radius);
+  k->near = (float)(near * radius * radius);
 }
 
 /* As high as is asked for, and no higher than rings of the stem, and the branch's
@@ -121,6 +126,18 @@ static int make_knot(wood_knot *k, const wood_constants *w, const knot_source *f
   k->squash = (float)(1.0 + oblong * scalar_cos(turn));
   k->lean = (float)(0.5 * oblong * scalar_sin(turn));
   k->upright = (float)__builtin_sqrt((double)k->squash - (double)k->lean * (double)k->lean);
+  /* compression wood below a conifer's branch, tension wood above a broadleaf's; the
+   * wind's a little to the side */
+  double up = PITH * (0.6 + 0.6 * even(seed, 5)), side = 0.4 * PITH * (even(seed, 6) - 0.5);
+  if (choice_at(s, P_POROSITY) != 0) up = -0.7 * up;
+  k->pith_a = (float)side;
+  k->pith_h = (float)up;
+  k->pith_x = (float)side;
+  k->pith_y = (float)((up - (double)k->lean * side) / (double)k->upright);
+  double px = (double)k->pith_x, py = (double)k->pith_y, inner = 1.0 - px * px - py * py;
+  k->middle_x = (float)(-px / inner);
+  k->middle_y = (float)(-py / inner);
+  k->round = (float)(1.0 / __builtin_sqrt(inner * __builtin_sqrt(inner)));
   k->born = (float)born;
   k->length = (float)length;
   k->inverse_length = (float)(1.0 / length);
@@ -136,12 +153,16 @@ static int make_knot(wood_knot *k, const wood_constants *w, const knot_source *f
   /* a scar closes within three radii */
   if (!stays && (double)k->end + 12.0 * radius < reach) reach = (double)k->end + 12.0 * radius;
   k->reach = (float)reach;
-  k->bends = (float)bends(radius);
-  k->near = (float)nearest(radius);
-  k->sees = (float)(1.3 * (radius + number_at(s, P_KNOT_BARK)) + 0.2);
+  set_bounds(k);
+  double sees = radius + number_at(s, P_KNOT_BARK), resin = (1.0 + (double)KNOT_HALO) * radius;
+  double off = __builtin_sqrt(px * px + py * py);
+  k->sees = (float)(1.02 * (sees > resin ? sees : resin) / (1.0 - off) + 0.2);
   raise_collar(k, number_at(s, P_KNOT_COLLAR));
   k->check_c = (float)scalar_cos(2.0 * PI * even(seed, 4));
   k->check_s = (float)scalar_sin(2.0 * PI * even(seed, 4));
+  double turned = 2.0 * PI * (even(seed, 4) + 0.17 + 0.16 * even(seed, 7));
+  k->split_c = (float)scalar_cos(turned);
+  k->split_s = (float)scalar_sin(turned);
   k->apart = (float)(300.0 + 3000.0 * even(seed, 3));
   return 1;
 }

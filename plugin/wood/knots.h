@@ -5,7 +5,8 @@
  * A knot's axis leaves the pith in a direction (c, s) and rises with a slope.
  * About it stand, in the square section of the branch,
  *   u   mm along that direction, a mm to the side of it, h mm above the axis
- *   d   sqrt of a quadratic form of (a, h): the distance, a little oblong
+ *   d   sqrt of a quadratic form of (a, h), a little oblong, and a linear one: of its
+ *       ovals the pith is not the middle but a focus, nearer to a conifer's upper side
  * The branch had the radius d when the stem had the radius
  *   K(d) = born + length ((1 - q) e + q e^2), e = d / radius,
  * which is when its wood there was laid down: its own rings are those of K.
@@ -76,11 +77,6 @@ INLINE void knot_bend(const wood_knots *all, const wood_knot *k, const knot_sect
   vf by_rho = sel(in, zero, one - fade * hill_radius * radius_rho - fade_rho * hill);
   vf by_d = sel(in, own_d - high, fade * falls);
   vf by_g = zero - sel(in, splat(k->high_rising) * d, fade * hill_g);
-
-  vf outside = vmax(d * inverse_radius - one, zero) * splat(1.0f / KNOT_HALO);
-  vf left = vmax(one - outside, zero);
-  vf resin = left * left * (one - smooth_step(splat(0.5f * k->radius), splat(2.0f * k->radius), s));
-  out->halo = sel(and_(near, there), vmax(out->halo, resin), out->halo);
 
   /* the scar closes */
   vf fresh = clamp01(one - (rho - stub.end) * splat(0.5f * k->inverse_radius));
@@ -286,6 +282,9 @@ INLINE void knots_add(const wood_knots *all, vf shift, const knot_eye *e, stem_p
     knot_add(all, &all->list[m], &here, close, p, out);
   }
   if (!any(gt(middle, zero))) return;
+  /* the same knots once more, weighed by the rest: what they had is added, not joined */
+  knot_place first = *out;
+  out->cover = out->bark = out->halo = out->heart = out->check = zero;
   vf far = smooth_step(splat(KNOT_FAR), splat(2.0f * KNOT_FAR), s);
   middle = middle * (one - far);
   vi coarse = splati(all->far_across[KNOT_COARSE]);
@@ -296,9 +295,16 @@ INLINE void knots_add(const wood_knots *all, vf shift, const knot_eye *e, stem_p
   for (int32_t m = knot_next(&lists); m != INT32_MAX; m = knot_next(&lists)) {
     knot_add_wide(all, &all->list[m], &here, middle, p, out);
   }
+  out->cover = out->cover + first.cover;
+  out->bark = out->bark + first.bark;
+  out->halo = out->halo + first.halo;
+  out->heart = out->heart + first.heart;
+  out->check = out->check + first.check;
   if (!any(gt(far, zero))) return;
-  vf share = far * knots_far(all, p->x, q.turns, p->z, s);
-  out->cover = out->cover + sel(gt(far, zero), share, zero);
+  vf share = sel(gt(far, zero), far * knots_far(all, p->x, q.turns, p->z, s), zero);
+  out->cover = out->cover + share;
+  out->heart = out->heart + splat(0.5f) * share;
+  out->halo = out->halo + splat(1.0f + KNOT_HALO_SHARE) * share;
 }
 
 #endif

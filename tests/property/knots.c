@@ -86,23 +86,29 @@ static void radius_bark_and_scar(void **state) {
   sozai_texture *t = with_tables(1, 1);
   assert_non_null(t);
   points p = {0};
-  double worst = 0, bark = 0;
+  double worst = 0, bark = 0, least = 1, most = 0;
   int cap = 0;
   for (int n = 0; n < 40; n++) {
     double z = 10 + 2.5 * n, dead = 60, gone = 80;
     points_clear(&p);
-    for (int i = 0; i < 4000; i++) points_add(&p, 0, 0.005 * i, z, 0);
+    for (int i = -4000; i < 4000; i++) points_add(&p, 0, 0.005 * (i + 0.5), z, 0);
     points_ask(&p, t);
-    double edge = 0, skin = 0;
-    for (int i = 0; i < 4000; i++) {
-      edge += 0.005 * (double)p.out[KNOT][i];
-      skin += 0.005 * (p.out[KNOT][i] < 0.01f && p.out[ALBEDO][i] < 0.06f);
+    double edge = 0, skin = 0, up = 0;
+    for (int i = 0; i < 8000; i++) {
+      edge += 0.0025 * (double)p.out[KNOT][i];
+      up += 0.005 * (double)(i >= 4000 ? p.out[KNOT][i] : 0);
+      skin += 0.0025 * (p.out[KNOT][i] < 0.01f && p.out[ALBEDO][i] < 0.06f);
     }
-    /* oblong, by a seventh at most: its height is within 7 % of the circle's */
+    /* the pith is nearer the upper side, of what is oblong by a seventh at most: half its
+     * height is within 7 % of the circle's, and as much more as an oval's about its focus */
     double radius = 0.2 * (z < dead ? z : dead);
     /* its end is rounded and aslant, by 0.95 radii at most */
     if (z < gone - 0.95 * radius) {
       worst = fmax(worst, fabs(edge / radius - 1));
+      if (radius > 3) {
+        least = fmin(least, up / edge);
+        most = fmax(most, up / edge);
+      }
       if (z > dead + 5) bark = fmax(bark, fabs(skin - 1.5));
     } else if (z > gone + 3) {
       cap += edge > 0;
@@ -110,10 +116,11 @@ static void radius_bark_and_scar(void **state) {
   }
   points_free(&p);
   textures->destroy(t);
-  CHECK(worst < 0.075 && bark < 0.15 && cap == 0,
-        "radius within %.1f %% of the branch's (7.5: oblong), bark 1.5 mm within %.2f (0.15), %d "
-        "places of 40 with a knot beyond its end (0)\n",
-        100 * worst, bark, cap);
+  CHECK(worst < 0.1 && bark < 0.15 && cap == 0 && least > 0.75 && most < 0.93,
+        "radius within %.1f %% of the branch's (10: oblong), of which %.2f to %.2f lie above the "
+        "pith (0.75 to 0.93), bark 1.5 mm within %.2f (0.15), %d places of 40 with a knot beyond "
+        "its end (0)\n",
+        100 * worst, least, most, bark, cap);
 }
 
 /* The axis and the years of its rings. */
@@ -344,19 +351,22 @@ static void rings_never_cross(void **state) {
 
 static void against_1024_samples(void **state) {
   (void)state;
-  enum { PLACES = 300, SIZES = 9 };
-  static const double sizes[SIZES] = {0.01, 0.03, 0.1, 0.3, 1, 3, 10, 30, 100};
-  double worst = 0, mean = 0, share_worst = 0, share_mean = 0;
+  enum { PLACES = 300, SIZES = 10 };
+  static const double sizes[SIZES] = {0.01, 0.03, 0.1, 0.3, 1, 3, 10, 20, 30, 100};
+  double worst = 0, mean = 0, bare_worst = 0, bare_mean = 0, share_worst = 0, share_mean = 0;
   points p = {0};
   print_message("RMS / mean error of albedo, by footprint in mm:\n%-12s", "");
   for (int f = 0; f < SIZES; f++) print_message("%16g", sizes[f]);
   print_message("\n");
   for (unsigned k = 0; k < TREES; k++) {
-    for (int cut = 0; cut < 2; cut++) {
+    for (int cut = 0; cut < 4; cut++) {
+      /* the same boards once more, of branches too thin to leave knots */
+      int bare = cut & 2;
       char text[512];
-      snprintf(text, sizeof text, "%s; cut=%s", trees[k][1], cut ? "quarter" : "flat");
+      snprintf(text, sizeof text, "%s; cut=%s%s", trees[k][1], cut & 1 ? "quarter" : "flat",
+               bare ? "; knot_size=0.1" : "");
       sozai_texture *t = wood_make(trees[k][0], text);
-      print_message("%-9s%-3s", trees[k][0], cut ? "q" : "f");
+      print_message("%-9s%-3s", trees[k][0], bare ? cut & 1 ? "q-" : "f-" : cut ? "q" : "f");
       for (int f = 0; f < SIZES; f++) {
         truth_errors e = {0};
         double square = 0, sum = 0;
@@ -369,9 +379,14 @@ static void against_1024_samples(void **state) {
           square += share * share / PLACES;
           sum += share / PLACES;
         }
+        print_message("  %.4f/%+.4f", truth_rms(&e), truth_mean(&e));
+        if (bare) {
+          bare_worst = fmax(bare_worst, truth_rms(&e));
+          bare_mean = fmax(bare_mean, fabs(truth_mean(&e)));
+          continue;
+        }
         share_worst = fmax(share_worst, sqrt(square));
         share_mean = fmax(share_mean, fabs(sum));
-        print_message("  %.4f/%+.4f", truth_rms(&e), truth_mean(&e));
         worst = fmax(worst, truth_rms(&e));
         mean = fmax(mean, fabs(truth_mean(&e)));
       }
@@ -383,11 +398,64 @@ static void against_1024_samples(void **state) {
   /* what is above the goals is wood's own: keyaki's at 1 mm, and the resin canals of a
    * few rings of akamatsu's flat board */
   CHECK(worst <= 0.0108 && mean <= 0.003,
-        "worst RMS %.4f (goal 0.01, held 0.0108), worst mean %.4f (goal 0.002, held 0.003)\n",
-        worst, mean);
+        "worst RMS %.4f (goal 0.01, held 0.0108), worst mean %.4f (goal 0.002, held 0.003); "
+        "without knots (-) %.4f and %.4f\n",
+        worst, mean, bare_worst, bare_mean);
   CHECK(share_worst <= 0.024 && share_mean <= 0.0035,
         "the knots' share: worst RMS %.4f (0.024), worst mean %.4f (0.0035)\n", share_worst,
         share_mean);
+}
+
+/* A dead branch's bark closes over its end, and over nothing else: of squares across it,
+ * and along it, about the end, and as far on the pith's other side. */
+static void bark_at_the_end(void **state) {
+  (void)state;
+  enum { SIDE = 96 };
+  static const double sizes[] = {2, 6, 11, 13, 16, 20, 24, 40};
+  one_branch(30, 40, PI / 2, 0);
+  sozai_texture *t = with_tables(1, 1);
+  assert_non_null(t);
+  points p = {0};
+  double worst = 0, beyond = 0;
+  uniform_seed(41);
+  for (unsigned f = 0; f < sizeof sizes / sizeof *sizes; f++) {
+    double square = 0, past = 0;
+    int count = 0;
+    for (int n = 0; n < 120; n++) {
+      int other = n & 1, along = n & 2;
+      double z = (other ? -1 : 1) * (70 + 26 * uniform()), y = 24 * (uniform() - 0.5);
+      points_clear(&p);
+      for (int i = 0; i < SIDE * SIDE; i++) {
+        double u = ((i % SIDE + uniform()) / SIDE - 0.5) * sizes[f];
+        double v = ((i / SIDE + uniform()) / SIDE - 0.5) * sizes[f];
+        points_add(&p, along ? 0 : u, y + v, along ? z + u : z, 0);
+      }
+      points_add(&p, 0, y, z, sizes[f]);
+      for (unsigned i = 0; i < p.count; i++) {
+        p.normal[0][i] = along ? 1 : 0;
+        p.normal[1][i] = 0;
+        p.normal[2][i] = along ? 0 : 1;
+      }
+      points_ask(&p, t);
+      double truth = 0;
+      for (int i = 0; i < SIDE * SIDE; i++) truth += (double)p.out[ALBEDO][i] / (SIDE * SIDE);
+      double error = (double)p.out[ALBEDO][SIDE * SIDE] - truth;
+      if (other) {
+        past = fmax(past, fabs(error));
+      } else {
+        square += error * error;
+        count++;
+      }
+    }
+    print_message("%g mm: RMS %.4f at the end, at most %.4f across the pith\n", sizes[f],
+                  sqrt(square / count), past);
+    worst = fmax(worst, sqrt(square / count));
+    beyond = fmax(beyond, past);
+  }
+  points_free(&p);
+  textures->destroy(t);
+  CHECK(worst < 0.055 && beyond < 0.025,
+        "RMS %.4f (0.055) at the end, %.4f (0.025) across the pith\n", worst, beyond);
 }
 
 /* ---- what is skipped ------------------------------------------------------ */
@@ -488,16 +556,12 @@ static int setup(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(radius_bark_and_scar),
-      cmocka_unit_test(axis_and_years),
-      cmocka_unit_test(branches_cross_the_board),
-      cmocka_unit_test(a_measured_tree),
+      cmocka_unit_test(radius_bark_and_scar),     cmocka_unit_test(axis_and_years),
+      cmocka_unit_test(branches_cross_the_board), cmocka_unit_test(a_measured_tree),
 
-      cmocka_unit_test(rings_never_cross),
-      cmocka_unit_test(a_walk_stays_on_its_fibre),
-      cmocka_unit_test(against_1024_samples),
-      cmocka_unit_test(alone_as_among_others),
-      cmocka_unit_test(refusals),
+      cmocka_unit_test(rings_never_cross),        cmocka_unit_test(a_walk_stays_on_its_fibre),
+      cmocka_unit_test(against_1024_samples),     cmocka_unit_test(bark_at_the_end),
+      cmocka_unit_test(alone_as_among_others),    cmocka_unit_test(refusals),
   };
   return cmocka_run_group_tests(tests, setup, wood_teardown);
 }
