@@ -1338,7 +1338,7 @@ static const sozai_channel channel_roughness = {
 static const sozai_channel channel_time = {
    .size = sizeof(sozai_channel), .first = WOOD_TIME, .components = 1,
    .needs = SOZAI_INPUT_POINT,
-   .uses = SOZAI_INPUT_FOOTPRINT,
+   .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
    .id = "time", .unit = "years", .suffixes = "",
    .doc = "When the wood was formed, from the pith's first year."};
 
@@ -1359,7 +1359,7 @@ static const sozai_channel channel_vessel = {
 static const sozai_channel channel_reference = {
    .size = sizeof(sozai_channel), .first = WOOD_REFERENCE, .components = 2,
    .needs = SOZAI_INPUT_POINT,
-   .uses = SOZAI_INPUT_FOOTPRINT,
+   .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
    .id = "reference", .unit = "mm", .suffixes = "xz",
    .doc = "Where the point's fibre stands in the reference section, the section of the stem at "
    "y = 0. Constant along a fibre: a picture of the end grain looked up here is carried "
@@ -1396,28 +1396,28 @@ static const sozai_channel channel_ray = {
 static const sozai_channel channel_board_id = {
    .size = sizeof(sozai_channel), .first = WOOD_BOARD_ID, .components = 1,
    .needs = SOZAI_INPUT_POINT,
-   .uses = 0,
+   .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
    .id = "board_id", .unit = "", .suffixes = "",
    .doc = "A whole number below 2^24, another for each board of the layout; without one the ply's, 1 for the face; 0 of one piece."};
 
 static const sozai_channel channel_board_u = {
    .size = sizeof(sozai_channel), .first = WOOD_BOARD_U, .components = 1,
    .needs = SOZAI_INPUT_POINT,
-   .uses = 0,
+   .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
    .id = "board_u", .unit = "mm", .suffixes = "",
    .doc = "Place along the board, from its corner, joint's middle to joint's middle; without a layout along the ply's grain, from the origin; 0 of one piece."};
 
 static const sozai_channel channel_board_v = {
    .size = sizeof(sozai_channel), .first = WOOD_BOARD_V, .components = 1,
    .needs = SOZAI_INPUT_POINT,
-   .uses = 0,
+   .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
    .id = "board_v", .unit = "mm", .suffixes = "",
    .doc = "Place across the board, likewise; without a layout across the ply's piece of veneer."};
 
 static const sozai_channel channel_board_edge = {
    .size = sizeof(sozai_channel), .first = WOOD_BOARD_EDGE, .components = 1,
    .needs = SOZAI_INPUT_POINT,
-   .uses = 0,
+   .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
    .id = "board_edge", .unit = "mm", .suffixes = "",
    .doc = "Distance to the board's edge: positive within the board, negative in the joint; without a layout to the ply's glue; 0 of one piece."};
 
@@ -1445,7 +1445,7 @@ static const sozai_channel channel_knot = {
 static const sozai_channel channel_height = {
    .size = sizeof(sozai_channel), .first = WOOD_HEIGHT, .components = 1,
    .needs = SOZAI_INPUT_POINT,
-   .uses = SOZAI_INPUT_FOOTPRINT,
+   .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
    .id = "height", .unit = "mm", .suffixes = "",
    .doc = "Above the face: of the surface's relief, and the layout's bevels, joints and cupping."};
 

@@ -397,12 +397,12 @@ static void against_1024_samples(void **state) {
   points_free(&p);
   /* what is above the goals is wood's own: keyaki's at 1 mm, and the resin canals of a
    * few rings of akamatsu's flat board */
-  CHECK(worst <= 0.0108 && mean <= 0.003,
-        "worst RMS %.4f (goal 0.01, held 0.0108), worst mean %.4f (goal 0.002, held 0.003); "
+  CHECK(worst <= 0.01 && mean <= 0.003,
+        "worst RMS %.4f (goal 0.01, held 0.01), worst mean %.4f (goal 0.002, held 0.003); "
         "without knots (-) %.4f and %.4f\n",
         worst, mean, bare_worst, bare_mean);
-  CHECK(share_worst <= 0.024 && share_mean <= 0.0035,
-        "the knots' share: worst RMS %.4f (0.024), worst mean %.4f (0.0035)\n", share_worst,
+  CHECK(share_worst <= 0.024 && share_mean <= 0.0042,
+        "the knots' share: worst RMS %.4f (0.024), worst mean %.4f (0.0042)\n", share_worst,
         share_mean);
 }
 

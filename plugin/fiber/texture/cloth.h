@@ -90,10 +90,11 @@ INLINE void cloth_yarn(const fibertex_constants *w, int which, vi mine, vf at, v
   q->solid = sel(q->on, one, zero);
   /* of a footprint, the share that lies on the yarn; what is wider than from one yarn to the
    * next has as much as that */
-  vf box = vmin(vmax(s, splat(1e-9f)), splat(y->spacing));
+  const vf least = splat(1e-4f); /* mm: less than that and rounding is most of it */
+  vf box = vmin(vmax(s, least), splat(y->spacing));
   vf from_middle = vabs(q->across) * q->half, to = vmin(from_middle + half * box, q->half);
   vf part = clamp01((to - vmax(from_middle - half * box, zero - q->half)) / box);
-  q->solid = sel(gt(s, zero), part, q->solid);
+  q->solid = sel(gt(s, least), part, q->solid);
   q->top = sel(
       q->on, splat(y->over) + splat(y->rise) * middle + splat(y->height) * vsqrt(vmax(rest, zero)),
       splat(-1e3f));
