@@ -141,12 +141,19 @@ static void pith_at(const saw_log *log, double y, double out[2]) {
   }
 }
 
-/* Places on what the face has of the chord that a knot's disc, `u` from the pith
- * and square to its axis, cuts from it: its middle and its quarters, for where a knot
- * ends it is rounder than a disc. 0: they do not meet. */
+/* Whoever wants to know where a knot may be. */
+typedef struct listener {
+  saw_knot_seen seen;
+  void *context;
+  uint32_t number; /* the knot's */
+} listener;
+
+/* Tell of places on what the face has of the chord that a knot's disc, `u` from the
+ * pith and square to its axis, cuts from it: its middle and its quarters, for where a
+ * knot ends it is rounder than a disc. */
 enum { ON_CHORD = 3 };
-static int disc_meets(const saw_log *log, const face_plane *f, const knot *k, double u,
-                      double radius, double point[ON_CHORD][3]) {
+static void tell_of_disc(const saw_log *log, const face_plane *f, const knot *k, double u,
+                         double radius, const listener *to) {
   double c = cos(k->azimuth), s = sin(k->azimuth), off = 0, lean = 0, square = 0;
   const double axis[3] = {k->cosine * c, k->cosine * k->rise, k->cosine * s};
   double y = k->height - log->base + u * k->rise, pith[2];
@@ -160,7 +167,7 @@ static int disc_meets(const saw_log *log, const face_plane *f, const knot *k, do
   double across = 1 - lean * lean; /* square of the face's normal within the disc */
   if (across < 1e-6) across = 1e-6;
   square = radius * radius - off * off / across;
-  if (square < 0) return 0;
+  if (square < 0) return;
   /* along the chord, in the face: across it and up the stem */
   const double way[3] = {axis[1] * f->out[2] - axis[2] * f->out[1],
                          axis[2] * f->out[0] - axis[0] * f->out[2],
@@ -177,21 +184,21 @@ static int disc_meets(const saw_log *log, const face_plane *f, const knot *k, do
   const double half[2] = {f->half_width, f->half_length};
   for (int i = 0; i < 2; i++) {
     if (fabs(step[i]) < 1e-9) {
-      if (fabs(at[i]) > half[i]) return 0;
+      if (fabs(at[i]) > half[i]) return;
       continue;
     }
     double a = (-half[i] - at[i]) / step[i], b = (half[i] - at[i]) / step[i];
     low = fmax(low, fmin(a, b));
     high = fmin(high, fmax(a, b));
   }
-  if (low > high) return 0;
-  for (int k = 0; k < ON_CHORD; k++) {
-    double t = low + (high - low) * (k + 1) / (ON_CHORD + 1);
+  if (low > high) return;
+  for (int n = 1; n <= ON_CHORD; n++) {
+    double t = low + (high - low) * n / (ON_CHORD + 1), point[3];
     for (int i = 0; i < 3; i++)
-      point[k][i] =
+      point[i] =
           f->centre[i] + (at[0] + t * step[0]) * f->along[i] + (i == 1 ? at[1] + t * step[1] : 0);
+    to->seen(to->context, to->number, point);
   }
-  return ON_CHORD;
 }
 
 #define STEP 0.1    /* years: stems grow by less than a millimetre in it */
@@ -200,18 +207,16 @@ static int disc_meets(const saw_log *log, const face_plane *f, const knot *k, do
 static void on_board(const saw_log *log, const saw_board *b, const knot *k, uint32_t number,
                      saw_knot_seen seen, void *context) {
   face_plane f = plane_of(log, b);
-  double point[ON_CHORD][3], bark = saw_stem_radius(log->stem, k->height, log->stem->age);
+  const listener to = {seen, context, number};
+  double bark = saw_stem_radius(log->stem, k->height, log->stem->age);
   double last = saw_stem_radius(log->stem, k->height, k->end);
   for (double year = k->birth; year <= k->end; year += STEP) {
     double u = saw_stem_radius(log->stem, k->height, year);
     double radius = log->knot_size * knot_radius(log->stem, k, year);
-    int places = disc_meets(log, &f, k, u, radius, point);
-    for (int i = 0; i < places; i++) seen(context, number, point[i]);
+    tell_of_disc(log, &f, k, u, radius, &to);
   }
-  for (double u = last; u <= fmin(last + BEYOND, bark); u += 0.5) {
-    int places = disc_meets(log, &f, k, u, log->knot_size * k->radius, point);
-    for (int i = 0; i < places; i++) seen(context, number, point[i]);
-  }
+  for (double u = last; u <= fmin(last + BEYOND, bark); u += 0.5)
+    tell_of_disc(log, &f, k, u, log->knot_size * k->radius, &to);
 }
 
 /* The first year in which the stem is thicker than that, where the knot is. */

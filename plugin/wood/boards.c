@@ -6,6 +6,8 @@
 #include "build.h"
 #include "parameters.h"
 
+#define DEGREE 0.017453292519943295769
+
 /* Which parameter layout_build means, and why it will not do. */
 static int32_t refuse(const settings *s, const layout *l, const char *what, double least,
                       double most) {
@@ -23,8 +25,7 @@ static int32_t refuse(const settings *s, const layout *l, const char *what, doub
 }
 
 static int32_t build_profile(wood_boards *b, const settings *s) {
-  const double angle = number_at(s, P_BEVEL_ANGLE) * 0.017453292519943295769,
-               bevel = number_at(s, P_BEVEL);
+  const double angle = number_at(s, P_BEVEL_ANGLE) * DEGREE, bevel = number_at(s, P_BEVEL);
   double most = 0.5 * ((double)b->layout.narrowest - (double)b->layout.joint);
   if (bevel > most) {
     return fail(SOZAI_ERROR_RANGE,
@@ -74,7 +75,7 @@ int32_t wood_build_boards(wood_constants *w, const settings *s, const float (*co
   b->rift = (float)(rift / sum);
   b->distance = (float)number_at(s, P_CUT_DISTANCE);
   if (b->distance < 0.0f) b->distance = -b->distance;
-  const double turn = 2.4494897 * 0.017453292519943295769;
+  const double turn = 2.4494897 * DEGREE;
   b->lean = (float)(turn * number_at(s, P_CUT_TILT));
   b->skew = (float)(turn * number_at(s, P_CUT_SKEW));
   b->tone = (float)number_at(s, P_TONE_SPREAD);

@@ -129,7 +129,7 @@ static int make_knot(wood_knot *k, const wood_constants *w, const knot_source *f
   /* compression wood below a conifer's branch, tension wood above a broadleaf's; the
    * wind's a little to the side */
   double up = PITH * (0.6 + 0.6 * even(seed, 5)), side = 0.4 * PITH * (even(seed, 6) - 0.5);
-  if (choice_at(s, P_POROSITY) != 0) up = -0.7 * up;
+  if (choice_at(s, P_POROSITY) != POROSITY_NONE) up = -0.7 * up;
   k->pith_a = (float)side;
   k->pith_h = (float)up;
   k->pith_x = (float)side;

@@ -57,11 +57,7 @@ static void carried(void **state) {
   points_ask(&a, t);
   double worst = 0;
   int part = 0;
-  for (unsigned i = 0; i < a.count; i++) {
-    points_add(&b, (double)(a.point[0][i] + 0.5f * a.out[FIBER][i]),
-               (double)(a.point[1][i] + 0.5f * a.out[FIBER + 1][i]),
-               (double)(a.point[2][i] + 0.5f * a.out[FIBER + 2][i]), 0);
-  }
+  points_along_fibre(&a, 0.5f, &b);
   points_ask(&b, t);
   for (unsigned i = 0; i < a.count; i++) {
     worst = fmax(worst, fabs((double)(a.out[ALBEDO][i] - b.out[ALBEDO][i])));

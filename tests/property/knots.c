@@ -395,8 +395,7 @@ static void against_1024_samples(void **state) {
     }
   }
   points_free(&p);
-  /* what is above the goals is wood's own: keyaki's at 1 mm, and the resin canals of a
-   * few rings of akamatsu's flat board */
+  /* what is above the goal is wood's own: akamatsu's mean, with knots and without */
   CHECK(worst <= 0.01 && mean <= 0.003,
         "worst RMS %.4f (goal 0.01, held 0.01), worst mean %.4f (goal 0.002, held 0.003); "
         "without knots (-) %.4f and %.4f\n",

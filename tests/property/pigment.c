@@ -4,7 +4,6 @@
  * carries it, that there is none in sapwood, and that a footprint sees the average.
  */
 #include <math.h>
-#include <string.h>
 
 #include "cmocka_all.h"
 #include "truth.h"
@@ -97,7 +96,7 @@ static void within_heartwood(void **state) {
   textures->destroy(b);
 }
 
-/* Along a fibre depth is what it was; round a ring it is not. */
+/* Along a fibre depth is what it was; elsewhere it is not. */
 static void carried(void **state) {
   (void)state;
   sozai_texture *t = wood_make("olive", BARE "pigment=1; grain=compound; heartwood_years=100000");
@@ -108,11 +107,7 @@ static void carried(void **state) {
     points_add(&a, r * cos(angle), 200 * uniform(), r * sin(angle), 0);
   }
   points_ask(&a, t);
-  for (unsigned i = 0; i < a.count; i++) {
-    points_add(&b, (double)(a.point[0][i] + 0.5f * a.out[FIBER][i]),
-               (double)(a.point[1][i] + 0.5f * a.out[FIBER + 1][i]),
-               (double)(a.point[2][i] + 0.5f * a.out[FIBER + 2][i]), 0);
-  }
+  points_along_fibre(&a, 0.5f, &b);
   points_ask(&b, t);
   double square = 0, spread = 0, mean = 0;
   for (unsigned i = 0; i < a.count; i++) mean += (double)a.out[ALBEDO][i] / a.count;

@@ -134,11 +134,7 @@ static void carried(void **state) {
     points_add(&a, r * cos(angle), 150 * uniform(), r * sin(angle), 0);
   }
   points_ask(&a, t);
-  for (unsigned i = 0; i < a.count; i++) {
-    points_add(&b, (double)(a.point[0][i] + 0.5f * a.out[FIBER][i]),
-               (double)(a.point[1][i] + 0.5f * a.out[FIBER + 1][i]),
-               (double)(a.point[2][i] + 0.5f * a.out[FIBER + 2][i]), 0);
-  }
+  points_along_fibre(&a, 0.5f, &b);
   points_ask(&b, t);
   int in = 0, stayed = 0, across = 0;
   for (unsigned i = 0; i < a.count; i++) {

@@ -121,6 +121,14 @@ double points_value(const points *p, int what, unsigned point) {
   return (double)p->out[what][point];
 }
 
+void points_along_fibre(const points *p, float step, points *to) {
+  for (unsigned i = 0; i < p->count; i++) {
+    points_add(to, (double)(p->point[0][i] + step * p->out[FIBER][i]),
+               (double)(p->point[1][i] + step * p->out[FIBER + 1][i]),
+               (double)(p->point[2][i] + step * p->out[FIBER + 2][i]), 0);
+  }
+}
+
 void points_ask_albedo(points *p, const sozai_texture *t) {
   sozai_batch b = {.size = sizeof b, .count = p->count, .footprint = p->footprint};
   for (int c = 0; c < 3; c++) {

@@ -71,6 +71,8 @@ unsigned points_add(points *p, double x, double y, double z, double footprint);
 void points_ask(points *p, const sozai_texture *t);
 /* Component `what` of an answered point. */
 double points_value(const points *p, int what, unsigned point);
+/* Add to `to` each answered point of p, a step further along its fibre, mm. */
+void points_along_fibre(const points *p, float step, points *to);
 /* For albedo, with points, normals and footprints alone. */
 void points_ask_albedo(points *p, const sozai_texture *t);
 
