@@ -553,32 +553,37 @@ static void build_rays(wood_constants *w, const settings *s) {
   if (!w->has_rays) return;
   /* a cell holds the tallest, one and a half times the mean, with some to spare;
    * a radius meets three quarters of the rays */
-  double cell = 1.9 * height, arc = 0.75 / (density * cell);
+  double cell = 1.65 * height, arc = 0.75 / (density * cell);
   w->ray_length = (float)length;
   w->inverse_ray_length = (float)(1.0 / length);
   w->ray_per_radius = (float)(TWO_PI / (arc * WOOD_RAY_SECTORS));
   w->inverse_ray_arc = (float)(1.0 / arc);
   w->inverse_ray_cell = (float)(1.0 / cell);
   w->ray_tall = (float)(0.5 * height / cell);
-  /* within its cell, whatever it was asked for: 0.33 to each side of where it may
-   * stand, for 1.4 times the mean and the waves */
-  double half = 0.5 * width, room = 0.329;
-  if (half > 0.2 * arc) half = 0.2 * arc;
-  w->ray_half = (float)half;
   /* broad rays are uneven: fibres pass between their cells */
-  double uneven = limited((height - 3.0) / 9.0, 0.0, 1.0) * 0.45;
+  double broad = limited((height - 3.0) / 9.0, 0.0, 1.0), uneven = 0.35 * broad;
   w->ray_uneven = (float)uneven;
-  double most = 1.4 * (1.0 + uneven) * half;
-  double left = room * arc - most, stray = 0.1 * arc;
-  if (stray > 2.5 * half) stray = 2.5 * half;
-  if (stray > left) stray = left;
-  w->ray_clear = (float)(room - (most + stray) / arc);
-  w->ray_stray = (float)(stray / 2147483648.0);
-  /* rays run straight from the pith, and sway with the fibres that go round them */
-  w->ray_wave_radial = (float)(1.0 / (8.0 + 1.2 * height));
-  w->ray_wave_along = (float)(1.0 / (0.4 * height));
-  /* two thirds of a lens's height and width, less what the ends' taper takes */
-  w->ray_cover = (float)(density * height * 2.0 * half * 2.0 / 3.0 * 11.0 / 12.0);
+  /* within its cell, whatever it was asked for: 0.33 to each side of where it may
+   * stand, for 1.3 times the mean, unevenly */
+  double half = 0.5 * width, room = 0.329, most = 1.3 * (1.0 + uneven);
+  if (half > 0.2 * arc) half = 0.2 * arc;
+  if (half > room / most * arc) half = room / most * arc;
+  w->ray_half = (float)half;
+  w->ray_clear = (float)(room - most * half / arc);
+  /* Sheets sway along the fibre: fine ones little, broad ones by slopes of some degrees
+   * over more than their height, for which a cut along them shows ribbons. Along the
+   * radius they are nearly straight. */
+  double along = (0.4 + 1.1 * broad) * height, slope = 0.05 + 0.05 * broad;
+  w->ray_stray = (float)(slope * along / 2147483648.0);
+  w->ray_wave_radial = (float)(1.0 / (8.0 + 3.5 * height));
+  w->ray_wave_along = (float)(1.0 / along);
+  w->ray_sway_from = 20.0f;
+  /* light goes round the edges of a broad ray, which a cut along it leaves wedges of */
+  double sharp = limited(0.2 * broad * half, 0.01, 1.0);
+  w->ray_sharp2 = (float)(sharp * sharp);
+  /* two thirds of a lens's height and width, less what the ends' taper takes; and the mean
+   * of thickness times density */
+  w->ray_cover = (float)(density * height * 2.0 * half * 2.0 / 3.0 * 11.0 / 12.0 * 0.82);
 }
 
 /* ---- canals, cells, spalting ------------------------------------------- */

@@ -20,7 +20,7 @@
 typedef struct {
   vf rho, turn, y;      /* turn: theta' / 2 pi, 0..1 */
   vf aa, ab, bb, along; /* products along arc and rho; extent along y */
-  noise_axis out, up;   /* of the sheets' waves */
+  vf lean, sway;        /* slopes of the sheets' waves along rho and along y */
   vu own;               /* the seeds' offset */
 } ray_place;
 
@@ -36,13 +36,11 @@ INLINE vf ray_lens(vf x) {
   return x - x * x * x * splat(1.0f / 3.0f);
 }
 
-/* The cells at a point, where in them it is, and what the waves of the sheets
- * make of that. */
+/* The cells at a point, and where in them it is. */
 typedef struct {
   vi shell, column;
   vf within, x; /* of the shell, of the cell: 0..1 */
   vf arc;       /* mm: of a cell */
-  vf stray;     /* mm: of the sheets along the arc */
   vf reach;     /* mm: of the footprint to either side */
   vu seed;
 } ray_cells;
@@ -63,26 +61,22 @@ INLINE ray_cells ray_cells_at(const wood_constants *w, const ray_place *p) {
   x = x * count;
   q.x = x - vfloor(x, &q.column);
   q.arc = vmax(p->rho, splat(0.05f)) * splat(6.2831853f / WOOD_RAY_SECTORS) / count;
-  /* the sheets are not flat: a cut along one leaves it and meets it again */
-  vf lean, sway, stray = noise_value2(&p->out, &p->up, q.seed, &lean, &sway);
-  q.stray = stray * splat(w->ray_stray);
-  /* so that the footprint's extents along rho and y count too */
-  lean = lean * splat(w->ray_stray * w->ray_wave_radial);
-  sway = sway * splat(w->ray_stray * w->ray_wave_along) * p->along;
-  vf arc2 = p->aa + lean * (splat(2.0f) * p->ab + lean * p->bb) + sway * sway;
-  /* no edge is sharper than a hundredth of a millimetre */
-  q.reach = splat(0.5f) * vsqrt(vmax(arc2, splat(0.0f)) + splat(1e-4f));
+  /* the footprint's extents along rho and y count too where sheets sway */
+  vf across = p->sway * p->along;
+  vf arc2 = p->aa + p->lean * (splat(2.0f) * p->ab + p->lean * p->bb) + across * across;
+  q.reach = splat(0.5f) * vsqrt(vmax(arc2, splat(0.0f)) + splat(w->ray_sharp2));
   return q;
 }
 
 /* A ray of its cell: where the point is from its middle, and its size there. */
 typedef struct {
   vf a, thick;         /* mm along the arc: of the point, and half the thickness */
+  vf dense;            /* how much of what is under it a ray hides: thin ones less */
   vf at, inverse_tall; /* in half heights: of the point, and of a cell */
 } ray_body;
 
-#define RAY_UNEVEN_RADIAL 4.0f /* mm: size of a broad ray's unevenness along the radius, */
-#define RAY_UNEVEN_ALONG 0.8f  /* and along the fibre */
+#define RAY_UNEVEN_RADIAL 0.35f /* mm: size of a broad ray's unevenness along the radius, */
+#define RAY_UNEVEN_ALONG 2.5f  /* and along the fibre */
 
 /* Factor of a broad ray's thickness; within ray_uneven of 1, which is its mean. root:
  * the ray's own. Far from every ray it does not matter. */
@@ -91,8 +85,9 @@ INLINE vf ray_unevenness(const wood_constants *w, const ray_place *p, vu root) {
   noise_axis up = noise_split_cubic(p->y * splat(1.0f / RAY_UNEVEN_ALONG), HASH_Y);
   vf across, along, n = noise_value2(&out, &up, root, &across, &along);
   vf keep = splat(w->ray_uneven / HASH_ONE);
-  if (filter_touches(p->along, RAY_UNEVEN_ALONG)) {
-    keep = keep * filter_keep(p->along, RAY_UNEVEN_ALONG);
+  vf size = vmax(vsqrt(p->bb), p->along * splat(RAY_UNEVEN_RADIAL / RAY_UNEVEN_ALONG));
+  if (filter_touches(size, RAY_UNEVEN_RADIAL)) {
+    keep = keep * filter_keep(size, RAY_UNEVEN_RADIAL);
   }
   return splat(1.0f) + keep * n;
 }
@@ -117,12 +112,14 @@ INLINE ray_body ray_body_of(const wood_constants *w, const ray_place *p, const r
   vf starts = to_float((vi)(g >> 12 & splatu(63u))) * splat(0.25f / 63.0f);
   vf ends = one - to_float((vi)(g >> 18 & splatu(63u))) * splat(0.25f / 63.0f);
   /* thinner rays are as many as thick ones */
-  vf thick = splat(w->ray_half) * (splat(0.6f) + splat(0.8f / 255.0f) * to_float((vi)(g >> 24)));
+  vf plump = to_float((vi)(g >> 24)) * splat(1.0f / 255.0f);
+  vf thick = splat(w->ray_half) * (splat(0.7f) + splat(0.6f) * plump);
+  r.dense = splat(0.6f) + splat(0.4f) * plump;
   /* they taper to their ends along the radius */
   vf taper =
       clamp01((q->within - starts) * splat(16.0f)) * clamp01((ends - q->within) * splat(16.0f));
   r.thick = thick * taper;
-  r.a = (q->x - to_float(side) - place) * q->arc + q->stray;
+  r.a = (q->x - to_float(side) - place) * q->arc;
   if (w->ray_uneven > 0.0f) {
     vf most = r.thick * splat(1.0f + w->ray_uneven) + q->reach;
     if (any(lt(vabs(r.a), most))) r.thick = r.thick * ray_unevenness(w, p, root);
@@ -138,7 +135,7 @@ INLINE vf ray_body_cover(const wood_constants *w, const ray_place *p, const ray_
   vf e = splat(0.5f) * p->along * splat(w->inverse_ray_cell) * r->inverse_tall;
   e = vmax(e, splat(1e-3f));
   vf lens = (ray_lens(r->at + e) - ray_lens(r->at - e)) / (e + e);
-  return ray_overlap(r->a - q->reach, r->a + q->reach, r->thick * lens);
+  return r->dense * ray_overlap(r->a - q->reach, r->a + q->reach, r->thick * lens);
 }
 
 INLINE vf ray_of_cell(const wood_constants *w, const ray_place *p, const ray_cells *q, vi side) {
@@ -170,7 +167,17 @@ INLINE ray_place ray_place_of(const wood_constants *w, vu own, vf rho, vf c, vf 
                               const footprint2 *f, vf along) {
   ray_place p;
   vi unused;
-  vf turn = arctan2(s, c) * splat(0.15915494f);
+  noise_axis out = noise_split_cubic(rho * splat(w->ray_wave_radial), HASH_X);
+  noise_axis up = noise_split_cubic(y * splat(w->ray_wave_along), HASH_Y);
+  /* The sheets are not flat: they sway with the bundles of fibres that go round them,
+   * together all round the stem, so that a cut along them leaves them and meets them
+   * again. Nearer to the pith than ray_sway_from they sway by an angle. */
+  vf lean, sway, stray = noise_value2(&out, &up, wood_seed(w, own, SEED_RAYS), &lean, &sway);
+  vf from = splat(w->ray_sway_from), per = splat(w->ray_stray) * vmin(rho / from, splat(1.0f));
+  p.lean = lean * per * splat(w->ray_wave_radial);
+  p.sway = sway * per * splat(w->ray_wave_along);
+  vf turn = arctan2(s, c) + stray * splat(w->ray_stray) / vmax(rho, from);
+  turn = turn * splat(0.15915494f);
   p.rho = rho;
   p.own = own;
   p.turn = turn - vfloor(turn, &unused);
@@ -179,8 +186,6 @@ INLINE ray_place ray_place_of(const wood_constants *w, vu own, vf rho, vf c, vf 
   p.ab = f->ab;
   p.bb = f->bb;
   p.along = along;
-  p.out = noise_split_cubic(rho * splat(w->ray_wave_radial), HASH_X);
-  p.up = noise_split_cubic(y * splat(w->ray_wave_along), HASH_Y);
   return p;
 }
 
