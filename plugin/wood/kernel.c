@@ -52,6 +52,16 @@ static wood_wants wants_of(const wood_constants *w, const kernel_io *io) {
   return q;
 }
 
+/* What the stages read and write. */
+typedef struct {
+  const sozai_batch *in;
+#if LANES == 1
+  float *const *out;
+#else
+  float *out[WOOD_COMPONENTS]; /* from the first point of the first block on; none is NULL */
+#endif
+} wood_io;
+
 /* How far a footprint reaches along rho. */
 INLINE vf rings_extent(const stem_place *p, const vf g[3], const vf n[3], int ball, vf s) {
   footprint2 f = footprint_through(g, g, n, ball, s);
@@ -132,7 +142,7 @@ typedef struct {
  * begin while this one waits for its own results. */
 typedef struct {
   uint32_t i, n;      /* the first point, and how many */
-  int whole;          /* all lanes are stored */
+  uint32_t o;         /* the first point, among those of the blocks on their way together */
   vf p[3];            /* log space */
   vf nrm[3];          /* normal, log space */
   vf s;               /* footprint */
@@ -171,25 +181,17 @@ typedef struct {
   wide_rings *wide; /* where a footprint on veneer is wide, else NULL */
 } block;
 
-/* The end of a batch, and what is not active. */
-static __attribute__((noinline)) void store_some(const uint8_t *active, const block *k, float *p,
-                                                 const float *x) {
-  for (uint32_t l = 0; l < k->n; l++) {
-    if (!active || active[k->i + l]) p[k->i + l] = x[l];
-  }
-}
-
-INLINE void store_lanes(const kernel_io *io, int channel, const block *k, vf x) {
+#if LANES == 1
+INLINE void store_lanes(const wood_io *io, int channel, const block *k, vf x) {
   float *p = io->out[channel];
-  if (!p) return;
-  if (__builtin_expect(k->whole, 1)) {
-    store(p + k->i, x);
-    return;
-  }
-  float lanes[LANES];
-  store(lanes, x);
-  store_some(io->in->active, k, p, lanes);
+  if (p) p[k->i] = x;
 }
+#else
+/* All of them, asked for or not: a store costs less than to ask. */
+INLINE void store_lanes(const wood_io *io, int channel, const block *k, vf x) {
+  store(io->out[channel] + k->o, x);
+}
+#endif
 
 /* The board's offset to the seeds. */
 INLINE vu own_of(int boards, const block *k) { return boards ? k->board.own : splatu(0); }
@@ -211,7 +213,7 @@ INLINE void to_log(const wood_constants *w, int boards, const block *k, const vf
 }
 
 /* The board's channels, and the normal of its bevelled edges and cupped face. */
-INLINE void stage_board(const wood_constants *w, int boards, const kernel_io *io, block *k,
+INLINE void stage_board(const wood_constants *w, int boards, const wood_io *io, block *k,
                         vf normal[3]) {
   vf zero = splat(0.0f), id = zero, u = zero, v = zero, edge = zero, height = zero;
   if (boards && w->boards.layout.kind == LAYOUT_NONE) {
@@ -252,7 +254,7 @@ INLINE void stage_board(const wood_constants *w, int boards, const kernel_io *io
   store_lanes(io, WOOD_HEIGHT, k, height);
 }
 
-INLINE void stage_load(const wood_constants *w, int boards, const kernel_io *io,
+INLINE void stage_load(const wood_constants *w, int boards, const wood_io *io,
                        const wood_wants *want, block *k) {
   vf p[3];
   for (int c = 0; c < 3; c++) p[c] = finite_coordinate(load_lanes(io->in->point[c], k->i, k->n));
@@ -308,7 +310,7 @@ INLINE vf knot_shift(const block *k) {
 }
 
 /* Once in the code: it is long, and few points are near a knot. */
-static __attribute__((noinline)) void stage_knots_near(const wood_constants *w, const kernel_io *io,
+static __attribute__((noinline)) void stage_knots_near(const wood_constants *w, const wood_io *io,
                                                        vf shift, block *k) {
   vf zero = splat(0.0f);
   knot_place *q = k->knot;
@@ -326,7 +328,7 @@ static __attribute__((noinline)) void stage_knots_near(const wood_constants *w, 
   if (!any(gt(q->near + q->cover + q->bark + q->halo + q->nodes, zero))) k->knot = NULL;
 }
 
-INLINE void stage_knots(const wood_constants *w, const kernel_io *io, vf shift, block *k) {
+INLINE void stage_knots(const wood_constants *w, const wood_io *io, vf shift, block *k) {
   if (knots_near(w->knots, shift, k->p[1], k->s, &k->stem)) {
     stage_knots_near(w, io, shift, k);
     return;
@@ -335,7 +337,7 @@ INLINE void stage_knots(const wood_constants *w, const kernel_io *io, vf shift, 
   store_lanes(io, WOOD_KNOT, k, splat(0.0f));
 }
 
-INLINE void stage_ring(const wood_constants *w, const kernel_io *io, block *k) {
+INLINE void stage_ring(const wood_constants *w, const wood_io *io, block *k) {
   k->ring = ring_at(w, k->stem.rho);
   k->years = to_float(k->ring.ring) + k->ring.phase;
   store_lanes(io, WOOD_TIME, k, k->years);
@@ -383,7 +385,7 @@ INLINE void stage_knot_section(block *k) {
   k->sn = sel(in, q->h * turn, k->sn);
 }
 
-INLINE void stage_section(const wood_constants *w, const kernel_io *io, block *k) {
+INLINE void stage_section(const wood_constants *w, const wood_io *io, block *k) {
   vf unused;
   vf radius = k->stem.rho * (splat(1.0f) + outline_at(w, k->c, k->sn, &unused));
   k->x = radius * k->c;
@@ -441,7 +443,7 @@ INLINE void stage_fibre(block *k) {
   k->sine = zero - (f[0] * k->nrm[0] + f[1] * k->nrm[1] + f[2] * k->nrm[2]);
 }
 
-INLINE void stage_direction(const wood_constants *w, int boards, const kernel_io *io,
+INLINE void stage_direction(const wood_constants *w, int boards, const wood_io *io,
                             const wood_wants *want, block *k) {
   const vf *f = k->fibre;
   if (want->fibre) {
@@ -467,7 +469,7 @@ INLINE void stem_row(block *k) {
   k->b[2] = stem->rho_z;
 }
 
-INLINE void stage_reach(const wood_constants *w, int boards, const kernel_io *io, block *k) {
+INLINE void stage_reach(const wood_constants *w, int boards, const wood_io *io, block *k) {
   stem_row(k);
   vf b[3] = {k->b[0], k->b[1], k->b[2]};
   if (boards && w->plies.count) ply_squeeze(&k->board, b);
@@ -487,7 +489,7 @@ INLINE vf curved_footprint(const wood_constants *w, int boards, const block *k) 
 }
 
 /* The mean of a ring's profile under the footprint. */
-INLINE vf rings_mean(const wood_constants *w, int boards, const kernel_io *io, int what,
+INLINE vf rings_mean(const wood_constants *w, int boards, const wood_io *io, int what,
                      const block *k) {
   vf mean = rings_across(w, what, &k->stem, &k->ring, k->b, k->nrm, !io->in->normal[0],
                          curved_footprint(w, boards, k), k->reach);
@@ -495,7 +497,7 @@ INLINE vf rings_mean(const wood_constants *w, int boards, const kernel_io *io, i
   return mean;
 }
 
-INLINE void stage_wide(const wood_constants *w, int boards, const kernel_io *io, block *k,
+INLINE void stage_wide(const wood_constants *w, int boards, const wood_io *io, block *k,
                        wide_rings *room) {
   k->wide = NULL;
   if (any(gt(k->board.bent, splat(WIDE_FROM)))) {
@@ -515,7 +517,7 @@ INLINE vf stage_knot_late(const wood_constants *w, block *k) {
   return sel(gt(q->cover, zero), mix(k->late, q->own, q->cover), k->late);
 }
 
-INLINE void stage_rings(const wood_constants *w, int boards, const kernel_io *io, block *k) {
+INLINE void stage_rings(const wood_constants *w, int boards, const wood_io *io, block *k) {
   k->late = rings_mean(w, boards, io, MEAN_LATE, k);
   vf late = k->late;
   if (k->knot) late = stage_knot_late(w, k);
@@ -556,7 +558,7 @@ INLINE void section_rows(const block *k, vf a[3], vf b[3]) {
 }
 
 /* The footprint over them. */
-INLINE footprint2 footprint_in_section(const wood_constants *w, int boards, const kernel_io *io,
+INLINE footprint2 footprint_in_section(const wood_constants *w, int boards, const wood_io *io,
                                        const block *k) {
   vf a[3], b[3];
   section_rows(k, a, b);
@@ -573,7 +575,7 @@ INLINE vessel_place vessel_place_of(int boards, const block *k) {
 
 /* Long footprints here; what is within one tap goes through the two stages
  * after this one. */
-INLINE void stage_vessel_parts(const wood_constants *w, int boards, const kernel_io *io, block *k) {
+INLINE void stage_vessel_parts(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf zero = splat(0.0f);
   k->f = footprint_in_section(w, boards, io, k);
   k->vessels = (vessel_cover_t){zero, zero, zero, zero};
@@ -605,7 +607,7 @@ INLINE void stage_rows(const wood_constants *w, int boards, block *k) {
 }
 
 /* Where the vessels could not be looked up, what is to be expected. */
-INLINE void stage_cover(const wood_constants *w, int boards, const kernel_io *io, block *k) {
+INLINE void stage_cover(const wood_constants *w, int boards, const wood_io *io, block *k) {
   const vessel_cover_t *v = &k->vessels;
   vf one = splat(1.0f), zero = splat(0.0f);
   vf pores = v->pores, rows = v->rows;
@@ -642,7 +644,7 @@ INLINE void stage_ray_body(const wood_constants *w, block *k) {
   k->ray_in = ray_body_of(w, &k->rays, &k->ray_at, splati(0));
 }
 
-INLINE void stage_rays(const wood_constants *w, const kernel_io *io, block *k) {
+INLINE void stage_rays(const wood_constants *w, const wood_io *io, block *k) {
   vf share, nearest = ray_body_cover(w, &k->rays, &k->ray_at, &k->ray_in);
   vf found = rays_cover(w, &k->rays, &k->ray_at, nearest, &share);
   k->ray = rays_faded(w, &k->rays, found, share);
@@ -650,7 +652,7 @@ INLINE void stage_rays(const wood_constants *w, const kernel_io *io, block *k) {
   store_lanes(io, WOOD_RAY, k, k->ray);
 }
 
-INLINE void stage_canals(const wood_constants *w, int boards, const kernel_io *io, block *k) {
+INLINE void stage_canals(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vessel_place place = vessel_place_of(boards, k);
   k->canal = canals_at(w, &place);
   if (k->knot) {
@@ -732,7 +734,7 @@ INLINE void stage_knot_colour(const wood_constants *w, block *k, vf late) {
   }
 }
 
-INLINE void stage_colour(const wood_constants *w, int boards, const kernel_io *io, block *k) {
+INLINE void stage_colour(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf one = splat(1.0f), zero = splat(0.0f);
   /* earlywood rows stand where there is no latewood; pores everywhere */
   vf season = w->has_eyes ? vmax(k->late, k->stem.eye) : k->late;
@@ -774,7 +776,7 @@ INLINE void stage_colour(const wood_constants *w, int boards, const kernel_io *i
 
 /* The same from a picture of the section: it shows rings, vessels and fibres
  * down to its pixels, and the fibres' noise goes on below them. */
-INLINE void stage_picture(const wood_constants *w, int boards, const kernel_io *io, block *k) {
+INLINE void stage_picture(const wood_constants *w, int boards, const wood_io *io, block *k) {
   const stem_place *stem = &k->stem;
   stem_row(k);
   footprint2 f = footprint_in_section(w, boards, io, k);
@@ -798,7 +800,7 @@ INLINE void stage_picture(const wood_constants *w, int boards, const kernel_io *
 
 /* Figure, Kawai's equation (4): the lobe's normal dives with the fibre; slopes
  * that the footprint averages widen it instead. */
-INLINE void stage_lobe(const wood_constants *w, int boards, const kernel_io *io, block *k) {
+INLINE void stage_lobe(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf one = splat(1.0f);
   vf roughness = splat(w->roughness);
   k->exponent = splat(w->shininess);
@@ -829,7 +831,7 @@ INLINE void stage_lobe(const wood_constants *w, int boards, const kernel_io *io,
   store_lanes(io, WOOD_ROUGHNESS, k, roughness);
 }
 
-INLINE void stage_light(const wood_constants *w, int boards, const kernel_io *io, block *k) {
+INLINE void stage_light(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf one = splat(1.0f), zero = splat(0.0f), light[3], *l = k->light;
   for (int c = 0; c < 3; c++) light[c] = load_lanes(io->in->light[c], k->i, k->n);
   unit_direction(light);
@@ -843,7 +845,7 @@ INLINE void stage_light(const wood_constants *w, int boards, const kernel_io *io
 }
 
 /* Radiance of a channel, under the light's colour. */
-INLINE void store_lit(const kernel_io *io, const block *k, int c, vf r) {
+INLINE void store_lit(const wood_io *io, const block *k, int c, vf r) {
   if (io->in->light_colour[c]) {
     vf e = load_lanes(io->in->light_colour[c], k->i, k->n);
     r = r * sel(lt(vabs(e), splat(1e30f)), e, splat(0.0f));
@@ -853,7 +855,7 @@ INLINE void store_lit(const kernel_io *io, const block *k, int c, vf r) {
 
 /* Towards the eye, log space; the normal where no view is given, or none that
  * is a direction. */
-INLINE void view_of(const wood_constants *w, int boards, const kernel_io *io, const block *k,
+INLINE void view_of(const wood_constants *w, int boards, const wood_io *io, const block *k,
                     vf out[3]) {
   for (int c = 0; c < 3; c++) out[c] = k->nrm[c];
   if (!io->in->view[0]) return;
@@ -869,7 +871,7 @@ INLINE void view_of(const wood_constants *w, int boards, const kernel_io *io, co
 }
 
 /* What a host needs to build the cone itself. */
-INLINE void stage_cone(const wood_constants *w, const kernel_io *io, block *k) {
+INLINE void stage_cone(const wood_constants *w, const wood_io *io, block *k) {
   cone_dive dive = cone_dive_of(k->sine);
   vf scale = w->cone ? cone_along(w->cone_scale, &dive) : splat(1.0f);
   for (int c = 0; c < 3; c++) {
@@ -881,7 +883,7 @@ INLINE void stage_cone(const wood_constants *w, const kernel_io *io, block *k) {
   store_lanes(io, WOOD_COAT, k, splat(w->coat));
 }
 
-INLINE void stage_cone_radiance(const wood_constants *w, int boards, const kernel_io *io,
+INLINE void stage_cone_radiance(const wood_constants *w, int boards, const wood_io *io,
                                 block *k) {
   vf r[3], v[3], coat2 = splat(w->coat_alpha * w->coat_alpha);
   if (w->surface.relief) coat2 = vmin(coat2 + k->lost, splat(1.0f));
@@ -907,7 +909,7 @@ INLINE void stage_cone_radiance(const wood_constants *w, int boards, const kerne
 
 INLINE void stage_gloss(block *k) { k->power = power01_log2(k->tilted, k->exponent); }
 
-INLINE void stage_radiance(const wood_constants *w, const kernel_io *io, block *k) {
+INLINE void stage_radiance(const wood_constants *w, const wood_io *io, block *k) {
   vf zero = splat(0.0f);
   vf gloss = k->strength * exp2_(k->power);
   vf diffuse = splat(w->diffuse) * vmax(k->incident, zero);
@@ -918,16 +920,15 @@ INLINE void stage_radiance(const wood_constants *w, const kernel_io *io, block *
 
 #include "surface/stage.h"
 
-/* 64 points on their way take 24 KB, which the nearest cache holds. */
 #ifndef BLOCKS
-#define BLOCKS (LANES == 1 ? 1 : 64 / LANES)
+#define BLOCKS (LANES == 1 ? 1 : 128 / LANES)
 #endif
 #define EACH(stage)                                                                                \
   for (uint32_t k = 0; k < count; k++) stage
 
 /* restrict: what is stored is no constant, so that those are loaded before the
  * loops and not in them. */
-INLINE void evaluate_as(int boards, const wood_constants *restrict w, const kernel_io *restrict io,
+INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood_io *restrict io,
                         const wood_wants *restrict want, block *blocks, surface_relief *reliefs,
                         wide_rings *wides, uint32_t count) {
   EACH(stage_load(w, boards, io, want, &blocks[k]));
@@ -1010,7 +1011,7 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const kern
 /* Twice in the code, with boards and without: a wood that is one piece pays
  * nothing for them. */
 static __attribute__((noinline)) void evaluate_piece(const wood_constants *restrict w,
-                                                     const kernel_io *restrict io,
+                                                     const wood_io *restrict io,
                                                      const wood_wants *restrict want, block *blocks,
                                                      surface_relief *reliefs, wide_rings *wides,
                                                      uint32_t count) {
@@ -1018,36 +1019,93 @@ static __attribute__((noinline)) void evaluate_piece(const wood_constants *restr
 }
 
 static __attribute__((noinline)) void evaluate_boards(const wood_constants *restrict w,
-                                                      const kernel_io *restrict io,
+                                                      const wood_io *restrict io,
                                                       const wood_wants *restrict want,
                                                       block *blocks, surface_relief *reliefs,
                                                       wide_rings *wides, uint32_t count) {
   evaluate_as(1, w, io, want, blocks, reliefs, wides, count);
 }
 
-/* Points from..to, those of plies as wood in a layout is. */
-INLINE void evaluate_points(const wood_constants *w, const kernel_io *io, const wood_wants *want,
-                            int boards, uint32_t from, uint32_t to) {
+typedef struct {
   block blocks[BLOCKS];
   surface_relief reliefs[BLOCKS];
   knot_place knots[BLOCKS];
   wide_rings wides[BLOCKS];
-  for (uint32_t i = from; i < to;) {
-    uint32_t count = 0;
-    for (; count < BLOCKS && i < to; count++, i += LANES) {
-      block *k = &blocks[count];
-      k->i = i;
-      k->n = to - i < LANES ? to - i : LANES;
-      k->whole = k->n == LANES && !io->in->active;
-      k->knot = w->knots ? &knots[count] : NULL;
-    }
-    if (boards) {
-      evaluate_boards(w, io, want, blocks, reliefs, wides, count);
-    } else {
-      evaluate_piece(w, io, want, blocks, reliefs, wides, count);
+} wood_blocks;
+
+INLINE void evaluate_blocks(const wood_constants *w, const wood_io *io, const wood_wants *want,
+                            int boards, wood_blocks *b, uint32_t count) {
+  if (boards) {
+    evaluate_boards(w, io, want, b->blocks, b->reliefs, b->wides, count);
+  } else {
+    evaluate_piece(w, io, want, b->blocks, b->reliefs, b->wides, count);
+  }
+}
+
+#if LANES == 1
+INLINE void evaluate_points(const wood_constants *w, const kernel_io *io, const wood_wants *want,
+                            int boards, uint32_t from, uint32_t to) {
+  wood_blocks b;
+  const wood_io part = {io->in, io->out};
+  const uint8_t *active = io->in->active;
+  for (uint32_t i = from; i < to; i++) {
+    if (active && !active[i]) continue;
+    b.blocks[0].i = i;
+    b.blocks[0].n = 1;
+    b.blocks[0].o = 0;
+    b.blocks[0].knot = w->knots ? b.knots : NULL;
+    evaluate_blocks(w, &part, want, boards, &b, 1);
+  }
+}
+#else
+/* The end of a batch, and where some points are not active: by a detour, so that
+ * blocks need not ask which points are to be written. */
+static __attribute__((noinline)) void evaluate_some(const wood_constants *w, const kernel_io *io,
+                                                    const wood_wants *want, int boards,
+                                                    wood_blocks *b, uint32_t count, wood_io *part,
+                                                    uint32_t from, uint32_t n) {
+  float room[WOOD_COMPONENTS][BLOCKS * LANES];
+  const uint8_t *active = io->in->active;
+  for (int c = 0; c < WOOD_COMPONENTS; c++) {
+    if (io->out[c]) part->out[c] = room[c];
+  }
+  evaluate_blocks(w, part, want, boards, b, count);
+  for (int c = 0; c < WOOD_COMPONENTS; c++) {
+    if (!io->out[c]) continue;
+    for (uint32_t i = 0; i < n; i++) {
+      if (!active || active[from + i]) io->out[c][from + i] = room[c][i];
     }
   }
 }
+
+/* Points from..to, those of plies as wood in a layout is. */
+INLINE void evaluate_points(const wood_constants *w, const kernel_io *io, const wood_wants *want,
+                            int boards, uint32_t from, uint32_t to) {
+  wood_blocks b;
+  float spare[BLOCKS * LANES]; /* where components go that nobody asked for */
+  wood_io part;
+  part.in = io->in;
+  for (int c = 0; c < WOOD_COMPONENTS; c++) part.out[c] = io->out[c] ? io->out[c] + from : spare;
+  for (uint32_t i = from; i < to;) {
+    uint32_t count = 0, first = i;
+    for (; count < BLOCKS && i < to; count++, i += LANES) {
+      block *k = &b.blocks[count];
+      k->i = i;
+      k->n = to - i < LANES ? to - i : LANES;
+      k->o = i - first;
+      k->knot = w->knots ? &b.knots[count] : NULL;
+    }
+    if (i > to || io->in->active) {
+      evaluate_some(w, io, want, boards, &b, count, &part, first, i < to ? i - first : to - first);
+      continue;
+    }
+    evaluate_blocks(w, &part, want, boards, &b, count);
+    for (int c = 0; c < WOOD_COMPONENTS; c++) {
+      if (io->out[c]) part.out[c] += i - first;
+    }
+  }
+}
+#endif
 
 #include "plies/taps.h"
 
