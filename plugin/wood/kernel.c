@@ -156,9 +156,10 @@ typedef struct {
   wave_phase wave;
   grain_place grain;
   vf c, sn, x, z; /* reference section: direction and place */
+  vf turn;        /* of the direction, over 2 pi */
   vf fibre[3];    /* direction, log space */
   vf sine;        /* of the dive angle */
-  vf b[3];        /* row of the map from surface to rho */
+  vf b[3], bn;    /* row of the map from surface to rho; that along the normal */
   vf reach;       /* mm: rings_extent */
   footprint2 f;   /* over (arc, rho) of the reference section */
   disc pore;
@@ -254,6 +255,18 @@ INLINE void stage_board(const wood_constants *w, int boards, const wood_io *io, 
   store_lanes(io, WOOD_HEIGHT, k, height);
 }
 
+/* Whether a direction is the same as in the block before, as on flat ground it is: what
+ * has been made of it then need not be made again. */
+INLINE int as_before(const float *const direction[3], const block *k) {
+  if (!direction[0] || k->n < LANES) return 0;
+  vi differ = splati(0);
+  for (int c = 0; c < 3; c++) {
+    const float *at = direction[c] + k->i;
+    differ |= bits_of(load(at)) ^ bits_of(load(at - LANES));
+  }
+  return !any(not_(eqi(differ, splati(0))));
+}
+
 INLINE void stage_load(const wood_constants *w, int boards, const wood_io *io,
                        const wood_wants *want, block *k) {
   vf p[3];
@@ -261,6 +274,16 @@ INLINE void stage_load(const wood_constants *w, int boards, const wood_io *io,
   k->s = splat(0.0f);
   if (io->in->footprint) {
     k->s = clamp(load_lanes(io->in->footprint, k->i, k->n), splat(0.0f), splat(1e4f));
+  }
+  if (!boards && !want->board && k->o && as_before(io->in->normal, k)) {
+    const block *before = k - 1;
+    to_log(w, boards, k, p, k->p);
+    for (int c = 0; c < 3; c++) k->p[c] = k->p[c] + splat(w->shift[c]);
+    for (int c = 0; c < 3; c++) k->nrm[c] = before->nrm[c];
+    k->up2 = before->up2;
+    k->inverse_up = before->inverse_up;
+    k->extent = k->s * (k->up2 * k->inverse_up);
+    return;
   }
   vf normal[3] = {splat(0.0f), splat(0.0f), splat(1.0f)};
   if (io->in->normal[0]) {
@@ -469,9 +492,19 @@ INLINE void stem_row(block *k) {
   k->b[2] = stem->rho_z;
 }
 
+/* Whether the footprint over rho is that of the wood's own rows. */
+INLINE int reach_is_plain(const wood_constants *w, int boards, const block *k) {
+  return !k->knot && !(boards && w->plies.count);
+}
+
 INLINE void stage_reach(const wood_constants *w, int boards, const wood_io *io, block *k) {
   stem_row(k);
   vf b[3] = {k->b[0], k->b[1], k->b[2]};
+  if (reach_is_plain(w, boards, k)) {
+    k->f.bb = footprint_along(b, k->nrm, !io->in->normal[0], &k->bn) * (k->s * k->s);
+    k->reach = vsqrt(k->f.bb + splat(12.0f) * k->stem.lost);
+    return;
+  }
   if (boards && w->plies.count) ply_squeeze(&k->board, b);
   k->reach = rings_extent(&k->stem, b, k->nrm, !io->in->normal[0], k->s);
 }
@@ -569,15 +602,30 @@ INLINE footprint2 footprint_in_section(const wood_constants *w, int boards, cons
   return footprint_through(a, b, k->nrm, !io->in->normal[0], k->s);
 }
 
+/* The same where stage_reach has seen to rho. */
+INLINE footprint2 footprint_after_reach(const wood_constants *w, int boards, const wood_io *io,
+                                        const block *k) {
+  if (!reach_is_plain(w, boards, k)) return footprint_in_section(w, boards, io, k);
+  int ball = !io->in->normal[0];
+  vf a[3], an, q = k->s * k->s;
+  section_arc_row(k, a);
+  footprint2 f = {footprint_along(a, k->nrm, ball, &an) * q, a[0] * k->b[0], k->f.bb};
+  f.ab = f.ab + a[1] * k->b[1] + a[2] * k->b[2];
+  if (!ball) f.ab = f.ab - an * k->bn;
+  f.ab = f.ab * q;
+  return f;
+}
+
 INLINE vessel_place vessel_place_of(int boards, const block *k) {
-  return (vessel_place){k->x, k->z, k->c, k->sn, k->stem.rho, k->ring, k->f, own_of(boards, k)};
+  return (vessel_place){k->x,         k->z,    k->c, k->sn,           k->turn,
+                        k->stem.rho, k->ring, k->f, own_of(boards, k)};
 }
 
 /* Long footprints here; what is within one tap goes through the two stages
  * after this one. */
 INLINE void stage_vessel_parts(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf zero = splat(0.0f);
-  k->f = footprint_in_section(w, boards, io, k);
+  k->f = footprint_after_reach(w, boards, io, k);
   k->vessels = (vessel_cover_t){zero, zero, zero, zero};
   vm cut = vessels_cut(w, &k->f);
   k->parts = (w->has_pores || w->rows) && any(cut);
@@ -586,6 +634,8 @@ INLINE void stage_vessel_parts(const wood_constants *w, int boards, const wood_i
     k->vessels = vessels_in_parts(w, &place, cut);
   }
 }
+
+INLINE void stage_turns(block *k) { k->turn = place_turn(k->c, k->sn); }
 
 INLINE void stage_disc(const wood_constants *w, int boards, block *k) {
   if (k->parts || !w->has_pores) return;
@@ -633,7 +683,7 @@ INLINE void stage_cover(const wood_constants *w, int boards, const wood_io *io, 
 }
 
 INLINE void stage_ray_place(const wood_constants *w, int boards, block *k) {
-  k->rays = ray_place_of(w, own_of(boards, k), k->stem.rho, k->c, k->sn, k->p[1], &k->f, k->extent);
+  k->rays = ray_place_of(w, own_of(boards, k), k->stem.rho, k->turn, k->p[1], &k->f, k->extent);
 }
 
 INLINE void stage_ray_cells(const wood_constants *w, block *k) {
@@ -645,9 +695,9 @@ INLINE void stage_ray_body(const wood_constants *w, block *k) {
 }
 
 INLINE void stage_rays(const wood_constants *w, const wood_io *io, block *k) {
-  vf share, nearest = ray_body_cover(w, &k->rays, &k->ray_at, &k->ray_in);
-  vf found = rays_cover(w, &k->rays, &k->ray_at, nearest, &share);
-  k->ray = rays_faded(w, &k->rays, found, share);
+  vf nearest = ray_body_cover(w, &k->rays, &k->ray_at, &k->ray_in);
+  vf found = rays_cover(w, &k->rays, &k->ray_at, nearest);
+  k->ray = rays_faded(w, &k->rays, &k->ray_at, found);
   if (k->knot) k->ray = k->ray * (splat(1.0f) - k->knot->cover);
   store_lanes(io, WOOD_RAY, k, k->ray);
 }
@@ -740,32 +790,59 @@ INLINE void stage_colour(const wood_constants *w, int boards, const wood_io *io,
   vf season = w->has_eyes ? vmax(k->late, k->stem.eye) : k->late;
   vf late = season * (one - vmin(k->over_late, one));
   vf early = vmax(one - k->cover - late, zero) * k->shift, dark = late * k->shift;
-  int cells = w->has_cells && any(lt(zero, k->cell_contrast));
   vf open = w->has_cells ? k->cover + k->lining : k->cover;
   vf heart = heart_share(w, k->years, k->c, k->sn, vsqrt(k->f.bb) * k->ring.inverse_width);
   vm pale = lt(heart, one);
-  int some = any(pale);
+  vf light[3], deep[3], tissue[3];
+  UNROLL(3)
   for (int c = 0; c < 3; c++) {
-    vf light = splat(w->early[c]), deep = splat(w->late[c]);
-    if (w->has_pigment) {
-      light = mix(light, splat(w->pigment[c]), k->pigment);
-      deep = mix(deep, splat(PIGMENT_LATE * w->pigment[c]), k->pigment);
-    }
-    if (some) {
-      light = sel(pale, mix(splat(w->sap_early[c]), light, heart), light);
-      deep = sel(pale, mix(splat(w->sap_late[c]), deep, heart), deep);
-    }
-    vf tissue = light * early + deep * dark;
-    if (cells) tissue = tissue + tissue * k->cells * vmin(k->cell_contrast, cells_room(w, light));
-    tissue = tissue + splat(w->vessel[c]) * open;
-    if (w->streaks.share > 0.0f) tissue = mix(tissue, splat(w->streak[c]) * k->shift, k->streak);
-    if (w->has_rays) tissue = mix(tissue, splat(w->ray[c]) * k->shift, k->ray);
-    if (w->has_canals) {
-      tissue = mix(tissue, splat(w->canal_colour[c]), k->canal.whole - k->canal.core);
-      tissue = mix(tissue, splat(w->canal_lumen[c]), k->canal.core);
-    }
-    k->albedo[c] = tissue;
+    light[c] = splat(w->early[c]);
+    deep[c] = splat(w->late[c]);
   }
+  if (w->has_pigment) {
+    UNROLL(3)
+    for (int c = 0; c < 3; c++) {
+      light[c] = mix(light[c], splat(w->pigment[c]), k->pigment);
+      deep[c] = mix(deep[c], splat(PIGMENT_LATE * w->pigment[c]), k->pigment);
+    }
+  }
+  if (any(pale)) {
+    UNROLL(3)
+    for (int c = 0; c < 3; c++) {
+      light[c] = sel(pale, mix(splat(w->sap_early[c]), light[c], heart), light[c]);
+      deep[c] = sel(pale, mix(splat(w->sap_late[c]), deep[c], heart), deep[c]);
+    }
+  }
+  UNROLL(3)
+  for (int c = 0; c < 3; c++) tissue[c] = light[c] * early + deep[c] * dark;
+  if (w->has_cells && any(lt(zero, k->cell_contrast))) {
+    UNROLL(3)
+    for (int c = 0; c < 3; c++) {
+      vf contrast = vmin(k->cell_contrast, cells_room(w, light[c]));
+      tissue[c] = tissue[c] + tissue[c] * k->cells * contrast;
+    }
+  }
+  UNROLL(3)
+  for (int c = 0; c < 3; c++) tissue[c] = tissue[c] + splat(w->vessel[c]) * open;
+  if (w->streaks.share > 0.0f) {
+    UNROLL(3)
+    for (int c = 0; c < 3; c++) {
+      tissue[c] = mix(tissue[c], splat(w->streak[c]) * k->shift, k->streak);
+    }
+  }
+  if (w->has_rays) {
+    UNROLL(3)
+    for (int c = 0; c < 3; c++) tissue[c] = mix(tissue[c], splat(w->ray[c]) * k->shift, k->ray);
+  }
+  if (w->has_canals) {
+    UNROLL(3)
+    for (int c = 0; c < 3; c++) {
+      tissue[c] = mix(tissue[c], splat(w->canal_colour[c]), k->canal.whole - k->canal.core);
+      tissue[c] = mix(tissue[c], splat(w->canal_lumen[c]), k->canal.core);
+    }
+  }
+  UNROLL(3)
+  for (int c = 0; c < 3; c++) k->albedo[c] = tissue[c];
   if (k->knot) stage_knot_colour(w, k, k->knot->own);
   if (w->has_spalt) stage_spalt_colour(k);
   for (int c = 0; c < 3; c++) {
@@ -833,9 +910,13 @@ INLINE void stage_lobe(const wood_constants *w, int boards, const wood_io *io, b
 
 INLINE void stage_light(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf one = splat(1.0f), zero = splat(0.0f), light[3], *l = k->light;
-  for (int c = 0; c < 3; c++) light[c] = load_lanes(io->in->light[c], k->i, k->n);
-  unit_direction(light);
-  to_log(w, boards, k, light, l);
+  if (!boards && k->o && as_before(io->in->light, k)) {
+    for (int c = 0; c < 3; c++) l[c] = k[-1].light[c];
+  } else {
+    for (int c = 0; c < 3; c++) light[c] = load_lanes(io->in->light[c], k->i, k->n);
+    unit_direction(light);
+    to_log(w, boards, k, light, l);
+  }
   k->incident = l[0] * k->nrm[0] + l[1] * k->nrm[1] + l[2] * k->nrm[2];
   /* up the stem within the surface */
   vf rise = (l[1] - k->nrm[1] * k->incident) * k->inverse_up;
@@ -963,6 +1044,7 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
     if (has_bent_boards(w, boards)) EACH(stage_wide(w, boards, io, &blocks[k], &wides[k]));
     EACH(stage_rings(w, boards, io, &blocks[k]));
   }
+  if ((want->vessel || want->relief) && place_has_turn(w)) EACH(stage_turns(&blocks[k]));
   if (want->vessel) {
     EACH(stage_vessel_parts(w, boards, io, &blocks[k]));
     EACH(stage_disc(w, boards, &blocks[k]));
