@@ -18,20 +18,24 @@ typedef struct {
   vf aa, ab, bb;
 } footprint2;
 
+/* The square of a row a[3] of the map, projected; an: what of the row lies along the normal. */
+INLINE vf footprint_along(const vf a[3], const vf n[3], int ball, vf *an) {
+  vf aa = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+  *an = splat(0.0f);
+  if (ball) return aa;
+  *an = a[0] * n[0] + a[1] * n[1] + a[2] * n[2];
+  return vmax(aa - *an * *an, splat(0.0f));
+}
+
 /* a[3], b[3]: rows of the map. n[3]: unit normal; `ball`: no normal is known,
  * nothing is projected out. */
 INLINE footprint2 footprint_through(const vf a[3], const vf b[3], const vf n[3], int ball, vf s) {
   footprint2 f;
-  f.aa = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+  vf an, bn;
+  f.aa = footprint_along(a, n, ball, &an);
+  f.bb = footprint_along(b, n, ball, &bn);
   f.ab = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  f.bb = b[0] * b[0] + b[1] * b[1] + b[2] * b[2];
-  if (!ball) {
-    vf an = a[0] * n[0] + a[1] * n[1] + a[2] * n[2];
-    vf bn = b[0] * n[0] + b[1] * n[1] + b[2] * n[2];
-    f.aa = vmax(f.aa - an * an, splat(0.0f));
-    f.ab = f.ab - an * bn;
-    f.bb = vmax(f.bb - bn * bn, splat(0.0f));
-  }
+  if (!ball) f.ab = f.ab - an * bn;
   vf q = s * s;
   f.aa = f.aa * q;
   f.ab = f.ab * q;

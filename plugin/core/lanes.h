@@ -37,9 +37,11 @@ INLINE vf finite_coordinate(vf x) {
   return clamp(x, splat(-1e6f), splat(1e6f));
 }
 
-/* A direction of any length to a unit one; +z where it has none. */
+/* A direction of any length to a unit one; +z where it has none. What is unit
+ * already to a few units in the last place stays as it is. */
 INLINE void unit_direction(vf v[3]) {
   vf square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+  if (!any(not_(le(vabs(square - splat(1.0f)), splat(4e-7f))))) return;
   vm usual = and_(gt(square, splat(1e-20f)), lt(square, splat(1e20f)));
   if (any(not_(usual))) {
     /* too long or short to square, or not a direction at all */
@@ -54,9 +56,7 @@ INLINE void unit_direction(vf v[3]) {
     }
     square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
   }
-  /* what is unit already to a few units in the last place stays as it is */
   vm off = gt(vabs(square - splat(1.0f)), splat(4e-7f));
-  if (!any(off)) return;
   vf l = sel(off, inverse_root(square), splat(1.0f));
   for (int c = 0; c < 3; c++) v[c] = v[c] * l;
 }

@@ -355,11 +355,11 @@ INLINE vf clamp01(vf x) { return vmin(vmax(x, splat(0.0f)), splat(1.0f)); }
 INLINE vf mix(vf a, vf b, vf t) { return a + (b - a) * t; }
 
 /* The greatest whole number not above x, as a number and as an integer;
- * |x| < 2^31. Of -0 it is 0: the unit's own rounding keeps the sign, which the
- * sum takes away again; and SSE2 has no rounding. */
+ * |x| < 2^31. It has the sign of x, be it -0, as the unit's own rounding keeps it;
+ * SSE2 has no rounding. */
 INLINE vf vfloor(vf x, vi *whole) {
 #ifdef ROUND_DOWN_
-  vf f = ROUND_DOWN_(x) + splat(0.0f);
+  vf f = ROUND_DOWN_(x);
   *whole = to_int(f);
   return f;
 #else
@@ -367,7 +367,8 @@ INLINE vf vfloor(vf x, vi *whole) {
   vf f = to_float(i);
   vm above = gt(f, x);
   *whole = seli(above, i - splati(1), i);
-  return sel(above, f - splat(1.0f), f);
+  f = sel(above, f - splat(1.0f), f);
+  return float_of(bits_of(f) | (bits_of(x) & splati(INT32_MIN)));
 #endif
 }
 

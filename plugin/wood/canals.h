@@ -35,7 +35,7 @@ INLINE canal_cover canals_at(const wood_constants *w, const vessel_place *p) {
   canal_cover c = canals_expected(w);
   if (!any(lt(fade, one))) return c;
 
-  vf turn = arctan2(p->s, p->c) * splat(0.15915494f) + splat(0.5f), k24 = splat(1.0f / 16777216.0f);
+  vf turn = p->turn + splat(0.5f), k24 = splat(1.0f / 16777216.0f);
   vi n = to_int(count);
   vf twelfth = splat(1.0f / 12.0f), radius2 = splat(w->canal.radius * w->canal.radius);
   matrix2 m = {p->f.aa * twelfth, p->f.ab * twelfth, p->f.bb * twelfth};

@@ -48,7 +48,7 @@ INLINE vf cells_tissue(const wood_constants *w, const vessel_place *p, vf y, vf 
   vf middle = ring->start + ring->turns * splat(w->ring_period) + half * width;
   vf count = vfloor(middle * splat(6.2831853f * w->inverse_cell_width) + half, &n);
   count = vmax(count, splat(3.0f));
-  vf turn = arctan2(p->s, p->c) * splat(0.15915494f) + half;
+  vf turn = (place_has_turn(w) ? p->turn : place_turn(p->c, p->s)) + half;
   vf x = turn * count, in = x - vfloor(x, &file);
   vf arc = splat(6.2831853f) * vmax(p->rho, splat(0.05f)) / count;
   vu seed = hash_mix((vu)ring->ring * splatu(HASH_Z) + wood_seed(w, p->own, SEED_CELLS));

@@ -52,6 +52,16 @@ static wood_wants wants_of(const wood_constants *w, const kernel_io *io) {
   return q;
 }
 
+/* What the stages read and write. */
+typedef struct {
+  const sozai_batch *in;
+#if LANES == 1
+  float *const *out;
+#else
+  float *out[WOOD_COMPONENTS]; /* from the first point of the first block on; none is NULL */
+#endif
+} wood_io;
+
 /* How far a footprint reaches along rho. */
 INLINE vf rings_extent(const stem_place *p, const vf g[3], const vf n[3], int ball, vf s) {
   footprint2 f = footprint_through(g, g, n, ball, s);
@@ -132,7 +142,7 @@ typedef struct {
  * begin while this one waits for its own results. */
 typedef struct {
   uint32_t i, n;      /* the first point, and how many */
-  int whole;          /* all lanes are stored */
+  uint32_t o;         /* the first point, among those of the blocks on their way together */
   vf p[3];            /* log space */
   vf nrm[3];          /* normal, log space */
   vf s;               /* footprint */
@@ -146,9 +156,10 @@ typedef struct {
   wave_phase wave;
   grain_place grain;
   vf c, sn, x, z; /* reference section: direction and place */
+  vf turn;        /* of the direction, over 2 pi */
   vf fibre[3];    /* direction, log space */
   vf sine;        /* of the dive angle */
-  vf b[3];        /* row of the map from surface to rho */
+  vf b[3], bn;    /* row of the map from surface to rho; that along the normal */
   vf reach;       /* mm: rings_extent */
   footprint2 f;   /* over (arc, rho) of the reference section */
   disc pore;
@@ -171,25 +182,17 @@ typedef struct {
   wide_rings *wide; /* where a footprint on veneer is wide, else NULL */
 } block;
 
-/* The end of a batch, and what is not active. */
-static __attribute__((noinline)) void store_some(const uint8_t *active, const block *k, float *p,
-                                                 const float *x) {
-  for (uint32_t l = 0; l < k->n; l++) {
-    if (!active || active[k->i + l]) p[k->i + l] = x[l];
-  }
-}
-
-INLINE void store_lanes(const kernel_io *io, int channel, const block *k, vf x) {
+#if LANES == 1
+INLINE void store_lanes(const wood_io *io, int channel, const block *k, vf x) {
   float *p = io->out[channel];
-  if (!p) return;
-  if (__builtin_expect(k->whole, 1)) {
-    store(p + k->i, x);
-    return;
-  }
-  float lanes[LANES];
-  store(lanes, x);
-  store_some(io->in->active, k, p, lanes);
+  if (p) p[k->i] = x;
 }
+#else
+/* All of them, asked for or not: a store costs less than to ask. */
+INLINE void store_lanes(const wood_io *io, int channel, const block *k, vf x) {
+  store(io->out[channel] + k->o, x);
+}
+#endif
 
 /* The board's offset to the seeds. */
 INLINE vu own_of(int boards, const block *k) { return boards ? k->board.own : splatu(0); }
@@ -211,7 +214,7 @@ INLINE void to_log(const wood_constants *w, int boards, const block *k, const vf
 }
 
 /* The board's channels, and the normal of its bevelled edges and cupped face. */
-INLINE void stage_board(const wood_constants *w, int boards, const kernel_io *io, block *k,
+INLINE void stage_board(const wood_constants *w, int boards, const wood_io *io, block *k,
                         vf normal[3]) {
   vf zero = splat(0.0f), id = zero, u = zero, v = zero, edge = zero, height = zero;
   if (boards && w->boards.layout.kind == LAYOUT_NONE) {
@@ -252,13 +255,35 @@ INLINE void stage_board(const wood_constants *w, int boards, const kernel_io *io
   store_lanes(io, WOOD_HEIGHT, k, height);
 }
 
-INLINE void stage_load(const wood_constants *w, int boards, const kernel_io *io,
+/* Whether a direction is the same as in the block before, as on flat ground it is: what
+ * has been made of it then need not be made again. */
+INLINE int as_before(const float *const direction[3], const block *k) {
+  if (!direction[0] || k->n < LANES) return 0;
+  vi differ = splati(0);
+  for (int c = 0; c < 3; c++) {
+    const float *at = direction[c] + k->i;
+    differ |= bits_of(load(at)) ^ bits_of(load(at - LANES));
+  }
+  return !any(not_(eqi(differ, splati(0))));
+}
+
+INLINE void stage_load(const wood_constants *w, int boards, const wood_io *io,
                        const wood_wants *want, block *k) {
   vf p[3];
   for (int c = 0; c < 3; c++) p[c] = finite_coordinate(load_lanes(io->in->point[c], k->i, k->n));
   k->s = splat(0.0f);
   if (io->in->footprint) {
     k->s = clamp(load_lanes(io->in->footprint, k->i, k->n), splat(0.0f), splat(1e4f));
+  }
+  if (!boards && !want->board && k->o && as_before(io->in->normal, k)) {
+    const block *before = k - 1;
+    to_log(w, boards, k, p, k->p);
+    for (int c = 0; c < 3; c++) k->p[c] = k->p[c] + splat(w->shift[c]);
+    for (int c = 0; c < 3; c++) k->nrm[c] = before->nrm[c];
+    k->up2 = before->up2;
+    k->inverse_up = before->inverse_up;
+    k->extent = k->s * (k->up2 * k->inverse_up);
+    return;
   }
   vf normal[3] = {splat(0.0f), splat(0.0f), splat(1.0f)};
   if (io->in->normal[0]) {
@@ -308,7 +333,7 @@ INLINE vf knot_shift(const block *k) {
 }
 
 /* Once in the code: it is long, and few points are near a knot. */
-static __attribute__((noinline)) void stage_knots_near(const wood_constants *w, const kernel_io *io,
+static __attribute__((noinline)) void stage_knots_near(const wood_constants *w, const wood_io *io,
                                                        vf shift, block *k) {
   vf zero = splat(0.0f);
   knot_place *q = k->knot;
@@ -326,7 +351,7 @@ static __attribute__((noinline)) void stage_knots_near(const wood_constants *w, 
   if (!any(gt(q->near + q->cover + q->bark + q->halo + q->nodes, zero))) k->knot = NULL;
 }
 
-INLINE void stage_knots(const wood_constants *w, const kernel_io *io, vf shift, block *k) {
+INLINE void stage_knots(const wood_constants *w, const wood_io *io, vf shift, block *k) {
   if (knots_near(w->knots, shift, k->p[1], k->s, &k->stem)) {
     stage_knots_near(w, io, shift, k);
     return;
@@ -335,7 +360,7 @@ INLINE void stage_knots(const wood_constants *w, const kernel_io *io, vf shift, 
   store_lanes(io, WOOD_KNOT, k, splat(0.0f));
 }
 
-INLINE void stage_ring(const wood_constants *w, const kernel_io *io, block *k) {
+INLINE void stage_ring(const wood_constants *w, const wood_io *io, block *k) {
   k->ring = ring_at(w, k->stem.rho);
   k->years = to_float(k->ring.ring) + k->ring.phase;
   store_lanes(io, WOOD_TIME, k, k->years);
@@ -383,7 +408,7 @@ INLINE void stage_knot_section(block *k) {
   k->sn = sel(in, q->h * turn, k->sn);
 }
 
-INLINE void stage_section(const wood_constants *w, const kernel_io *io, block *k) {
+INLINE void stage_section(const wood_constants *w, const wood_io *io, block *k) {
   vf unused;
   vf radius = k->stem.rho * (splat(1.0f) + outline_at(w, k->c, k->sn, &unused));
   k->x = radius * k->c;
@@ -441,7 +466,7 @@ INLINE void stage_fibre(block *k) {
   k->sine = zero - (f[0] * k->nrm[0] + f[1] * k->nrm[1] + f[2] * k->nrm[2]);
 }
 
-INLINE void stage_direction(const wood_constants *w, int boards, const kernel_io *io,
+INLINE void stage_direction(const wood_constants *w, int boards, const wood_io *io,
                             const wood_wants *want, block *k) {
   const vf *f = k->fibre;
   if (want->fibre) {
@@ -467,9 +492,19 @@ INLINE void stem_row(block *k) {
   k->b[2] = stem->rho_z;
 }
 
-INLINE void stage_reach(const wood_constants *w, int boards, const kernel_io *io, block *k) {
+/* Whether the footprint over rho is that of the wood's own rows. */
+INLINE int reach_is_plain(const wood_constants *w, int boards, const block *k) {
+  return !k->knot && !(boards && w->plies.count);
+}
+
+INLINE void stage_reach(const wood_constants *w, int boards, const wood_io *io, block *k) {
   stem_row(k);
   vf b[3] = {k->b[0], k->b[1], k->b[2]};
+  if (reach_is_plain(w, boards, k)) {
+    k->f.bb = footprint_along(b, k->nrm, !io->in->normal[0], &k->bn) * (k->s * k->s);
+    k->reach = vsqrt(k->f.bb + splat(12.0f) * k->stem.lost);
+    return;
+  }
   if (boards && w->plies.count) ply_squeeze(&k->board, b);
   k->reach = rings_extent(&k->stem, b, k->nrm, !io->in->normal[0], k->s);
 }
@@ -487,7 +522,7 @@ INLINE vf curved_footprint(const wood_constants *w, int boards, const block *k) 
 }
 
 /* The mean of a ring's profile under the footprint. */
-INLINE vf rings_mean(const wood_constants *w, int boards, const kernel_io *io, int what,
+INLINE vf rings_mean(const wood_constants *w, int boards, const wood_io *io, int what,
                      const block *k) {
   vf mean = rings_across(w, what, &k->stem, &k->ring, k->b, k->nrm, !io->in->normal[0],
                          curved_footprint(w, boards, k), k->reach);
@@ -495,7 +530,7 @@ INLINE vf rings_mean(const wood_constants *w, int boards, const kernel_io *io, i
   return mean;
 }
 
-INLINE void stage_wide(const wood_constants *w, int boards, const kernel_io *io, block *k,
+INLINE void stage_wide(const wood_constants *w, int boards, const wood_io *io, block *k,
                        wide_rings *room) {
   k->wide = NULL;
   if (any(gt(k->board.bent, splat(WIDE_FROM)))) {
@@ -515,7 +550,7 @@ INLINE vf stage_knot_late(const wood_constants *w, block *k) {
   return sel(gt(q->cover, zero), mix(k->late, q->own, q->cover), k->late);
 }
 
-INLINE void stage_rings(const wood_constants *w, int boards, const kernel_io *io, block *k) {
+INLINE void stage_rings(const wood_constants *w, int boards, const wood_io *io, block *k) {
   k->late = rings_mean(w, boards, io, MEAN_LATE, k);
   vf late = k->late;
   if (k->knot) late = stage_knot_late(w, k);
@@ -556,7 +591,7 @@ INLINE void section_rows(const block *k, vf a[3], vf b[3]) {
 }
 
 /* The footprint over them. */
-INLINE footprint2 footprint_in_section(const wood_constants *w, int boards, const kernel_io *io,
+INLINE footprint2 footprint_in_section(const wood_constants *w, int boards, const wood_io *io,
                                        const block *k) {
   vf a[3], b[3];
   section_rows(k, a, b);
@@ -567,15 +602,30 @@ INLINE footprint2 footprint_in_section(const wood_constants *w, int boards, cons
   return footprint_through(a, b, k->nrm, !io->in->normal[0], k->s);
 }
 
+/* The same where stage_reach has seen to rho. */
+INLINE footprint2 footprint_after_reach(const wood_constants *w, int boards, const wood_io *io,
+                                        const block *k) {
+  if (!reach_is_plain(w, boards, k)) return footprint_in_section(w, boards, io, k);
+  int ball = !io->in->normal[0];
+  vf a[3], an, q = k->s * k->s;
+  section_arc_row(k, a);
+  footprint2 f = {footprint_along(a, k->nrm, ball, &an) * q, a[0] * k->b[0], k->f.bb};
+  f.ab = f.ab + a[1] * k->b[1] + a[2] * k->b[2];
+  if (!ball) f.ab = f.ab - an * k->bn;
+  f.ab = f.ab * q;
+  return f;
+}
+
 INLINE vessel_place vessel_place_of(int boards, const block *k) {
-  return (vessel_place){k->x, k->z, k->c, k->sn, k->stem.rho, k->ring, k->f, own_of(boards, k)};
+  return (vessel_place){k->x,         k->z,    k->c, k->sn,           k->turn,
+                        k->stem.rho, k->ring, k->f, own_of(boards, k)};
 }
 
 /* Long footprints here; what is within one tap goes through the two stages
  * after this one. */
-INLINE void stage_vessel_parts(const wood_constants *w, int boards, const kernel_io *io, block *k) {
+INLINE void stage_vessel_parts(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf zero = splat(0.0f);
-  k->f = footprint_in_section(w, boards, io, k);
+  k->f = footprint_after_reach(w, boards, io, k);
   k->vessels = (vessel_cover_t){zero, zero, zero, zero};
   vm cut = vessels_cut(w, &k->f);
   k->parts = (w->has_pores || w->rows) && any(cut);
@@ -584,6 +634,8 @@ INLINE void stage_vessel_parts(const wood_constants *w, int boards, const kernel
     k->vessels = vessels_in_parts(w, &place, cut);
   }
 }
+
+INLINE void stage_turns(block *k) { k->turn = place_turn(k->c, k->sn); }
 
 INLINE void stage_disc(const wood_constants *w, int boards, block *k) {
   if (k->parts || !w->has_pores) return;
@@ -605,7 +657,7 @@ INLINE void stage_rows(const wood_constants *w, int boards, block *k) {
 }
 
 /* Where the vessels could not be looked up, what is to be expected. */
-INLINE void stage_cover(const wood_constants *w, int boards, const kernel_io *io, block *k) {
+INLINE void stage_cover(const wood_constants *w, int boards, const wood_io *io, block *k) {
   const vessel_cover_t *v = &k->vessels;
   vf one = splat(1.0f), zero = splat(0.0f);
   vf pores = v->pores, rows = v->rows;
@@ -631,7 +683,7 @@ INLINE void stage_cover(const wood_constants *w, int boards, const kernel_io *io
 }
 
 INLINE void stage_ray_place(const wood_constants *w, int boards, block *k) {
-  k->rays = ray_place_of(w, own_of(boards, k), k->stem.rho, k->c, k->sn, k->p[1], &k->f, k->extent);
+  k->rays = ray_place_of(w, own_of(boards, k), k->stem.rho, k->turn, k->p[1], &k->f, k->extent);
 }
 
 INLINE void stage_ray_cells(const wood_constants *w, block *k) {
@@ -642,15 +694,15 @@ INLINE void stage_ray_body(const wood_constants *w, block *k) {
   k->ray_in = ray_body_of(w, &k->rays, &k->ray_at, splati(0));
 }
 
-INLINE void stage_rays(const wood_constants *w, const kernel_io *io, block *k) {
-  vf share, nearest = ray_body_cover(w, &k->rays, &k->ray_at, &k->ray_in);
-  vf found = rays_cover(w, &k->rays, &k->ray_at, nearest, &share);
-  k->ray = rays_faded(w, &k->rays, found, share);
+INLINE void stage_rays(const wood_constants *w, const wood_io *io, block *k) {
+  vf nearest = ray_body_cover(w, &k->rays, &k->ray_at, &k->ray_in);
+  vf found = rays_cover(w, &k->rays, &k->ray_at, nearest);
+  k->ray = rays_faded(w, &k->rays, &k->ray_at, found);
   if (k->knot) k->ray = k->ray * (splat(1.0f) - k->knot->cover);
   store_lanes(io, WOOD_RAY, k, k->ray);
 }
 
-INLINE void stage_canals(const wood_constants *w, int boards, const kernel_io *io, block *k) {
+INLINE void stage_canals(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vessel_place place = vessel_place_of(boards, k);
   k->canal = canals_at(w, &place);
   if (k->knot) {
@@ -732,38 +784,65 @@ INLINE void stage_knot_colour(const wood_constants *w, block *k, vf late) {
   }
 }
 
-INLINE void stage_colour(const wood_constants *w, int boards, const kernel_io *io, block *k) {
+INLINE void stage_colour(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf one = splat(1.0f), zero = splat(0.0f);
   /* earlywood rows stand where there is no latewood; pores everywhere */
   vf season = w->has_eyes ? vmax(k->late, k->stem.eye) : k->late;
   vf late = season * (one - vmin(k->over_late, one));
   vf early = vmax(one - k->cover - late, zero) * k->shift, dark = late * k->shift;
-  int cells = w->has_cells && any(lt(zero, k->cell_contrast));
   vf open = w->has_cells ? k->cover + k->lining : k->cover;
   vf heart = heart_share(w, k->years, k->c, k->sn, vsqrt(k->f.bb) * k->ring.inverse_width);
   vm pale = lt(heart, one);
-  int some = any(pale);
+  vf light[3], deep[3], tissue[3];
+  UNROLL(3)
   for (int c = 0; c < 3; c++) {
-    vf light = splat(w->early[c]), deep = splat(w->late[c]);
-    if (w->has_pigment) {
-      light = mix(light, splat(w->pigment[c]), k->pigment);
-      deep = mix(deep, splat(PIGMENT_LATE * w->pigment[c]), k->pigment);
-    }
-    if (some) {
-      light = sel(pale, mix(splat(w->sap_early[c]), light, heart), light);
-      deep = sel(pale, mix(splat(w->sap_late[c]), deep, heart), deep);
-    }
-    vf tissue = light * early + deep * dark;
-    if (cells) tissue = tissue + tissue * k->cells * vmin(k->cell_contrast, cells_room(w, light));
-    tissue = tissue + splat(w->vessel[c]) * open;
-    if (w->streaks.share > 0.0f) tissue = mix(tissue, splat(w->streak[c]) * k->shift, k->streak);
-    if (w->has_rays) tissue = mix(tissue, splat(w->ray[c]) * k->shift, k->ray);
-    if (w->has_canals) {
-      tissue = mix(tissue, splat(w->canal_colour[c]), k->canal.whole - k->canal.core);
-      tissue = mix(tissue, splat(w->canal_lumen[c]), k->canal.core);
-    }
-    k->albedo[c] = tissue;
+    light[c] = splat(w->early[c]);
+    deep[c] = splat(w->late[c]);
   }
+  if (w->has_pigment) {
+    UNROLL(3)
+    for (int c = 0; c < 3; c++) {
+      light[c] = mix(light[c], splat(w->pigment[c]), k->pigment);
+      deep[c] = mix(deep[c], splat(PIGMENT_LATE * w->pigment[c]), k->pigment);
+    }
+  }
+  if (any(pale)) {
+    UNROLL(3)
+    for (int c = 0; c < 3; c++) {
+      light[c] = sel(pale, mix(splat(w->sap_early[c]), light[c], heart), light[c]);
+      deep[c] = sel(pale, mix(splat(w->sap_late[c]), deep[c], heart), deep[c]);
+    }
+  }
+  UNROLL(3)
+  for (int c = 0; c < 3; c++) tissue[c] = light[c] * early + deep[c] * dark;
+  if (w->has_cells && any(lt(zero, k->cell_contrast))) {
+    UNROLL(3)
+    for (int c = 0; c < 3; c++) {
+      vf contrast = vmin(k->cell_contrast, cells_room(w, light[c]));
+      tissue[c] = tissue[c] + tissue[c] * k->cells * contrast;
+    }
+  }
+  UNROLL(3)
+  for (int c = 0; c < 3; c++) tissue[c] = tissue[c] + splat(w->vessel[c]) * open;
+  if (w->streaks.share > 0.0f) {
+    UNROLL(3)
+    for (int c = 0; c < 3; c++) {
+      tissue[c] = mix(tissue[c], splat(w->streak[c]) * k->shift, k->streak);
+    }
+  }
+  if (w->has_rays) {
+    UNROLL(3)
+    for (int c = 0; c < 3; c++) tissue[c] = mix(tissue[c], splat(w->ray[c]) * k->shift, k->ray);
+  }
+  if (w->has_canals) {
+    UNROLL(3)
+    for (int c = 0; c < 3; c++) {
+      tissue[c] = mix(tissue[c], splat(w->canal_colour[c]), k->canal.whole - k->canal.core);
+      tissue[c] = mix(tissue[c], splat(w->canal_lumen[c]), k->canal.core);
+    }
+  }
+  UNROLL(3)
+  for (int c = 0; c < 3; c++) k->albedo[c] = tissue[c];
   if (k->knot) stage_knot_colour(w, k, k->knot->own);
   if (w->has_spalt) stage_spalt_colour(k);
   for (int c = 0; c < 3; c++) {
@@ -774,7 +853,7 @@ INLINE void stage_colour(const wood_constants *w, int boards, const kernel_io *i
 
 /* The same from a picture of the section: it shows rings, vessels and fibres
  * down to its pixels, and the fibres' noise goes on below them. */
-INLINE void stage_picture(const wood_constants *w, int boards, const kernel_io *io, block *k) {
+INLINE void stage_picture(const wood_constants *w, int boards, const wood_io *io, block *k) {
   const stem_place *stem = &k->stem;
   stem_row(k);
   footprint2 f = footprint_in_section(w, boards, io, k);
@@ -798,7 +877,7 @@ INLINE void stage_picture(const wood_constants *w, int boards, const kernel_io *
 
 /* Figure, Kawai's equation (4): the lobe's normal dives with the fibre; slopes
  * that the footprint averages widen it instead. */
-INLINE void stage_lobe(const wood_constants *w, int boards, const kernel_io *io, block *k) {
+INLINE void stage_lobe(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf one = splat(1.0f);
   vf roughness = splat(w->roughness);
   k->exponent = splat(w->shininess);
@@ -829,11 +908,15 @@ INLINE void stage_lobe(const wood_constants *w, int boards, const kernel_io *io,
   store_lanes(io, WOOD_ROUGHNESS, k, roughness);
 }
 
-INLINE void stage_light(const wood_constants *w, int boards, const kernel_io *io, block *k) {
+INLINE void stage_light(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf one = splat(1.0f), zero = splat(0.0f), light[3], *l = k->light;
-  for (int c = 0; c < 3; c++) light[c] = load_lanes(io->in->light[c], k->i, k->n);
-  unit_direction(light);
-  to_log(w, boards, k, light, l);
+  if (!boards && k->o && as_before(io->in->light, k)) {
+    for (int c = 0; c < 3; c++) l[c] = k[-1].light[c];
+  } else {
+    for (int c = 0; c < 3; c++) light[c] = load_lanes(io->in->light[c], k->i, k->n);
+    unit_direction(light);
+    to_log(w, boards, k, light, l);
+  }
   k->incident = l[0] * k->nrm[0] + l[1] * k->nrm[1] + l[2] * k->nrm[2];
   /* up the stem within the surface */
   vf rise = (l[1] - k->nrm[1] * k->incident) * k->inverse_up;
@@ -843,7 +926,7 @@ INLINE void stage_light(const wood_constants *w, int boards, const kernel_io *io
 }
 
 /* Radiance of a channel, under the light's colour. */
-INLINE void store_lit(const kernel_io *io, const block *k, int c, vf r) {
+INLINE void store_lit(const wood_io *io, const block *k, int c, vf r) {
   if (io->in->light_colour[c]) {
     vf e = load_lanes(io->in->light_colour[c], k->i, k->n);
     r = r * sel(lt(vabs(e), splat(1e30f)), e, splat(0.0f));
@@ -853,7 +936,7 @@ INLINE void store_lit(const kernel_io *io, const block *k, int c, vf r) {
 
 /* Towards the eye, log space; the normal where no view is given, or none that
  * is a direction. */
-INLINE void view_of(const wood_constants *w, int boards, const kernel_io *io, const block *k,
+INLINE void view_of(const wood_constants *w, int boards, const wood_io *io, const block *k,
                     vf out[3]) {
   for (int c = 0; c < 3; c++) out[c] = k->nrm[c];
   if (!io->in->view[0]) return;
@@ -869,7 +952,7 @@ INLINE void view_of(const wood_constants *w, int boards, const kernel_io *io, co
 }
 
 /* What a host needs to build the cone itself. */
-INLINE void stage_cone(const wood_constants *w, const kernel_io *io, block *k) {
+INLINE void stage_cone(const wood_constants *w, const wood_io *io, block *k) {
   cone_dive dive = cone_dive_of(k->sine);
   vf scale = w->cone ? cone_along(w->cone_scale, &dive) : splat(1.0f);
   for (int c = 0; c < 3; c++) {
@@ -881,7 +964,7 @@ INLINE void stage_cone(const wood_constants *w, const kernel_io *io, block *k) {
   store_lanes(io, WOOD_COAT, k, splat(w->coat));
 }
 
-INLINE void stage_cone_radiance(const wood_constants *w, int boards, const kernel_io *io,
+INLINE void stage_cone_radiance(const wood_constants *w, int boards, const wood_io *io,
                                 block *k) {
   vf r[3], v[3], coat2 = splat(w->coat_alpha * w->coat_alpha);
   if (w->surface.relief) coat2 = vmin(coat2 + k->lost, splat(1.0f));
@@ -907,7 +990,7 @@ INLINE void stage_cone_radiance(const wood_constants *w, int boards, const kerne
 
 INLINE void stage_gloss(block *k) { k->power = power01_log2(k->tilted, k->exponent); }
 
-INLINE void stage_radiance(const wood_constants *w, const kernel_io *io, block *k) {
+INLINE void stage_radiance(const wood_constants *w, const wood_io *io, block *k) {
   vf zero = splat(0.0f);
   vf gloss = k->strength * exp2_(k->power);
   vf diffuse = splat(w->diffuse) * vmax(k->incident, zero);
@@ -918,16 +1001,15 @@ INLINE void stage_radiance(const wood_constants *w, const kernel_io *io, block *
 
 #include "surface/stage.h"
 
-/* 64 points on their way take 24 KB, which the nearest cache holds. */
 #ifndef BLOCKS
-#define BLOCKS (LANES == 1 ? 1 : 64 / LANES)
+#define BLOCKS (LANES == 1 ? 1 : 128 / LANES)
 #endif
 #define EACH(stage)                                                                                \
   for (uint32_t k = 0; k < count; k++) stage
 
 /* restrict: what is stored is no constant, so that those are loaded before the
  * loops and not in them. */
-INLINE void evaluate_as(int boards, const wood_constants *restrict w, const kernel_io *restrict io,
+INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood_io *restrict io,
                         const wood_wants *restrict want, block *blocks, surface_relief *reliefs,
                         wide_rings *wides, uint32_t count) {
   EACH(stage_load(w, boards, io, want, &blocks[k]));
@@ -962,6 +1044,7 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const kern
     if (has_bent_boards(w, boards)) EACH(stage_wide(w, boards, io, &blocks[k], &wides[k]));
     EACH(stage_rings(w, boards, io, &blocks[k]));
   }
+  if ((want->vessel || want->relief) && place_has_turn(w)) EACH(stage_turns(&blocks[k]));
   if (want->vessel) {
     EACH(stage_vessel_parts(w, boards, io, &blocks[k]));
     EACH(stage_disc(w, boards, &blocks[k]));
@@ -1010,7 +1093,7 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const kern
 /* Twice in the code, with boards and without: a wood that is one piece pays
  * nothing for them. */
 static __attribute__((noinline)) void evaluate_piece(const wood_constants *restrict w,
-                                                     const kernel_io *restrict io,
+                                                     const wood_io *restrict io,
                                                      const wood_wants *restrict want, block *blocks,
                                                      surface_relief *reliefs, wide_rings *wides,
                                                      uint32_t count) {
@@ -1018,36 +1101,93 @@ static __attribute__((noinline)) void evaluate_piece(const wood_constants *restr
 }
 
 static __attribute__((noinline)) void evaluate_boards(const wood_constants *restrict w,
-                                                      const kernel_io *restrict io,
+                                                      const wood_io *restrict io,
                                                       const wood_wants *restrict want,
                                                       block *blocks, surface_relief *reliefs,
                                                       wide_rings *wides, uint32_t count) {
   evaluate_as(1, w, io, want, blocks, reliefs, wides, count);
 }
 
-/* Points from..to, those of plies as wood in a layout is. */
-INLINE void evaluate_points(const wood_constants *w, const kernel_io *io, const wood_wants *want,
-                            int boards, uint32_t from, uint32_t to) {
+typedef struct {
   block blocks[BLOCKS];
   surface_relief reliefs[BLOCKS];
   knot_place knots[BLOCKS];
   wide_rings wides[BLOCKS];
-  for (uint32_t i = from; i < to;) {
-    uint32_t count = 0;
-    for (; count < BLOCKS && i < to; count++, i += LANES) {
-      block *k = &blocks[count];
-      k->i = i;
-      k->n = to - i < LANES ? to - i : LANES;
-      k->whole = k->n == LANES && !io->in->active;
-      k->knot = w->knots ? &knots[count] : NULL;
-    }
-    if (boards) {
-      evaluate_boards(w, io, want, blocks, reliefs, wides, count);
-    } else {
-      evaluate_piece(w, io, want, blocks, reliefs, wides, count);
+} wood_blocks;
+
+INLINE void evaluate_blocks(const wood_constants *w, const wood_io *io, const wood_wants *want,
+                            int boards, wood_blocks *b, uint32_t count) {
+  if (boards) {
+    evaluate_boards(w, io, want, b->blocks, b->reliefs, b->wides, count);
+  } else {
+    evaluate_piece(w, io, want, b->blocks, b->reliefs, b->wides, count);
+  }
+}
+
+#if LANES == 1
+INLINE void evaluate_points(const wood_constants *w, const kernel_io *io, const wood_wants *want,
+                            int boards, uint32_t from, uint32_t to) {
+  wood_blocks b;
+  const wood_io part = {io->in, io->out};
+  const uint8_t *active = io->in->active;
+  for (uint32_t i = from; i < to; i++) {
+    if (active && !active[i]) continue;
+    b.blocks[0].i = i;
+    b.blocks[0].n = 1;
+    b.blocks[0].o = 0;
+    b.blocks[0].knot = w->knots ? b.knots : NULL;
+    evaluate_blocks(w, &part, want, boards, &b, 1);
+  }
+}
+#else
+/* The end of a batch, and where some points are not active: by a detour, so that
+ * blocks need not ask which points are to be written. */
+static __attribute__((noinline)) void evaluate_some(const wood_constants *w, const kernel_io *io,
+                                                    const wood_wants *want, int boards,
+                                                    wood_blocks *b, uint32_t count, wood_io *part,
+                                                    uint32_t from, uint32_t n) {
+  float room[WOOD_COMPONENTS][BLOCKS * LANES];
+  const uint8_t *active = io->in->active;
+  for (int c = 0; c < WOOD_COMPONENTS; c++) {
+    if (io->out[c]) part->out[c] = room[c];
+  }
+  evaluate_blocks(w, part, want, boards, b, count);
+  for (int c = 0; c < WOOD_COMPONENTS; c++) {
+    if (!io->out[c]) continue;
+    for (uint32_t i = 0; i < n; i++) {
+      if (!active || active[from + i]) io->out[c][from + i] = room[c][i];
     }
   }
 }
+
+/* Points from..to, those of plies as wood in a layout is. */
+INLINE void evaluate_points(const wood_constants *w, const kernel_io *io, const wood_wants *want,
+                            int boards, uint32_t from, uint32_t to) {
+  wood_blocks b;
+  float spare[BLOCKS * LANES]; /* where components go that nobody asked for */
+  wood_io part;
+  part.in = io->in;
+  for (int c = 0; c < WOOD_COMPONENTS; c++) part.out[c] = io->out[c] ? io->out[c] + from : spare;
+  for (uint32_t i = from; i < to;) {
+    uint32_t count = 0, first = i;
+    for (; count < BLOCKS && i < to; count++, i += LANES) {
+      block *k = &b.blocks[count];
+      k->i = i;
+      k->n = to - i < LANES ? to - i : LANES;
+      k->o = i - first;
+      k->knot = w->knots ? &b.knots[count] : NULL;
+    }
+    if (i > to || io->in->active) {
+      evaluate_some(w, io, want, boards, &b, count, &part, first, i < to ? i - first : to - first);
+      continue;
+    }
+    evaluate_blocks(w, &part, want, boards, &b, count);
+    for (int c = 0; c < WOOD_COMPONENTS; c++) {
+      if (io->out[c]) part.out[c] += i - first;
+    }
+  }
+}
+#endif
 
 #include "plies/taps.h"
 

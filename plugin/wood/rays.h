@@ -144,26 +144,28 @@ INLINE vf ray_of_cell(const wood_constants *w, const ray_place *p, const ray_cel
 }
 
 /* Cover by rays, nearest: by that of the point's own cell. A ray keeps clear of
- * its cell's edge, so that most footprints meet no other cell's. share: of the
- * rays that are expected. */
-INLINE vf rays_cover(const wood_constants *w, const ray_place *p, const ray_cells *q, vf nearest,
-                     vf *share) {
+ * its cell's edge, so that most footprints meet no other cell's. */
+INLINE vf rays_cover(const wood_constants *w, const ray_place *p, const ray_cells *q, vf nearest) {
   vf zero = splat(0.0f), one = splat(1.0f), sum = nearest;
-  vm before = lt(q->x, splat(0.5f));
-  vi nearer = seli(before, splati(-1), splati(1));
   vf edge = vmin(q->x, one - q->x), clear = splat(w->ray_clear);
   vm meets = gt(q->reach, (edge + clear) * q->arc);
-  if (any(meets)) sum = sum + sel(meets, ray_of_cell(w, p, q, nearer), zero);
+  if (!any(meets)) return sum;
+  vi nearer = seli(lt(q->x, splat(0.5f)), splati(-1), splati(1));
+  sum = sum + sel(meets, ray_of_cell(w, p, q, nearer), zero);
   meets = gt(q->reach, (one - edge + clear) * q->arc);
   if (any(meets)) sum = sum + sel(meets, ray_of_cell(w, p, q, splati(0) - nearer), zero);
-  /* a shell's cells widen outwards, and a radius meets more rays the nearer it
-   * is to the shell's middle */
-  vf inside = vmin(vmin(q->within, one - q->within) * splat(4.0f), one);
-  *share = inside * splat(4.0f / 3.0f) / (q->arc * splat(w->inverse_ray_arc));
   return sum;
 }
 
-INLINE ray_place ray_place_of(const wood_constants *w, vu own, vf rho, vf c, vf s, vf y,
+/* Cover to be expected in a shell, over its mean: its cells widen outwards, and a
+ * radius meets more rays the nearer it is to the shell's middle. */
+INLINE vf rays_share(const wood_constants *w, const ray_cells *q) {
+  vf one = splat(1.0f), inside = vmin(vmin(q->within, one - q->within) * splat(4.0f), one);
+  return inside * splat(4.0f / 3.0f) / (q->arc * splat(w->inverse_ray_arc));
+}
+
+/* turn: theta' / 2 pi. */
+INLINE ray_place ray_place_of(const wood_constants *w, vu own, vf rho, vf turn, vf y,
                               const footprint2 *f, vf along) {
   ray_place p;
   vi unused;
@@ -176,8 +178,7 @@ INLINE ray_place ray_place_of(const wood_constants *w, vu own, vf rho, vf c, vf 
   vf from = splat(w->ray_sway_from), per = splat(w->ray_stray) * vmin(rho / from, splat(1.0f));
   p.lean = lean * per * splat(w->ray_wave_radial);
   p.sway = sway * per * splat(w->ray_wave_along);
-  vf turn = arctan2(s, c) + stray * splat(w->ray_stray) / vmax(rho, from);
-  turn = turn * splat(0.15915494f);
+  turn = turn + stray * splat(0.15915494f * w->ray_stray) / vmax(rho, from);
   p.rho = rho;
   p.own = own;
   p.turn = turn - vfloor(turn, &unused);
@@ -189,12 +190,16 @@ INLINE ray_place ray_place_of(const wood_constants *w, vu own, vf rho, vf c, vf 
   return p;
 }
 
-INLINE vf rays_faded(const wood_constants *w, const ray_place *p, vf found, vf share) {
-  /* past the cells looked at the expected cover takes over */
+INLINE vf rays_faded(const wood_constants *w, const ray_place *p, const ray_cells *q, vf found) {
+  /* past the cells looked at the expected cover takes over; 0.2 < 0.45^2 */
+  float arc = 0.5f * w->inverse_ray_arc;
+  vm wide = or_(gt(p->aa * splat(arc * arc), splat(0.2f)),
+                gt(p->along * splat(w->inverse_ray_cell), splat(0.44f)));
+  if (!any(wide)) return vmin(found, splat(1.0f));
   vf far =
       vmax(vsqrt(p->aa) * splat(0.5f * w->inverse_ray_arc), p->along * splat(w->inverse_ray_cell));
   vf fade = smooth_step(splat(0.45f), splat(1.0f), far);
-  return vmin(mix(found, splat(w->ray_cover) * share, fade), splat(1.0f));
+  return vmin(mix(found, splat(w->ray_cover) * rays_share(w, q), fade), splat(1.0f));
 }
 
 #endif

@@ -174,8 +174,8 @@ typedef struct {
   vu seed;
 } row_place;
 
-/* extent: mm, how far along rho the footprint and its taps reach. */
-INLINE row_place row_at(const wood_constants *w, vu own, const ring_place *ring, vf rho, vf c, vf s,
+/* turn: theta' / 2 pi. extent: mm, how far along rho the footprint and its taps reach. */
+INLINE row_place row_at(const wood_constants *w, vu own, const ring_place *ring, vf rho, vf turn,
                         vf extent) {
   row_place p;
   vf reach = (extent + splat(w->row.radius)) * ring->inverse_width;
@@ -192,7 +192,7 @@ INLINE row_place row_at(const wood_constants *w, vu own, const ring_place *ring,
   vi which = seli(ahead, ring->ring + splati(1), ring->ring);
   p.count = vfloor(p.start * splat(6.2831853f * w->row_density) + splat(0.5f), &p.n);
   p.near = and_(p.near, le(splat(3.0f), p.count));
-  p.turn = arctan2(s, c) * splat(0.15915494f) + splat(0.5f);
+  p.turn = turn + splat(0.5f);
   p.arc = splat(6.2831853f) * rho / vmax(p.count, splat(1.0f));
   p.per_arc = splat(1.0f) / vmax(p.arc, splat(1e-3f));
   p.seed = (vu)which * splatu(HASH_Z) + wood_seed(w, own, SEED_ROWS);
@@ -252,11 +252,18 @@ INLINE vf rows_cover(const wood_constants *w, const row_place *p, vf rho, vf da,
 typedef struct {
   vf x, z; /* mm: in the reference section */
   vf c, s; /* direction of (x, z) */
+  vf turn; /* the same over 2 pi, where place_has_turn */
   vf rho;  /* mm: of the point's year */
   ring_place ring;
   footprint2 f; /* over (arc, rho) */
   vu own;       /* the seeds' offset */
 } vessel_place;
+
+/* Where it is worth an arc tangent for all. */
+INLINE int place_has_turn(const wood_constants *w) {
+  return w->has_rays || w->rows || w->has_canals;
+}
+INLINE vf place_turn(vf c, vf s) { return arctan2(s, c) * splat(0.15915494f); }
 
 /* A footprint over (arc, rho) as two vectors, mm: its longest direction, and
  * what is left, which lies along arc or rho alone. */
@@ -357,7 +364,7 @@ INLINE vf rows_tap(const wood_constants *w, const vessel_place *p, const row_pla
 }
 
 INLINE row_place row_of(const wood_constants *w, const vessel_place *p) {
-  return row_at(w, p->own, &p->ring, p->rho, p->c, p->s, vsqrt(p->f.bb));
+  return row_at(w, p->own, &p->ring, p->rho, p->turn, vsqrt(p->f.bb));
 }
 
 /* Which footprints are longer than what one tap answers. */

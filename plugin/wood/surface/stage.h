@@ -25,7 +25,7 @@ INLINE void from_log(const wood_constants *w, int boards, const block *k, const 
 /* Which way tools have gone over the face, object space: along the board, or
  * along y of a piece; over the ends of one, along x. The face is the one that
  * the normal is nearest to, +z where there is none. */
-INLINE void surface_feed(const wood_constants *w, int boards, const kernel_io *io, const block *k,
+INLINE void surface_feed(const wood_constants *w, int boards, const wood_io *io, const block *k,
                          vf along[3], vf across[3]) {
   vf one = splat(1.0f), zero = splat(0.0f);
   along[2] = across[2] = zero;
@@ -49,7 +49,7 @@ INLINE void surface_feed(const wood_constants *w, int boards, const kernel_io *i
   across[2] = sel(or_(x, y), one, zero);
 }
 
-INLINE void surface_marks(const wood_constants *w, int boards, const kernel_io *io, const block *k,
+INLINE void surface_marks(const wood_constants *w, int boards, const wood_io *io, const block *k,
                           surface_relief *r) {
   vf along[3], across[3], a = splat(0.0f), b = a, g[3], turned[3];
   surface_feed(w, boards, io, k, along, across);
@@ -74,7 +74,7 @@ INLINE void surface_marks(const wood_constants *w, int boards, const kernel_io *
 }
 
 /* Where the point is for wear and grooves. */
-INLINE void surface_place_of(const wood_constants *w, int boards, const kernel_io *io, block *k,
+INLINE void surface_place_of(const wood_constants *w, int boards, const wood_io *io, block *k,
                              surface_place *p) {
   stem_row(k);
   vf slope, one = splat(1.0f), widen = one + outline_at(w, k->c, k->sn, &slope);
@@ -108,7 +108,7 @@ INLINE void surface_place_of(const wood_constants *w, int boards, const kernel_i
 /* The surface at the block's points; the share of light that its checks and
  * cracks swallow goes to the fibres' shift. */
 static __attribute__((noinline)) void stage_relief(const wood_constants *w, int boards,
-                                                   const kernel_io *io, block *k,
+                                                   const wood_io *io, block *k,
                                                    surface_relief *r) {
   vf one = splat(1.0f);
   surface_place p;
@@ -126,7 +126,7 @@ static __attribute__((noinline)) void stage_relief(const wood_constants *w, int 
 
 /* The normal from here on is the surface's own. */
 static __attribute__((noinline)) void stage_bump(const wood_constants *w, int boards,
-                                                 const kernel_io *io, block *k,
+                                                 const wood_io *io, block *k,
                                                  const surface_relief *r) {
   vf zero = splat(0.0f), one = splat(1.0f), out[3], along = zero;
   if (io->in->normal[0]) {
