@@ -25,7 +25,7 @@ extern const wood_kernel KERNEL_NAME(wood_kernel_);
 /* What has been asked for, and the stages that it takes. */
 typedef struct {
   int radiance, colour, fibre, dive;
-  int late, vessel, lobe, direction, section, picture, cone, board, relief;
+  int late, bundle, vessel, lobe, direction, section, picture, cone, board, relief;
   const ply_taps *taps; /* what the plies are told, if the wood is of plies */
 } wood_wants;
 
@@ -41,13 +41,14 @@ static wood_wants wants_of(const wood_constants *w, const kernel_io *io) {
   q.late = kernel_wants(io, WOOD_LATEWOOD, 1) || q.vessel;
   q.picture = w->picture && q.late;
   if (w->picture) q.late = q.vessel = 0;
+  q.bundle = q.late && (w->has_front || q.colour);
   q.lobe = kernel_wants(io, WOOD_SPECULAR, 2) || q.radiance;
   q.cone = kernel_wants(io, WOOD_CONE_COLOUR, 5);
   q.board = kernel_wants(io, WOOD_BOARD_ID, WOOD_CANAL - WOOD_BOARD_ID);
   q.relief = w->surface.relief && (q.lobe || q.cone || (w->surface.stains && q.colour) ||
                                    kernel_wants(io, WOOD_NORMAL, 4));
   q.direction = q.fibre || q.dive || q.radiance || q.cone || q.relief;
-  q.section = q.direction || q.vessel || q.picture || q.lobe || q.cone ||
+  q.section = q.direction || q.vessel || q.bundle || q.picture || q.lobe || q.cone ||
               kernel_wants(io, WOOD_REFERENCE, 2);
   return q;
 }
@@ -165,7 +166,8 @@ typedef struct {
   disc pore;
   vessel_cover_t vessels;
   int parts; /* the vessels have been looked up in parts */
-  vf shift;  /* of brightness, a factor */
+  fibre_sum bundle;
+  vf shift; /* of brightness, a factor */
   vf late, over_late, cover, ray, albedo[3];
   vf exponent, strength, incident, tilted, power; /* figure */
   vf light[3];                                    /* log space */
@@ -550,13 +552,6 @@ INLINE vf stage_knot_late(const wood_constants *w, block *k) {
   return sel(gt(q->cover, zero), mix(k->late, q->own, q->cover), k->late);
 }
 
-INLINE void stage_rings(const wood_constants *w, int boards, const wood_io *io, block *k) {
-  k->late = rings_mean(w, boards, io, MEAN_LATE, k);
-  vf late = k->late;
-  if (k->knot) late = stage_knot_late(w, k);
-  store_lanes(io, WOOD_LATEWOOD, k, late);
-}
-
 /* The row of the map from surface to arc of the reference section. */
 INLINE void section_arc_row(const block *k, vf a[3]) {
   const stem_place *stem = &k->stem;
@@ -616,16 +611,61 @@ INLINE footprint2 footprint_after_reach(const wood_constants *w, int boards, con
   return f;
 }
 
+INLINE void stage_section_footprint(const wood_constants *w, int boards, const wood_io *io,
+                                    block *k) {
+  k->f = footprint_after_reach(w, boards, io, k);
+}
+
+/* One octave of the fibres' noise. */
+INLINE void stage_bundle(const wood_constants *w, int boards, int o, block *k) {
+  if (o == 0) k->bundle = fibre_start();
+  fibre_add(w, own_of(boards, k), o, k->x, k->z, &k->f, &k->bundle);
+  k->shift = k->bundle.shift;
+}
+
+/* The latewood's mean where it strays from its ring: as it is that much nearer to the
+ * pith or farther from it. */
+INLINE vf rings_strayed(const wood_constants *w, int boards, const wood_io *io, block *k) {
+  vf rho = k->stem.rho, reach = k->reach, front = k->bundle.front, zero = splat(0.0f);
+  ring_place here = k->ring, *ring = &k->ring;
+  k->stem.rho = vmax(rho - front, zero);
+  if (any(gt(k->bundle.lost, zero))) {
+    k->reach = vsqrt(reach * reach + splat(12.0f) * k->bundle.lost);
+  }
+  vf phase = here.phase - front * here.inverse_width;
+  vm out = or_(lt(phase, zero), gt(phase, splat(1.0f)));
+  if (any(out)) {
+    ring_place other = ring_at(w, k->stem.rho);
+    ring->turns = sel(out, other.turns, here.turns);
+    ring->start = sel(out, other.start, here.start);
+    ring->inverse_width = sel(out, other.inverse_width, here.inverse_width);
+    ring->weight = sel(out, other.weight, here.weight);
+    ring->last = sel(out, other.last, here.last);
+  }
+  vf mean = rings_mean(w, boards, io, MEAN_LATE, k);
+  k->stem.rho = rho;
+  k->reach = reach;
+  k->ring = here;
+  return mean;
+}
+
+INLINE void stage_rings(const wood_constants *w, int boards, const wood_io *io, block *k) {
+  k->late =
+      w->has_front ? rings_strayed(w, boards, io, k) : rings_mean(w, boards, io, MEAN_LATE, k);
+  vf late = k->late;
+  if (k->knot) late = stage_knot_late(w, k);
+  store_lanes(io, WOOD_LATEWOOD, k, late);
+}
+
 INLINE vessel_place vessel_place_of(int boards, const block *k) {
-  return (vessel_place){k->x,         k->z,    k->c, k->sn,           k->turn,
-                        k->stem.rho, k->ring, k->f, own_of(boards, k)};
+  return (vessel_place){
+      k->x, k->z, k->c, k->sn, k->turn, k->stem.rho, k->ring, k->f, own_of(boards, k)};
 }
 
 /* Long footprints here; what is within one tap goes through the two stages
  * after this one. */
-INLINE void stage_vessel_parts(const wood_constants *w, int boards, const wood_io *io, block *k) {
+INLINE void stage_vessel_parts(const wood_constants *w, int boards, block *k) {
   vf zero = splat(0.0f);
-  k->f = footprint_after_reach(w, boards, io, k);
   k->vessels = (vessel_cover_t){zero, zero, zero, zero};
   vm cut = vessels_cut(w, &k->f);
   k->parts = (w->has_pores || w->rows) && any(cut);
@@ -679,7 +719,6 @@ INLINE void stage_cover(const wood_constants *w, int boards, const wood_io *io, 
   k->ray = zero;
   if (!w->has_rays) store_lanes(io, WOOD_RAY, k, zero);
   store_lanes(io, WOOD_VESSEL, k, k->cover);
-  k->shift = one;
 }
 
 INLINE void stage_ray_place(const wood_constants *w, int boards, block *k) {
@@ -729,10 +768,6 @@ INLINE void stage_cells(const wood_constants *w, int boards, block *k) {
 
 INLINE void stage_spalt(const wood_constants *w, int boards, block *k) {
   k->spalt = spalt_at(w, own_of(boards, k), k->x, k->p[1], k->z, k->s);
-}
-
-INLINE void stage_shift(const wood_constants *w, int boards, int o, block *k) {
-  k->shift = k->shift + fibre_octave(w, own_of(boards, k), o, k->x, k->z, k->f.aa + k->f.bb);
 }
 
 /* Streaks of minerals along the fibre: a stain, which is no deeper where two
@@ -786,9 +821,10 @@ INLINE void stage_knot_colour(const wood_constants *w, block *k, vf late) {
 
 INLINE void stage_colour(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf one = splat(1.0f), zero = splat(0.0f);
-  /* earlywood rows stand where there is no latewood; pores everywhere */
+  /* pores stand everywhere; earlywood rows where there is no latewood, or in its stead */
   vf season = w->has_eyes ? vmax(k->late, k->stem.eye) : k->late;
   vf late = season * (one - vmin(k->over_late, one));
+  late = vmin(late, vmax(one - k->cover, zero));
   vf early = vmax(one - k->cover - late, zero) * k->shift, dark = late * k->shift;
   vf open = w->has_cells ? k->cover + k->lining : k->cover;
   vf heart = heart_share(w, k->years, k->c, k->sn, vsqrt(k->f.bb) * k->ring.inverse_width);
@@ -865,7 +901,7 @@ INLINE void stage_picture(const wood_constants *w, int boards, const wood_io *io
   k->ray = splat(0.0f);
   store_lanes(io, WOOD_RAY, k, k->ray);
   store_lanes(io, WOOD_CANAL, k, k->ray);
-  vf shift = fibre_shift(w, own_of(boards, k), p.x, p.z, f.aa + f.bb);
+  vf shift = fibre_shift(w, own_of(boards, k), p.x, p.z, &f);
   for (int c = 0; c < 3; c++) k->albedo[c] = k->albedo[c] * shift;
   k->shift = shift;
   if (k->knot) stage_knot_colour(w, k, picture_late(w, k->albedo));
@@ -964,8 +1000,7 @@ INLINE void stage_cone(const wood_constants *w, const wood_io *io, block *k) {
   store_lanes(io, WOOD_COAT, k, splat(w->coat));
 }
 
-INLINE void stage_cone_radiance(const wood_constants *w, int boards, const wood_io *io,
-                                block *k) {
+INLINE void stage_cone_radiance(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf r[3], v[3], coat2 = splat(w->coat_alpha * w->coat_alpha);
   if (w->surface.relief) coat2 = vmin(coat2 + k->lost, splat(1.0f));
   view_of(w, boards, io, k, v);
@@ -1042,11 +1077,17 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
   if (want->late) {
     EACH(stage_reach(w, boards, io, &blocks[k]));
     if (has_bent_boards(w, boards)) EACH(stage_wide(w, boards, io, &blocks[k], &wides[k]));
+    if (want->vessel || want->bundle) EACH(stage_section_footprint(w, boards, io, &blocks[k]));
+    if (want->bundle) {
+      EACH(stage_bundle(w, boards, 0, &blocks[k]));
+      EACH(stage_bundle(w, boards, 1, &blocks[k]));
+      EACH(stage_bundle(w, boards, 2, &blocks[k]));
+    }
     EACH(stage_rings(w, boards, io, &blocks[k]));
   }
   if ((want->vessel || want->relief) && place_has_turn(w)) EACH(stage_turns(&blocks[k]));
   if (want->vessel) {
-    EACH(stage_vessel_parts(w, boards, io, &blocks[k]));
+    EACH(stage_vessel_parts(w, boards, &blocks[k]));
     EACH(stage_disc(w, boards, &blocks[k]));
     EACH(stage_pores(w, boards, &blocks[k]));
     EACH(stage_rows(w, boards, &blocks[k]));
@@ -1066,11 +1107,6 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
     EACH(stage_picture(w, boards, io, &blocks[k]));
     if (want->relief) EACH(stage_relief(w, boards, io, &blocks[k], &reliefs[k]));
   } else {
-    if (want->colour) {
-      EACH(stage_shift(w, boards, 0, &blocks[k]));
-      EACH(stage_shift(w, boards, 1, &blocks[k]));
-      EACH(stage_shift(w, boards, 2, &blocks[k]));
-    }
     if (want->relief) EACH(stage_relief(w, boards, io, &blocks[k], &reliefs[k]));
     if (want->colour && w->has_pigment) EACH(stage_pigment(w, boards, &blocks[k]));
     if (want->colour && w->streaks.share > 0.0f) EACH(stage_streaks(w, boards, &blocks[k]));

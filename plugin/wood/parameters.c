@@ -148,6 +148,12 @@ static const sozai_parameter late_variation = {
    .doc = "How much paler than the darkest the latewood of a year may be.",
    .hard_min = 0, .hard_max = 0.9, .soft_min = 0, .soft_max = 0.6, .default_number = {0.3}};
 
+static const sozai_parameter late_stray = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "latewood_stray", .label = "Latewood stray", .group = "season", .unit = "mm",
+   .doc = "How far the latewood of single bundles of fibres strays from its ring's, at most: edges of flat-sawn rings are ragged along the grain. At most a quarter of ring_width.",
+   .hard_min = 0, .hard_max = 2, .soft_min = 0, .soft_max = 0.3, .default_number = {0}};
+
 static const char *const grain_choices[] = {"straight", "spiral", "wavy", "interlocked", "compound"};
 static const char *const grain_docs[] = {
    "no slope but its variation",
@@ -1125,6 +1131,7 @@ const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_LATE_FRACTION] = &late_fraction,
    [P_LATE_ABRUPTNESS] = &late_abruptness,
    [P_LATE_VARIATION] = &late_variation,
+   [P_LATE_STRAY] = &late_stray,
    [P_GRAIN] = &grain,
    [P_SPIRAL_SLOPE] = &spiral_slope,
    [P_WAVE_SLOPE] = &wave_slope,

@@ -76,7 +76,7 @@ typedef struct {
 } ray_body;
 
 #define RAY_UNEVEN_RADIAL 0.35f /* mm: size of a broad ray's unevenness along the radius, */
-#define RAY_UNEVEN_ALONG 2.5f  /* and along the fibre */
+#define RAY_UNEVEN_ALONG 2.5f   /* and along the fibre */
 
 /* Factor of a broad ray's thickness; within ray_uneven of 1, which is its mean. root:
  * the ray's own. Far from every ray it does not matter. */

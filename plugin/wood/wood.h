@@ -225,8 +225,10 @@ typedef struct {
   /* shifted brightness */
   float fibre_scale[WOOD_FIBRE_OCTAVES];     /* amplitude, over the noise's bound */
   float fibre_frequency[WOOD_FIBRE_OCTAVES]; /* 1/mm */
-  /* mm^2: up to which squared extent an octave is whole; 1/mm^2: how it fades from there */
-  float fibre_near[WOOD_FIBRE_OCTAVES], fibre_fade[WOOD_FIBRE_OCTAVES];
+  float fibre_front[WOOD_FIBRE_OCTAVES];     /* mm: of latewood, over the noise's bound */
+  float fibre_variance[WOOD_FIBRE_OCTAVES];  /* mm^2: of that */
+  int has_front;
+  float fibre_blur[WOOD_FIBRE_OCTAVES]; /* 1/mm^2: over squared extents, how it fades */
 
   /* knots */
   wood_knots *knots; /* NULL: none */

@@ -244,7 +244,7 @@ static void filtered(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(counts), cmocka_unit_test(carried), cmocka_unit_test(ribbons),
-                                     cmocka_unit_test(filtered)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(counts), cmocka_unit_test(carried),
+                                     cmocka_unit_test(ribbons), cmocka_unit_test(filtered)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

@@ -4,7 +4,7 @@
 #include "entry.h"
 
 #define MAPLE_TISSUE                                                                               \
-  DIFFUSE_POROUS(40.0, 66.0, 0.2), NUMBER("fibre_brightness", 0.05),                               \
+  DIFFUSE_POROUS(40.0, 66.0, 0.2), NUMBER("fibre_brightness", 0.06),                               \
       SRGB("earlywood_colour", 230, 202, 164), SRGB("latewood_colour", 200, 163, 122),             \
       SRGB("vessel_colour", 214, 184, 145), SRGB("sapwood_earlywood_colour", 236, 212, 178),       \
       SRGB("sapwood_latewood_colour", 210, 178, 138), NUMBER("heartwood_years", 110.0),            \
@@ -40,7 +40,7 @@ SPECIES(quilted_maple, "Quilted maple (Acer macrophyllum)",
 static const sozai_value values_birdseye_maple[] = {
     RINGS(1.9, 0.22, 0.7),       LATEWOOD(0.06, 0.7),
     NUMBER("slope_noise", 0.03), NUMBER("slope_noise_length", 45.0),
-    EYES(1.0, 3.8, 0.5, 70.0),   MAPLE_TISSUE,
+    EYES(1.0, 3.8, 0.47, 70.0),   MAPLE_TISSUE,
 };
 SPECIES(birdseye_maple, "Bird's-eye maple (Acer saccharum var. saccharum)",
         "Dimples in the growth rings that go on for decades: little eyes on flat-sawn faces.",
@@ -54,7 +54,7 @@ static const sozai_value values_pommele_sapele[] = {
     NUMBER("slope_noise", 0.06),
     NUMBER("slope_noise_length", 12.0),
     DIFFUSE_POROUS(14.0, 125.0, 0.2),
-    NUMBER("fibre_brightness", 0.12),
+    NUMBER("fibre_brightness", 0.17),
     SRGB("earlywood_colour", 150, 92, 62),
     SRGB("latewood_colour", 124, 70, 46),
     SRGB("vessel_colour", 116, 70, 46),
@@ -78,7 +78,7 @@ static const sozai_value values_spalted_beech[] = {
     NUMBER("slope_noise", 0.035),
     NUMBER("slope_noise_length", 45.0),
     DIFFUSE_POROUS(120.0, 58.0, 0.2),
-    NUMBER("fibre_brightness", 0.07),
+    NUMBER("fibre_brightness", 0.1),
     SRGB("earlywood_colour", 214, 170, 132),
     SRGB("latewood_colour", 188, 140, 104),
     SRGB("vessel_colour", 201, 157, 120),

@@ -33,7 +33,7 @@ static const sozai_value values_lauan_plywood[] = {
     NUMBER("slope_noise", 0.035),
     NUMBER("slope_noise_length", 45.0),
     DIFFUSE_POROUS(6.0, 210.0, 0.2),
-    NUMBER("fibre_brightness", 0.1),
+    NUMBER("fibre_brightness", 0.14),
     SRGB("earlywood_colour", 198, 148, 116),
     SRGB("latewood_colour", 178, 126, 96),
     SRGB("vessel_colour", 177, 127, 97),

@@ -14,7 +14,7 @@
     NUMBER("slope_noise", 0.03), \
     NUMBER("slope_noise_length", 45.0), \
     DIFFUSE_POROUS(55.0, 78.0, 0.2), \
-    NUMBER("fibre_brightness", 0.07), \
+    NUMBER("fibre_brightness", 0.1), \
     SRGB("earlywood_colour", 230, 202, 164), \
     SRGB("latewood_colour", 206, 170, 130), \
     SRGB("vessel_colour", 219, 190, 150), \
@@ -35,7 +35,7 @@
     NUMBER("slope_noise", 0.05), \
     NUMBER("slope_noise_length", 45.0), \
     SEMI_RING_POROUS(6.0, 180.0, 100.0, 0.2), \
-    NUMBER("fibre_brightness", 0.22), \
+    NUMBER("fibre_brightness", 0.25), \
     SRGB("earlywood_colour", 154, 122, 90), \
     SRGB("latewood_colour", 110, 82, 58), \
     SRGB("vessel_colour", 112, 86, 62), \
@@ -56,7 +56,7 @@
     NUMBER("latewood_variation", 0.25), \
     NUMBER("slope_noise", 0.02), \
     CONIFER, \
-    NUMBER("fibre_brightness", 0.08), \
+    NUMBER("fibre_brightness", 0.12), \
     NUMBER("fibre_width", 0.05), \
     SRGB("earlywood_colour", 208, 152, 104), \
     SRGB("latewood_colour", 148, 90, 54), \
@@ -75,7 +75,7 @@
     NUMBER("latewood_variation", 0.3), \
     NUMBER("slope_noise", 0.018), \
     CONIFER, \
-    NUMBER("fibre_brightness", 0.08), \
+    NUMBER("fibre_brightness", 0.12), \
     NUMBER("fibre_width", 0.05), \
     SRGB("earlywood_colour", 224, 180, 128), \
     SRGB("latewood_colour", 172, 112, 66), \
@@ -94,7 +94,7 @@
     NUMBER("latewood_variation", 0.35), \
     NUMBER("slope_noise", 0.012), \
     CONIFER, \
-    NUMBER("fibre_brightness", 0.09), \
+    NUMBER("fibre_brightness", 0.13), \
     NUMBER("fibre_width", 0.05), \
     SRGB("earlywood_colour", 226, 176, 138), \
     SRGB("latewood_colour", 152, 86, 56), \
