@@ -46,16 +46,16 @@ SPECIES_ALL(DECLARE)
 
 #define CONIFER CHOICE("porosity", "none"), NUMBER("latewood_stray", 0.12)
 #define DIFFUSE_POROUS(density, diameter, spread)                                                  \
-  CHOICE("porosity", "diffuse"), NUMBER("latewood_stray", 0.2),                                   \
+  CHOICE("porosity", "diffuse"), NUMBER("latewood_stray", 0.15),                                   \
       NUMBER("vessel_density", density), NUMBER("vessel_diameter", diameter),                      \
       NUMBER("vessel_diameter_spread", spread)
 #define SEMI_RING_POROUS(density, diameter, late, spread)                                          \
-  CHOICE("porosity", "semi_ring"), NUMBER("latewood_stray", 0.2),                                 \
+  CHOICE("porosity", "semi_ring"), NUMBER("latewood_stray", 0.2),                                  \
       NUMBER("vessel_density", density), NUMBER("vessel_diameter", diameter),                      \
       NUMBER("vessel_diameter_late", late), NUMBER("vessel_diameter_spread", spread)
 /* The latewood's vessels; the earlywood's follow as EARLYWOOD_ROWS. */
 #define RING_POROUS(density, diameter, spread)                                                     \
-  CHOICE("porosity", "ring"), NUMBER("latewood_stray", 0.12), NUMBER("vessel_density", density),    \
+  CHOICE("porosity", "ring"), NUMBER("latewood_stray", 0.12), NUMBER("vessel_density", density),   \
       NUMBER("vessel_diameter", diameter), NUMBER("vessel_diameter_spread", spread)
 #define EARLYWOOD_ROWS(rows, density, diameter, spread, jitter)                                    \
   WHOLE("earlywood_rows", rows), NUMBER("earlywood_density", density),                             \

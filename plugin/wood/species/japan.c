@@ -154,7 +154,7 @@ static const sozai_value values_itayakaede[] = {
     LATEWOOD(0.06, 0.8),
     WAVY(0.18, 11.0, 0.85, 45.0),
     DIFFUSE_POROUS(42.0, 66.0, 0.2),
-    NUMBER("fibre_brightness", 0.088),
+    NUMBER("fibre_brightness", 0.06),
     SRGB("earlywood_colour", 232, 202, 160),
     SRGB("latewood_colour", 198, 156, 110),
     SRGB("vessel_colour", 214, 182, 140),

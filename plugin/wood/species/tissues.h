@@ -94,7 +94,7 @@
     NUMBER("latewood_variation", 0.35), \
     NUMBER("slope_noise", 0.012), \
     CONIFER, \
-    NUMBER("fibre_brightness", 0.13), \
+    NUMBER("fibre_brightness", 0.1), \
     NUMBER("fibre_width", 0.05), \
     SRGB("earlywood_colour", 226, 176, 138), \
     SRGB("latewood_colour", 152, 86, 56), \
