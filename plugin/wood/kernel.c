@@ -370,11 +370,18 @@ INLINE void stage_ring(const wood_constants *w, const wood_io *io, block *k) {
 INLINE void stage_years(const wood_constants *w, int boards, block *k) {
   k->grain = grain_spiral(w, k->p[1]);
   k->at = grain_years(w, k->years);
-  if (w->has_wave) k->wave = wave_at(w, own_of(boards, k), k->p[1], k->years);
+  if (w->has_wave && w->has_wave_irregularity) {
+    k->wave = wave_at(w, own_of(boards, k), k->p[1], k->years);
+  }
 }
 
 INLINE void stage_wave(const wood_constants *w, block *k) {
-  if (w->has_wave) grain_wave(w, &k->wave, k->extent, &k->grain);
+  if (!w->has_wave) return;
+  if (w->has_wave_irregularity) {
+    grain_wave(w, &k->wave, k->extent, &k->grain);
+  } else {
+    grain_wave_even(w, k->p[1], k->extent, &k->grain);
+  }
 }
 
 INLINE void stage_interlocked(const wood_constants *w, int boards, block *k) {
