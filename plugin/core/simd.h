@@ -348,6 +348,50 @@ INLINE int idle(vm m) { return LANES < 4 && !any(m); }
 
 INLINE vm gt(vf a, vf b) { return lt(b, a); }
 
+/* Whether all lanes hold the same number. Never with one lane, which has nothing to
+ * share. */
+INLINE int alike(vi i) {
+#if LANES == 1
+  (void)i;
+  return 0;
+#elif defined(SOZAI_ISA_AVX512) && LANES == 16
+  __m512i first = _mm512_broadcastd_epi32(_mm512_castsi512_si128((__m512i)i));
+  return _mm512_cmpneq_epi32_mask((__m512i)i, first) == 0;
+#elif defined(SOZAI_ISA_AVX2) && LANES == 8
+  __m256i first = _mm256_broadcastd_epi32(_mm256_castsi256_si128((__m256i)i));
+  return _mm256_movemask_ps((__m256)_mm256_cmpeq_epi32((__m256i)i, first)) == 255;
+#elif !defined(SOZAI_ISA_NEON) && LANES == 4
+  __m128i first = _mm_shuffle_epi32((__m128i)i, 0);
+  return _mm_movemask_ps((__m128)_mm_cmpeq_epi32((__m128i)i, first)) == 15;
+#else
+  int32_t differ = 0;
+  for (int k = 1; k < LANES; k++) differ |= i[k] ^ i[0];
+  return !differ;
+#endif
+}
+
+/* gather2 and gather4 where lanes mostly ask for the same row. */
+INLINE void gather2_near(const float (*t)[2], vi i, vf out[2]) {
+#if LANES > 1
+  if (alike(i)) {
+    const float *row = t[i[0]];
+    for (int c = 0; c < 2; c++) out[c] = splat(row[c]);
+    return;
+  }
+#endif
+  gather2(t, i, out);
+}
+INLINE void gather4_near(const float (*t)[4], vi i, vf out[4]) {
+#if LANES > 1
+  if (alike(i)) {
+    const float *row = t[i[0]];
+    for (int c = 0; c < 4; c++) out[c] = splat(row[c]);
+    return;
+  }
+#endif
+  gather4(t, i, out);
+}
+
 INLINE vf vabs(vf a) { return float_of(bits_of(a) & splati(0x7fffffff)); }
 INLINE vf clamp(vf x, vf lo, vf hi) { return vmin(vmax(x, lo), hi); }
 INLINE vf clamp01(vf x) { return vmin(vmax(x, splat(0.0f)), splat(1.0f)); }
