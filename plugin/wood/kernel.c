@@ -623,8 +623,8 @@ INLINE footprint2 footprint_after_reach(const wood_constants *w, int boards, con
 }
 
 INLINE vessel_place vessel_place_of(int boards, const block *k) {
-  return (vessel_place){k->x,         k->z,    k->c, k->sn,           k->turn,
-                        k->stem.rho, k->ring, k->f, own_of(boards, k)};
+  return (vessel_place){
+      k->x, k->z, k->c, k->sn, k->turn, k->stem.rho, k->ring, k->f, own_of(boards, k)};
 }
 
 /* Long footprints here; what is within one tap goes through the two stages
@@ -974,8 +974,7 @@ INLINE void stage_cone(const wood_constants *w, const wood_io *io, block *k) {
   store_lanes(io, WOOD_COAT, k, splat(w->coat));
 }
 
-INLINE void stage_cone_radiance(const wood_constants *w, int boards, const wood_io *io,
-                                block *k) {
+INLINE void stage_cone_radiance(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf r[3], v[3], coat2 = splat(w->coat_alpha * w->coat_alpha);
   if (w->surface.relief) coat2 = vmin(coat2 + k->lost, splat(1.0f));
   view_of(w, boards, io, k, v);

@@ -108,8 +108,7 @@ INLINE void surface_place_of(const wood_constants *w, int boards, const wood_io 
 /* The surface at the block's points; the share of light that its checks and
  * cracks swallow goes to the fibres' shift. */
 static __attribute__((noinline)) void stage_relief(const wood_constants *w, int boards,
-                                                   const wood_io *io, block *k,
-                                                   surface_relief *r) {
+                                                   const wood_io *io, block *k, surface_relief *r) {
   vf one = splat(1.0f);
   surface_place p;
   surface_place_of(w, boards, io, k, &p);
