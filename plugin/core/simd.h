@@ -79,6 +79,7 @@ INLINE vf vsqrt(vf a) { return __builtin_sqrtf(a); }
 INLINE vf gather(const float *t, vi i) { return t[i]; }
 INLINE vi gatheri(const int32_t *t, vi i) { return t[i]; }
 INLINE vf lookup16(const float *t, vu i) { return t[i & 15]; }
+INLINE vf lookup8(const float *t, vu i) { return t[i & 7]; }
 INLINE void gather2(const float (*t)[2], vi i, vf out[2]) {
   for (int c = 0; c < 2; c++) out[c] = t[i][c];
 }
@@ -117,10 +118,8 @@ INLINE f8 to_f8(i8 x) { return __builtin_convertvector(x, f8); }
 INLINE f8 clamp01_f8(f8 x) {
   return (f8)_mm256_min_ps(_mm256_max_ps((__m256)x, _mm256_setzero_ps()), _mm256_set1_ps(1.0f));
 }
-INLINE f8 lookup16_f8(const float *t, u8 i) {
-  __m256 a = _mm256_permutevar8x32_ps(_mm256_loadu_ps(t), (__m256i)i);
-  __m256 b = _mm256_permutevar8x32_ps(_mm256_loadu_ps(t + 8), (__m256i)i);
-  return (f8)_mm256_blendv_ps(a, b, (__m256)(i << 28));
+INLINE f8 lookup8_f8(const float *t, u8 i) {
+  return (f8)_mm256_permutevar8x32_ps(_mm256_loadu_ps(t), (__m256i)i);
 }
 #endif
 
@@ -264,6 +263,10 @@ INLINE vi gatheri(const int32_t *t, vi i) { return (vi)_mm512_i32gather_epi32((_
 INLINE vf lookup16(const float *t, vu i) {
   return (vf)_mm512_permutexvar_ps((__m512i)i, _mm512_loadu_ps(t));
 }
+INLINE vf lookup8(const float *t, vu i) {
+  __m256d row = _mm256_castps_pd(_mm256_loadu_ps(t));
+  return (vf)_mm512_permutexvar_ps((__m512i)i, _mm512_castpd_ps(_mm512_broadcast_f64x4(row)));
+}
 #define LOOKUP16_
 #elif defined(SOZAI_ISA_AVX2) && LANES == 8
 INLINE vf gather(const float *t, vi i) { return (vf)_mm256_i32gather_ps(t, (__m256i)i, 4); }
@@ -272,6 +275,9 @@ INLINE vf lookup16(const float *t, vu i) {
   __m256 a = _mm256_permutevar8x32_ps(_mm256_loadu_ps(t), (__m256i)i);
   __m256 b = _mm256_permutevar8x32_ps(_mm256_loadu_ps(t + 8), (__m256i)i);
   return (vf)_mm256_blendv_ps(a, b, (__m256)(i << 28));
+}
+INLINE vf lookup8(const float *t, vu i) {
+  return (vf)_mm256_permutevar8x32_ps(_mm256_loadu_ps(t), (__m256i)i);
 }
 #define LOOKUP16_
 /* Whole rows of a table are loaded and transposed: gathers are slow on many. */
@@ -314,9 +320,10 @@ INLINE vi gatheri(const int32_t *t, vi i) {
 }
 #endif
 
-/* From a table of 16, by the lowest four bits. */
+/* From a table of 16, by the lowest four bits; from one of 8, by three. */
 #ifndef LOOKUP16_
 INLINE vf lookup16(const float *t, vu i) { return gather(t, (vi)(i & splatu(15))); }
+INLINE vf lookup8(const float *t, vu i) { return gather(t, (vi)(i & splatu(7))); }
 #endif
 
 /* All of a row of a table. */
@@ -347,6 +354,50 @@ INLINE vf sel_top(vu m, vf a, vf b) { return sel(lti((vi)m, splati(0)), a, b); }
 INLINE int idle(vm m) { return LANES < 4 && !any(m); }
 
 INLINE vm gt(vf a, vf b) { return lt(b, a); }
+
+/* Whether all lanes hold the same number. Never with one lane, which has nothing to
+ * share. */
+INLINE int alike(vi i) {
+#if LANES == 1
+  (void)i;
+  return 0;
+#elif defined(SOZAI_ISA_AVX512) && LANES == 16
+  __m512i first = _mm512_broadcastd_epi32(_mm512_castsi512_si128((__m512i)i));
+  return _mm512_cmpneq_epi32_mask((__m512i)i, first) == 0;
+#elif defined(SOZAI_ISA_AVX2) && LANES == 8
+  __m256i first = _mm256_broadcastd_epi32(_mm256_castsi256_si128((__m256i)i));
+  return _mm256_movemask_ps((__m256)_mm256_cmpeq_epi32((__m256i)i, first)) == 255;
+#elif !defined(SOZAI_ISA_NEON) && LANES == 4
+  __m128i first = _mm_shuffle_epi32((__m128i)i, 0);
+  return _mm_movemask_ps((__m128)_mm_cmpeq_epi32((__m128i)i, first)) == 15;
+#else
+  int32_t differ = 0;
+  for (int k = 1; k < LANES; k++) differ |= i[k] ^ i[0];
+  return !differ;
+#endif
+}
+
+/* gather2 and gather4 where lanes mostly ask for the same row. */
+INLINE void gather2_near(const float (*t)[2], vi i, vf out[2]) {
+#if LANES > 1
+  if (alike(i)) {
+    const float *row = t[i[0]];
+    for (int c = 0; c < 2; c++) out[c] = splat(row[c]);
+    return;
+  }
+#endif
+  gather2(t, i, out);
+}
+INLINE void gather4_near(const float (*t)[4], vi i, vf out[4]) {
+#if LANES > 1
+  if (alike(i)) {
+    const float *row = t[i[0]];
+    for (int c = 0; c < 4; c++) out[c] = splat(row[c]);
+    return;
+  }
+#endif
+  gather4(t, i, out);
+}
 
 INLINE vf vabs(vf a) { return float_of(bits_of(a) & splati(0x7fffffff)); }
 INLINE vf clamp(vf x, vf lo, vf hi) { return vmin(vmax(x, lo), hi); }

@@ -73,40 +73,30 @@ INLINE void grain_swell(const noise_axis *y, const noise_axis *t, vu seed, vf n[
   }
 }
 
+/* Of an irregular wave. */
 INLINE wave_phase wave_at(const wood_constants *w, vu own, vf y, vf t) {
-  vf zero = splat(0.0f);
-  wave_phase q = {y * splat(w->wave_frequency),
-                  splat(w->wave_number),
-                  zero,
-                  splat(1.0f),
-                  zero,
-                  zero,
-                  zero,
-                  zero,
-                  zero};
-  if (w->has_wave_irregularity) {
-    const wood_irregular *r = &w->wave;
-    noise_stem ay = noise_split_axial(y * splat(r->stray_frequency), HASH_Y);
-    vf f = splat(w->wave_inverse_reach / CURL_STRAY_REACH), g = splat(w->wave_inverse_reach);
-    noise_axis at = noise_split_cubic(t * f, HASH_X);
-    vf ny, nt, n = noise_axial2(&ay, &at, wood_seed(w, own, SEED_WAVE), &ny, &nt);
-    float turns = r->stray * 6.2831853f;
-    q.psi = q.psi + splat(r->stray) * n;
-    q.y = q.y + splat(turns * r->stray_frequency) * ny;
-    q.t = splat(turns) * f * nt;
+  wave_phase q;
+  const wood_irregular *r = &w->wave;
+  noise_stem ay = noise_split_axial(y * splat(r->stray_frequency), HASH_Y);
+  vf f = splat(w->wave_inverse_reach / CURL_STRAY_REACH), g = splat(w->wave_inverse_reach);
+  noise_axis at = noise_split_cubic(t * f, HASH_X);
+  vf ny, nt, n = noise_axial2(&ay, &at, wood_seed(w, own, SEED_WAVE), &ny, &nt);
+  float turns = r->stray * 6.2831853f;
+  q.psi = y * splat(w->wave_frequency) + splat(r->stray) * n;
+  q.y = splat(w->wave_number) + splat(turns * r->stray_frequency) * ny;
+  q.t = splat(turns) * f * nt;
 
-    vf v[2], vy[2], vt[2], swell = splat(r->swell);
-    noise_axis by = noise_split_cubic(y * splat(r->swell_frequency), HASH_Y);
-    noise_axis bt = noise_split_cubic(t * g, HASH_X);
-    grain_swell(&by, &bt, wood_seed(w, own, SEED_WAVE_SWELL), v, vy, vt);
-    vf sy = splat(r->swell * r->swell_frequency), st = swell * g;
-    q.in = splat(r->steady) + swell * v[0];
-    q.in_y = sy * vy[0];
-    q.in_t = st * vt[0];
-    q.out = swell * v[1];
-    q.out_y = sy * vy[1];
-    q.out_t = st * vt[1];
-  }
+  vf v[2], vy[2], vt[2], swell = splat(r->swell);
+  noise_axis by = noise_split_cubic(y * splat(r->swell_frequency), HASH_Y);
+  noise_axis bt = noise_split_cubic(t * g, HASH_X);
+  grain_swell(&by, &bt, wood_seed(w, own, SEED_WAVE_SWELL), v, vy, vt);
+  vf sy = splat(r->swell * r->swell_frequency), st = swell * g;
+  q.in = splat(r->steady) + swell * v[0];
+  q.in_y = sy * vy[0];
+  q.in_t = st * vt[0];
+  q.out = swell * v[1];
+  q.out_y = sy * vy[1];
+  q.out_t = st * vt[1];
   return q;
 }
 
@@ -122,8 +112,20 @@ INLINE void grain_wave(const wood_constants *w, const wave_phase *q, vf extent, 
   p->g = p->g + (slope + slow);
   p->g_filtered = p->g_filtered + (slope * keep + slow);
   p->d_t = p->d_t + a * (turn * q->t + q->in_t * lift + q->out_t * sine);
-  if (w->has_wave_irregularity) power = mix(wide, power, keep);
+  power = mix(wide, power, keep);
   p->variance = splat(0.5f * w->wave_slope * w->wave_slope) * power * (one - keep * keep);
+}
+
+/* Of a regular wave: its amplitude is 1, in phase, everywhere. */
+INLINE void grain_wave_even(const wood_constants *w, vf y, vf extent, grain_place *p) {
+  vf sine, cosine, one = splat(1.0f);
+  sine_cosine_turns(y * splat(w->wave_frequency), &sine, &cosine);
+  vf slope = splat(w->wave_displacement) * (sine * splat(w->wave_number));
+  vf keep = filter_wave(extent * splat(w->wave_number), 0.15915494f);
+  p->d = p->d + splat(w->wave_displacement) * (one - cosine);
+  p->g = p->g + slope;
+  p->g_filtered = p->g_filtered + slope * keep;
+  p->variance = splat(0.5f * w->wave_slope * w->wave_slope) * (one - keep * keep);
 }
 
 /* The year's phase, in turns, strength, and place along the long wave, in turns. */
@@ -131,7 +133,8 @@ INLINE void grain_interlocked(const wood_constants *w, vu own, vf y, vf t, grain
   vf st, ct, sy, cy, sb = splat(0.0f), cb = splat(1.0f), zero = splat(0.0f);
   vf psi = t * splat(w->interlocked_frequency), psi_t = splat(w->interlocked_frequency);
   vf a = splat(w->interlocked_slope), a_t = zero, begin = zero, begin_t = zero;
-  if (w->interlocked_irregularity > 0.0f) {
+  int irregular = w->interlocked_irregularity > 0.0f;
+  if (irregular) {
     float much = w->interlocked_irregularity;
     vu seed = wood_seed(w, own, SEED_RIBBON);
     vf slope, f = splat(w->interlocked_frequency * 1.13f);
@@ -148,15 +151,17 @@ INLINE void grain_interlocked(const wood_constants *w, vu own, vf y, vf t, grain
     sine_cosine_turns(begin, &sb, &cb);
   }
   sine_cosine_turns(psi, &st, &ct);
-  sine_cosine_turns(y * splat(1.0f / w->interlocked_length) + begin, &sy, &cy);
+  vf turns_y = y * splat(1.0f / w->interlocked_length);
+  sine_cosine_turns(irregular ? turns_y + begin : turns_y, &sy, &cy);
   vf length = splat(w->interlocked_length * 0.15915494f), tau = splat(6.2831853f);
-  vf along = (sy - sb) * length;
+  vf along = (irregular ? sy - sb : sy) * length;
   p->d = p->d + a * along * st;
   vf slope = a * cy * st;
   p->g = p->g + slope;
   p->g_filtered = p->g_filtered + slope;
-  vf turned = st * (a_t * along + a * (cy - cb) * length * tau * begin_t);
-  p->d_t = p->d_t + (a * along * ct * (tau * psi_t) + turned);
+  vf slope_t = a * along * ct * (tau * psi_t);
+  if (irregular) slope_t = slope_t + st * (a_t * along + a * (cy - cb) * length * tau * begin_t);
+  p->d_t = p->d_t + slope_t;
 }
 
 INLINE void grain_noise(const wood_constants *w, vu own, int o, vf y, const noise_axis *at,

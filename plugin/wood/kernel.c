@@ -173,7 +173,6 @@ typedef struct {
   vf light[3];                                    /* log space */
   vf streak, pigment;                             /* share of minerals; depth of bands */
   vf lost;                                        /* variance of the surface's slopes */
-  ray_place rays;
   ray_cells ray_at;
   ray_body ray_in;
   canal_cover canal;
@@ -372,11 +371,18 @@ INLINE void stage_ring(const wood_constants *w, const wood_io *io, block *k) {
 INLINE void stage_years(const wood_constants *w, int boards, block *k) {
   k->grain = grain_spiral(w, k->p[1]);
   k->at = grain_years(w, k->years);
-  if (w->has_wave) k->wave = wave_at(w, own_of(boards, k), k->p[1], k->years);
+  if (w->has_wave && w->has_wave_irregularity) {
+    k->wave = wave_at(w, own_of(boards, k), k->p[1], k->years);
+  }
 }
 
 INLINE void stage_wave(const wood_constants *w, block *k) {
-  if (w->has_wave) grain_wave(w, &k->wave, k->extent, &k->grain);
+  if (!w->has_wave) return;
+  if (w->has_wave_irregularity) {
+    grain_wave(w, &k->wave, k->extent, &k->grain);
+  } else {
+    grain_wave_even(w, k->p[1], k->extent, &k->grain);
+  }
 }
 
 INLINE void stage_interlocked(const wood_constants *w, int boards, block *k) {
@@ -721,22 +727,26 @@ INLINE void stage_cover(const wood_constants *w, int boards, const wood_io *io, 
   store_lanes(io, WOOD_VESSEL, k, k->cover);
 }
 
-INLINE void stage_ray_place(const wood_constants *w, int boards, block *k) {
-  k->rays = ray_place_of(w, own_of(boards, k), k->stem.rho, k->turn, k->p[1], &k->f, k->extent);
+/* Made anew in each stage, of which each needs another part. */
+INLINE ray_place ray_place_here(const wood_constants *w, int boards, const block *k) {
+  return ray_place_of(w, own_of(boards, k), k->stem.rho, k->turn, k->p[1], &k->f, k->extent);
 }
 
-INLINE void stage_ray_cells(const wood_constants *w, block *k) {
-  k->ray_at = ray_cells_at(w, &k->rays);
+INLINE void stage_ray_cells(const wood_constants *w, int boards, block *k) {
+  ray_place p = ray_place_here(w, boards, k);
+  k->ray_at = ray_cells_at(w, &p);
 }
 
-INLINE void stage_ray_body(const wood_constants *w, block *k) {
-  k->ray_in = ray_body_of(w, &k->rays, &k->ray_at, splati(0));
+INLINE void stage_ray_body(const wood_constants *w, int boards, block *k) {
+  ray_place p = ray_place_here(w, boards, k);
+  k->ray_in = ray_body_of(w, &p, &k->ray_at, splati(0));
 }
 
-INLINE void stage_rays(const wood_constants *w, const wood_io *io, block *k) {
-  vf nearest = ray_body_cover(w, &k->rays, &k->ray_at, &k->ray_in);
-  vf found = rays_cover(w, &k->rays, &k->ray_at, nearest);
-  k->ray = rays_faded(w, &k->rays, &k->ray_at, found);
+INLINE void stage_rays(const wood_constants *w, int boards, const wood_io *io, block *k) {
+  ray_place p = ray_place_here(w, boards, k);
+  vf nearest = ray_body_cover(w, &p, &k->ray_at, &k->ray_in);
+  vf found = rays_cover(w, &p, &k->ray_at, nearest);
+  k->ray = rays_faded(w, &p, &k->ray_at, found);
   if (k->knot) k->ray = k->ray * (splat(1.0f) - k->knot->cover);
   store_lanes(io, WOOD_RAY, k, k->ray);
 }
@@ -1093,10 +1103,9 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
     EACH(stage_rows(w, boards, &blocks[k]));
     EACH(stage_cover(w, boards, io, &blocks[k]));
     if (w->has_rays) {
-      EACH(stage_ray_place(w, boards, &blocks[k]));
-      EACH(stage_ray_cells(w, &blocks[k]));
-      EACH(stage_ray_body(w, &blocks[k]));
-      EACH(stage_rays(w, io, &blocks[k]));
+      EACH(stage_ray_cells(w, boards, &blocks[k]));
+      EACH(stage_ray_body(w, boards, &blocks[k]));
+      EACH(stage_rays(w, boards, io, &blocks[k]));
     }
   }
   if (w->has_canals && want->vessel) EACH(stage_canals(w, boards, io, &blocks[k]));

@@ -28,10 +28,10 @@ INLINE ring_place ring_at(const wood_constants *w, vf rho) {
   vi bin = to_int(vmin(m * splat(w->bin_scale), splat((float)w->bin_last)));
   /* a bin is narrower than any ring: at most one boundary lies in it */
   vf at[2], row[4];
-  gather2(w->bin, bin, at);
+  gather2_near(w->bin, bin, at);
   vf j = at[0] + sel(le(at[1], m), splat(1.0f), splat(0.0f));
   p.j = to_int(j);
-  gather4(w->ring_row, p.j, row);
+  gather4_near(w->ring_row, p.j, row);
   p.start = row[0];
   p.inverse_width = row[1];
   p.weight = row[2];

@@ -64,7 +64,7 @@ INLINE vf disc_distance(const disc *d, vf x, vf z) {
 /* Cover by one vessel at distance q, its radius drawn from the hash; over the
  * disc's height. */
 INLINE vf vessel_cover(const wood_vessels *v, const disc *d, vu h, vf q) {
-  return clamp01(d->top - q * lookup16(v->inverse_square, h >> 5));
+  return clamp01(d->top - q * lookup8(v->inverse_square, h >> 5));
 }
 
 /* From the sum of covers to the share covered: discs overlap, and where they
@@ -150,7 +150,7 @@ INLINE vf pores_sum(const wood_vessels *v, const pore_cells *p) {
   u8 h = join_u4(base << 1, base * PORE_SECOND);
   f8 dx = join_f4(x, x) - to_f8((i8)h), dz = join_f4(z, z) - to_f8((i8)(h << 11));
   f8 q = (p->d.xx * dx + p->d.xz * dz) * dx + p->d.zz * dz * dz;
-  f8 cover = clamp01_f8(p->d.top - q * lookup16_f8(v->inverse_square, h >> 5));
+  f8 cover = clamp01_f8(p->d.top - q * lookup8_f8(v->inverse_square, h >> 5));
   f4 two = half_f8(cover, 0) + half_f8(cover, 1);
   return two[0] + two[1] + two[2] + two[3];
 }

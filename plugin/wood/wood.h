@@ -28,7 +28,7 @@
 #define WOOD_RINGS 256      /* rings before the table repeats */
 #define WOOD_BINS_MAX 16384 /* bins of the look-up from rho to ring */
 #define WOOD_HARMONICS 3    /* of the section's outline */
-#define WOOD_RADII 16       /* steps of the table of vessel radii */
+#define WOOD_RADII 8        /* steps of the table of vessel radii */
 #define WOOD_FIBRE_OCTAVES 3
 #define WOOD_RAY_SECTORS 64   /* round the pith, each with shells of rays of its own */
 #define WOOD_CONE_PSI 65      /* steps of the sine of inclination, -1 to 1 */

@@ -62,6 +62,7 @@ static const float thirty_two[32] = {0.0f,   1.5f,   -2.0f, 3.25f, 4e9f,  -5.0f,
                                      -16.5f, 17.0f,  18.0f, 19.0f, 20.0f, 21.0f,  22.0f, 23.0f,
                                      24.0f,  25.25f, 26.0f, 27.0f, 28.0f, 29.0f,  30.0f, -31.0f};
 CORE(lookup16, OUT(0, lookup16(thirty_two, (vu)BITS(0)));)
+CORE(lookup8, OUT(0, lookup8(thirty_two, (vu)BITS(0)));)
 CORE(gather, OUT(0, gather(thirty_two, BITS(0)));)
 static const float rows[32][4] = {
     {1.0f, -2.0f, 3.0f, 4.0f},          {5.0f, 6.0f, -7.0f, 8.0f}, [7] = {9.5f, 8e9f, 1e-9f},

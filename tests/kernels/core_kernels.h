@@ -48,6 +48,7 @@ enum {
   X(vsqrt, 1, 1, DOMAIN_EXTENT, 0, 0, 0)                                                           \
   X(vfloor, 1, 2, DOMAIN_WHOLE, 0, 0, 0)                                                           \
   X(lookup16, 1, 1, DOMAIN_BITS, 0, 0, 0)                                                          \
+  X(lookup8, 1, 1, DOMAIN_BITS, 0, 0, 0)                                                           \
   X(gather, 1, 1, DOMAIN_INDEX, 0, 0, 0)                                                           \
   X(gather2, 1, 2, DOMAIN_INDEX, 0, 0, 0)                                                          \
   X(gather4, 1, 4, DOMAIN_INDEX, 0, 0, 0)                                                          \

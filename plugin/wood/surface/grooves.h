@@ -19,7 +19,7 @@ INLINE trough_sum grooves_pores(const wood_constants *w, vu own, vf x, vf z, con
     vf cx = sel_top(base, a ? p.x - unit : p.x, splat(PORE_NOWHERE)), cz = b ? p.z - unit : p.z;
     vu h = base << 1;
     for (int k = 0; k < 2; k++) {
-      trough_add(&p.d, one, lookup16(w->pores.inverse_square, h >> 5), cx - hash_place(h),
+      trough_add(&p.d, one, lookup8(w->pores.inverse_square, h >> 5), cx - hash_place(h),
                  cz - hash_place2(h), &g, &unused);
       h = base * splatu(PORE_SECOND);
     }
@@ -40,7 +40,7 @@ INLINE trough_sum grooves_rows(const wood_constants *w, const row_place *p, vf r
     for (int a = 0; a < 2; a++) {
       vf x, z;
       vu h = row_vessel(w, p, &q, a, &x, &z);
-      trough_add(d, one, lookup16(w->row.inverse_square, h >> 5), x, z, &g, &unused);
+      trough_add(d, one, lookup8(w->row.inverse_square, h >> 5), x, z, &g, &unused);
     }
   }
   g.depth = sel(p->near, g.depth, zero);
