@@ -6,7 +6,7 @@
 #include <math.h>
 #include "slab.h"
 
-enum { SCALES = 5, POINTS = 8192 };
+enum { SCALES = 5, POINTS = 32768 };
 
 /* ---- the texture ------------------------------------------------------- */
 

@@ -14,8 +14,8 @@
 #define PI 3.14159265358979324
 #define RADIANS (PI / 180.0)
 #define CERTAIN 4294967296.0
-#define FULL (0.8f * 4294967296.0f) /* presence that leaves room for a bundle to have more */
-#define MEASURED 16384u /* points, for means that have no formula; whole blocks of every width */
+#define FULL (0.7999f * 4294967296.0f) /* presence that leaves room for a bundle to have more */
+#define MEASURED 24576u /* points, for means that have no formula; whole blocks of every width */
 #define FILL 0.55       /* of space by bundles, less the ends of their strands; about */
 #define ON_YARN 4       /* layers */
 #define HULL_LOOKS 4

@@ -30,7 +30,7 @@ INLINE void cross(const vf a[3], const vf b[3], vf out[3]) {
 /* The same turned into the lattice's space, which no face or diagonal of an object
  * lies along: a level of the lattice would be cut all at one height. */
 typedef struct {
-  vf at[3], step[3], e1[3], e2[3], n[3];
+  vf at[3], step[3], e1[3], e2[3];
 } lattice_frame;
 
 /* Each layer lies in another of them than the next, lest they keep step. */
@@ -60,7 +60,6 @@ INLINE void lattice_of(const hull_frame *f, const vf at[3], int level, lattice_f
     if (!level) into_lattice(i, f->step, g[i].step);
     into_lattice(i, f->e1, g[i].e1);
     into_lattice(i, f->e2, g[i].e2);
-    cross(g[i].e1, g[i].e2, g[i].n); /* none is a mirror */
   }
 }
 
@@ -73,13 +72,15 @@ INLINE vf widening(vf slant, float most) {
               splat(most));
 }
 
-/* Where in its cell a point is, from the middle, in cells; and which cell. */
+/* Which cell a point is in, and where: from the middle, in cells. */
 typedef struct {
-  vf from[3];
-  vf low[3]; /* of the cube */
+  vf from[3], cube[3];
   vu h;
-  vf x1, x2, above2;
+  vf chord2;
 } bundle_cell;
+
+/* Half a cell more is a whole unit more in the lowest bits of a number to which this was added. */
+#define BUNDLE_HALVES 6291456.0f
 
 /* level: the eye looks at all the points squarely. */
 INLINE void bundle_cube(const fibertex_layer *c, const lattice_frame *frames, int level,
@@ -88,8 +89,8 @@ INLINE void bundle_cube(const fibertex_layer *c, const lattice_frame *frames, in
   for (int k = 0; k < 3; k++) {
     vf at = g->at[k] * splat(c->inverse_size) + splat(c->offset[k]);
     if (!level) at = at - g->step[k] * splat(c->depth_cells);
-    q->low[k] = whole_of(at);
-    q->from[k] = at - q->low[k] - splat(0.5f);
+    q->cube[k] = nearest_of(at);
+    q->from[k] = at - q->cube[k];
   }
 }
 
@@ -103,8 +104,8 @@ INLINE void bundle_find(const fibertex_layer *c, bundle_cell *q) {
   vi half = seli(centre, splati(0), bits_of(splat(0.5f))); /* of b's sign */
   vi sign = seli(centre, splati(0), splati(INT32_MIN));
   for (int k = 0; k < 3; k++) {
-    vf aside = float_of((bits_of(b[k]) & sign) | half), cell = q->low[k] + aside;
-    h += (vu)to_int(cell + cell) * splatu(odd[k]);
+    vf aside = float_of((bits_of(b[k]) & sign) | half);
+    h += (vu)bits_of(q->cube[k] + aside + splat(BUNDLE_HALVES)) * splatu(odd[k]);
     b[k] = b[k] - aside;
   }
   q->h = hash_mix(h);
@@ -120,38 +121,34 @@ INLINE void bundle_middle(const fibertex_constants *w, const fibertex_layer *c,
    * less full */
   vu more = h * splatu(HASH_Z);
   const vf size = splat(c->size), off = splat(FIELD(0.16f));
-  vf x1 = (dot3(q->from, g->e1) + off * field_of(more, 1)) * size;
-  vf x2 = (dot3(q->from, g->e2) + off * field_of(more, 2)) * size;
-  vf above = (dot3(q->from, g->n) + off * field_of(more, 3)) * size;
-  p->many = splat(1.0f) + splat(FIELD(0.25f)) * field_of(more, 0);
-  p->full = p->many * splat(c->presence) - splat(HASH_ONE);
+  vf v[3];
+  for (int k = 0; k < 3; k++) v[k] = q->from[k] + off * field_of(more, k + 1);
+  vf x1 = dot3(v, g->e1) * size, x2 = dot3(v, g->e2) * size;
+  p->many = field_of(more, 0);
+  p->full = to_int(splat(c->presence - HASH_ONE) + splat(c->presence * FIELD(LANE_MANY)) * p->many);
   vf co = lookup16(w->turn[0], h), si = lookup16(w->turn[1], h);
   direction[0] = co;
   direction[1] = si;
-  q->x1 = x1 * co + x2 * si;
-  q->x2 = x2 * co - x1 * si;
-  q->above2 = above * above;
   p->widen = splat(1.0f);
   if (!level) p->widen = widening(hull->lean2[1] * co - hull->lean2[0] * si, c->widen_most);
+  p->x = x1 * co + x2 * si;
+  p->y = x2 * co - x1 * si;
+  /* half of the bundle's extent along x, squared: what lies off x counts, not what for */
+  q->chord2 = p->x * p->x + (splat(c->reach2) - dot3(v, v) * splat(c->size * c->size));
 }
 
 /* Its course there. */
-INLINE void bundle_course(const fibertex_constants *w, const bundle_cell *q, lane_place *p) {
-  vf x = p->x = q->x1;
-  vf arc = splat(w->curl) * field_of(q->h, 0) * x, slope;
-  vf f = splat(w->crimp_frequency) + splat(w->crimp_vary) * field_of(q->h, 1);
-  vf swing = wave(x * f + splat(FIELD(0.5f)) * field_of(q->h, 2), &slope) * splat(w->crimp);
-  p->bend = arc + slope * f * splat(w->crimp);
-  p->y = q->x2 - splat(0.5f) * arc * x - swing;
-}
-
-INLINE void bundle_chord(const fibertex_layer *c, const bundle_cell *q, lane_place *p) {
-  vf chord2 = splat(c->reach2) - q->above2 - p->y * p->y;
-  /* half of the bundle's extent along x there */
-  vf chord = vsqrt(vmax(chord2, splat(0.0f)));
-  p->thin = chord * splat(FIELD(1.0f - LANE_ENDS));
-  p->reach = chord * splat(LANE_ENDS);
-  p->inverse_length = splat(1.0f / LANE_ENDS) / vmax(chord, splat(c->chord_least));
+INLINE void bundle_course(const fibertex_constants *w, const fibertex_layer *c,
+                          const bundle_cell *q, lane_place *p) {
+  vu h = q->h;
+  vf x = p->x;
+  vf arc = splat(w->curl) * field_of(h, 0) * x, slope;
+  vf f = splat(w->crimp_frequency) + splat(w->crimp_vary) * field_of(h, 1);
+  vf swing = wave(x * f + phase_of(h), w->crimp, &slope);
+  p->bend = arc + slope * f;
+  p->y = p->y - splat(0.5f) * arc * x - swing;
+  p->chord = vsqrt(vmax(q->chord2, splat(c->chord_least * c->chord_least)));
+  p->part = p->x / p->chord;
 }
 
 #endif

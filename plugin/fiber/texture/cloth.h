@@ -69,8 +69,8 @@ INLINE void cloth_yarn(const fibertex_constants *w, int which, vi mine, vf at, v
   vi next;
   q->h = hash_mix((vu)mine * splatu(HASH_X) + splatu(w->seed + (uint32_t)which));
   vf rate;
-  vf uneven = wave(at * splat(y->frequency) + splat(FIELD(0.5f)) * field_of(q->h, 0), &rate);
-  vf width = one + splat(y->wander) * uneven;
+  vf uneven = wave(at * splat(y->frequency) + phase_of(q->h), y->wander, &rate);
+  vf width = one + uneven;
   vf t = at * splat(x->inverse_spacing) - half;
   vf f = t - vfloor(t, &next);
   vf a, b;

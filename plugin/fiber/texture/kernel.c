@@ -2,34 +2,31 @@
  *
  * Fibre's evaluate: compiled once for each instruction set and width.
  */
+#include "hull_looks.h"
 #include "measure.h"
 #include "output.h"
 
 extern const fibertex_kernel KERNEL_NAME(fibertex_kernel_);
 
-/* From what is summed up to the output channels. */
-INLINE void stage_show(const fibertex_constants *w, int woven, const kernel_io *io, block *k,
-                       const looks *q, int light, output *out) {
+/* From what is summed up to what is seen. */
+INLINE void stage_show(const fibertex_constants *w, int woven, block *k, const looks *q,
+                       strand_axes *t, const strand_lit *lit, int light, shown *near) {
   const vf zero = splat(0.0f), one = splat(1.0f);
   sums sum;
-  shown near, mean;
-  strand_axes t;
-  best_axes(w, woven, k, &t);
+  shown mean;
   if (any(lt(k->far, one))) {
-    show_near(w, woven, k, q, &t, light, &near);
-    if (any(gt(k->far, zero))) {
-      far_sums(w, k, light, &sum);
-      show_far(w, k, &sum, q, &mean);
-      blend(&near, &mean, k->far, woven, light);
-    }
+    show_near(w, woven, k, q, t, lit, light, near);
+    if (!any(gt(k->far, zero))) return;
+    far_sums(w, k, light, &sum);
+    show_far(w, k, &sum, q, &mean);
+    blend(near, &mean, k->far, woven, light);
   } else { /* nothing near is left of it */
     far_sums(w, k, light, &sum);
-    show_far(w, k, &sum, q, &near);
+    show_far(w, k, &sum, q, near);
   }
   vm nothing = le(one, k->far);
-  for (int c = 0; c < 3; c++) t.along[c] = sel(nothing, zero, t.along[c]);
-  k->best.id = (vu)seli(nothing, splati(0), (vi)k->best.id);
-  stage_put(w, woven, io, k, &near, &t, light, out);
+  for (int c = 0; c < 3; c++) t->along[c] = sel(nothing, zero, t->along[c]);
+  k->best.id = selu(nothing, splatu(0), k->best.id);
 }
 
 INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io *io, uint32_t from,
@@ -59,10 +56,25 @@ INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io 
     }
     EACH(b, count) stage_empty(w, &of[b]);
     stage_layers(w, woven, of, count, level, light);
-    stage_looks(w, woven, of, count, light, all);
+    if (woven)
+      stage_looks(w, of, count, light, all);
+    else
+      stage_looks_of_hull(w, of, count, level, light, all);
     EACH(b, count) stage_best(&of[b]);
     EACH(b, count) stage_deep(w, &of[b]);
-    EACH(b, count) stage_show(w, woven, io, &of[b], &all[b], light, &out[b]);
+    strand_axes t[BLOCKS_TOGETHER];
+    strand_lit lit[BLOCKS_TOGETHER];
+    shown seen[BLOCKS_TOGETHER];
+    EACH(b, count) best_axes(w, woven, &of[b], &t[b]);
+    if (light) {
+      strand_angles a[BLOCKS_TOGETHER];
+      EACH(b, count) {
+        strand_angles_of(of[b].f.light, of[b].f.view, of[b].f.between, &t[b], &a[b]);
+      }
+      EACH(b, count) strand_lobes(w, &a[b], &lit[b]);
+    }
+    EACH(b, count) stage_show(w, woven, &of[b], &all[b], &t[b], &lit[b], light, &seen[b]);
+    EACH(b, count) stage_put(w, woven, io, &of[b], &seen[b], &t[b], light, &out[b]);
     stage_store(io, of, count, out);
   }
 }

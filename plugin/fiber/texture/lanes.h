@@ -17,6 +17,10 @@
 #define LANE_DIVE 0.5f
 #define LANE_RIM 0.5f
 #define LANE_ENDS 0.7f /* a strand's length over its lane's */
+#define LANE_MANY                                                                                  \
+  0.25f /* by how much of the usual bundles have more strands than others, or fewer */
+#define LANE_NOWHERE 1e9f      /* mm */
+#define LANE_WHOLE 12582912.0f /* added to a whole number, that is in the lowest bits */
 
 /* The greatest whole number not above x; its sign where it is 0 is either. */
 INLINE vf whole_of(vf x) {
@@ -28,11 +32,29 @@ INLINE vf whole_of(vf x) {
 #endif
 }
 
-/* A wave of period 1 and amplitude 1/8, of parabolas, with its slope. */
-INLINE vf wave(vf turns, vf *slope) {
-  vf t = turns - whole_of(turns + splat(0.5f));
-  vf a = vabs(t) + vabs(t), b = splat(1.0f) - a;
-  *slope = b - a;
+/* The whole number nearest to x, of two the even one. */
+INLINE vf nearest_of(vf x) {
+#if defined(SOZAI_ISA_AVX512) && LANES == 16
+  return (vf)_mm512_roundscale_ps((__m512)x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
+#elif defined(SOZAI_ISA_AVX2) && LANES == 8
+  return (vf)_mm256_round_ps((__m256)x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
+#elif (defined(SOZAI_ISA_AVX2) || defined(SOZAI_ISA_AVX512)) && LANES == 4
+  return (vf)_mm_round_ps((__m128)x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
+#elif defined(SOZAI_ISA_AVX2) || defined(SOZAI_ISA_AVX512)
+  __m128 v = _mm_set_ss(x);
+  return _mm_cvtss_f32(_mm_round_ss(v, v, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC));
+#else
+  /* beyond 2^23 there are no others */
+  vf a = vabs(x), whole = (a + splat(8388608.0f)) - splat(8388608.0f);
+  vi sign = bits_of(x) & splati(INT32_MIN);
+  return float_of(bits_of(sel(lt(a, splat(8388608.0f)), whole, a)) | sign);
+#endif
+}
+
+/* A wave of period 1, of parabolas, with its slope; its amplitude is an eighth of what is given. */
+INLINE vf wave(vf turns, float amplitude, vf *slope) {
+  vf t = turns - nearest_of(turns), b = splat(amplitude) - vabs(t) * splat(2.0f * amplitude);
+  *slope = (b + b) - splat(amplitude);
   return t * b;
 }
 
@@ -40,22 +62,26 @@ INLINE vf wave(vf turns, vf *slope) {
 INLINE vf field_of(vu h, int k) { return to_float((vi)(h << (8 * k))); }
 #define FIELD(x) ((x) / HASH_ONE) /* what it is multiplied by to lie within +-x */
 
-/* 1 / sqrt(1 + x) for 0 <= x <= 1.6, within 0.003; what is steeper counts as that. */
+/* The lower 23 bits of a hash: a number from 1 to 2. */
+INLINE vf phase_of(vu h) { return float_of((vi)((h & splatu(0x7fffffu)) | splatu(0x3f800000u))); }
+
+INLINE vu selu(vm m, vu a, vu b) { return (vu)bits_of(sel(m, float_of((vi)a), float_of((vi)b))); }
+
+/* 1 / sqrt(1 + x) for 0 <= x <= 1.6, within 0.007; what is steeper counts as that. */
 INLINE vf lane_inverse_root(vf x) {
   x = vmin(x, splat(1.6f));
-  return splat(0.9985f) + x * (splat(-0.4755f) + x * (splat(0.2435f) + x * splat(-0.0545f)));
+  return splat(0.9934f) + x * (splat(0.1052f) * x - splat(0.39746f));
 }
 
 typedef struct {
-  vf x, y;           /* place in the bundle, mm: along; across, straightened */
-  vf bend;           /* slope of the bundle itself there */
-  vf inverse_length; /* of a strand there, half */
-  vf widen;          /* how much broader strands look at the eye's slant */
-  vf thin, reach;    /* how far a strand's middle lies off that's, over a field's 2^31; half of
-                      * its own */
-  vf many;           /* how many strands it has, of what is usual */
-  vf full;           /* the same as what b is below where there is one */
-  vu h;              /* the bundle */
+  vf x, y;  /* place in the bundle, mm: along; across, straightened */
+  vf bend;  /* slope of the bundle itself there */
+  vf widen; /* how much broader strands look at the eye's slant */
+  vf chord; /* half of the bundle's extent along x there */
+  vf part;  /* x over that */
+  vf many;  /* how many more strands than usual it has, over a field's 2^31 */
+  vi full;  /* what a lane's second number of chance is below where there is one */
+  vu h;     /* the bundle */
 } lane_place;
 
 /* A footprint, as lanes see it: of a strand's thickness, which all layers share. */
@@ -84,73 +110,71 @@ typedef struct {
   vf cover;  /* by its strands, */
   vf mean;   /* and by what is no more than a mean of them */
   vf slope;  /* of the centreline, the bundle's and its own */
-  vf across; /* place across the strand, -1 to 1 */
-  vf tone;   /* over a field's 2^31 */
-  vf second, bright;
-  vf soft; /* how near a strand is, 0 to 1: it takes light from what is below */
+  vf across; /* place across the strand, -2 to 2 */
+  vf bright;
+  vf soft; /* how near a strand is, 0 to 1, less the layer's mean: it takes light from what is
+            * below */
   vu id;
 } lane_hit;
 
 /* One lane's strand at the point. */
 typedef struct {
-  vf cover, slope, lo, hi, r;
-  vf off, thick;             /* from its centreline; half of its thickness, seen squarely */
-  vf from;                   /* its middle, along it */
-  vf frequency, turns, tilt; /* of its swing and its drift */
+  vf off;              /* from its centreline, along y */
+  vf slope;            /* of that */
+  vf thick;            /* half of its thickness, seen squarely */
+  vf from;             /* its middle, along it, over half of the bundle's extent */
+  vf frequency, turns; /* of its swing */
+  vf cover, lo, hi, r;
   vu id;
 } lane_strand;
 
-/* Where the two lanes are that may cover the point: the first one's key, and how far off its
- * middle. */
-typedef struct {
-  vu key;
-  vf off;
-} lane_pair;
-
-INLINE void lane_pair_of(const fibertex_layer *c, const lane_place *p, lane_pair *q) {
-  vf at = p->y * splat(c->inverse_spacing) - splat(0.5f), low = whole_of(at);
-  q->off = (at - low) * splat(c->spacing);
-  q->key = p->h + (vu)to_int(low) * splatu(HASH_X);
+/* Whether it is of the second colour: by what also puts it to a side of its lane. */
+INLINE vm lane_first(const fibertex_constants *w, vu id) {
+  int32_t bound = (int32_t)((((uint32_t)w->second_chance << 24) - 1u) ^ 0x80000000u);
+  return lti(splati(bound), (vi)id);
 }
 
-/* A second number of chance for a strand: its upper half is good. */
-INLINE vu lane_more(vu id) { return id * splatu(0x846ca68bu); }
-
-/* Whether it is of the second colour: 1, else 0. */
-INLINE vf lane_second(const fibertex_constants *w, vu id) {
-  vi chance = (vi)(lane_more(id) & splatu(0xff00u));
-  return sel(lti(chance, splati(w->second_chance << 8)), splat(1.0f), splat(0.0f));
-}
-
-/* What chance gives a strand; second: which lane of the two. Two things share a field where nobody
- * sees that they go together. */
+/* What chance gives a strand: two things share a field where nobody sees that they go together. */
 INLINE void lane_draw(const fibertex_constants *w, const fibertex_layer *c, int ends,
-                      const lane_place *p, const lane_pair *pair, int second, lane_strand *q) {
+                      const lane_place *p, vu id, vf off, vf shift, vf part, lane_strand *q) {
   /* the place's hash is a good one: a round is enough */
-  vu id = second ? pair->key + splatu(HASH_X) : pair->key;
   id ^= id >> 15;
   id *= splatu(0x7feb352du);
   id ^= id >> 13;
   q->id = id;
-  vf aside = field_of(id, 0), phase = field_of(id, 1), thick = field_of(id, 2);
+  vf aside = field_of(id, 0), thick = field_of(id, 2), phase = phase_of(id);
   q->frequency = splat(w->own_frequency) + splat(w->own_vary) * thick;
-  q->turns = p->x * q->frequency + splat(FIELD(0.5f)) * phase;
-  vf off = second ? pair->off - splat(c->spacing) : pair->off;
-  q->off = off - splat(c->shift) * aside;
-  q->tilt = splat(c->tilt) * aside;
+  q->turns = p->x * q->frequency + phase;
+  q->slope = p->bend + splat(c->tilt) * aside;
   q->thick = splat(c->radius) + splat(c->radius_vary) * thick;
-  if (ends) q->from = vabs(p->x - p->thin * phase);
+  if (ends) q->from = vabs(part - splat(2.0f * (1.0f - LANE_ENDS)) * phase);
+  /* where there is none it is far away; a product's upper half is good */
+  vm there = lti((vi)(id * splatu(0x846ca68bu)), p->full);
+  q->off = sel(there, off - shift * aside, splat(LANE_NOWHERE));
 }
 
 /* Its centreline. */
-INLINE void lane_course(const fibertex_layer *c, const lane_place *p, lane_strand *q) {
-  vf rate, own = wave(q->turns, &rate), sway = splat(c->sway);
-  q->slope = p->bend + (sway * rate * q->frequency + q->tilt);
-  q->off = q->off - (sway * own + q->tilt * p->x);
+INLINE void lane_course(const fibertex_layer *c, lane_strand *q) {
+  vf rate;
+  q->off = q->off - wave(q->turns, c->sway, &rate);
+  q->slope = q->slope + rate * q->frequency;
+}
+
+/* The two lanes whose strands may cover the point. */
+INLINE void lane_pair(const fibertex_constants *w, const fibertex_layer *c, int ends,
+                      const lane_place *p, lane_strand both[2]) {
+  vf at = p->y * splat(c->inverse_spacing), low = whole_of(at);
+  vf off = (at - low) * splat(c->spacing);
+  vu key = p->h + (vu)bits_of(low + splat(LANE_WHOLE)) * splatu(HASH_X);
+  vf shift = splat(c->shift) + splat(c->tilt) * p->x;
+  vf part = ends ? p->part + splat(3.0f * (1.0f - LANE_ENDS)) : p->x;
+  lane_draw(w, c, ends, p, key, off, shift, part, &both[0]);
+  lane_draw(w, c, ends, p, key + splatu(HASH_X), off - splat(c->spacing), shift, part, &both[1]);
 }
 
 /* What of it a footprint has. */
-INLINE void lane_cover(int ends, const lane_place *p, const lane_filter *t, lane_strand *q) {
+INLINE void lane_cover(int ends, const lane_place *p, const lane_filter *t, vf ramp,
+                       lane_strand *q) {
   const vf zero = splat(0.0f), half = splat(0.5f);
   vf e = q->off * lane_inverse_root(q->slope * q->slope);
   vf r = q->thick * p->widen;
@@ -160,81 +184,69 @@ INLINE void lane_cover(int ends, const lane_place *p, const lane_filter *t, lane
   q->lo = lo;
   q->hi = hi;
   q->r = r;
-  if (ends) {
-    vf end = (p->reach - q->from) * t->inverse_end + half;
-    cover = cover * clamp01(end);
-  }
-  vm there = lt(to_float((vi)lane_more(q->id)), p->full);
-  q->cover = sel(there, cover, zero);
+  if (ends) cover = cover * clamp01((splat(LANE_ENDS) - q->from) * ramp + half);
+  q->cover = cover;
 }
 
 /* How near a strand is that may not cover: 1 on it. */
-INLINE vf lane_near(const fibertex_layer *c, int ends, const lane_place *p, const lane_filter *t,
-                    const lane_strand *q) {
-  const vf zero = splat(0.0f), half = splat(0.5f);
+INLINE vf lane_near(const fibertex_layer *c, int ends, vf ramp, const lane_strand *q) {
+  const vf half = splat(0.5f);
   /* of a thickness between that and its shadow's: then its mean hardly changes with the slant */
   vf near = (splat(1.1f) * q->thick + half * (q->r - vabs(q->off))) * splat(c->inverse_radius);
   near = clamp01(near);
-  if (ends) near = near * clamp01((p->reach - q->from) * t->inverse_end + half);
-  vm there = lt(to_float((vi)lane_more(q->id)), p->full);
-  return sel(there, near, zero);
+  if (ends) near = near * clamp01((splat(LANE_ENDS) - q->from) * ramp + half);
+  return near;
 }
 
 /* Coverage expected of a place in a bundle, whatever its lanes hold. */
 INLINE vf lane_expected(const fibertex_layer *c, int ends, const lane_place *p) {
   const vf one = splat(1.0f);
-  vf steep = vmin(p->bend * p->bend, splat(2.0f));
-  vf wide = splat(c->formula) * p->many * p->widen *
-            (one + steep * (splat(0.46f) - splat(0.06f) * steep));
+  vf steep = vmin(p->bend * p->bend, splat(1.6f));
+  vf wide = splat(c->formula) + splat(c->formula * FIELD(LANE_MANY)) * p->many;
+  wide = wide * p->widen * (one + splat(0.43f) * steep);
   if (ends) {
-    vf v = vabs(p->x) * p->inverse_length * splat(LANE_ENDS);
-    wide = wide * clamp01((one - v) * splat(1.0f / (2.0f - 2.0f * LANE_ENDS)));
+    const float k = 1.0f / (2.0f - 2.0f * LANE_ENDS);
+    wide = wide * clamp01(splat(k) - vabs(p->part) * splat(k));
   }
   return vmin(wide, one);
 }
 
-/* Of the two that which covers more. */
-INLINE void lane_choose(const fibertex_constants *w, const fibertex_layer *c, int ends,
-                        const lane_place *p, const lane_filter *t, const lane_strand both[2],
-                        lane_hit *q) {
+/* Of the two that which covers more. What nothing covers is anything, but a number. */
+INLINE void lane_choose(const fibertex_layer *c, int ends, int close, const lane_filter *t,
+                        const lane_place *p, const lane_strand both[2], lane_hit *q) {
   const vf zero = splat(0.0f), one = splat(1.0f);
   const lane_strand *m = &both[0], *n = &both[1];
   q->cover = vmin(m->cover + n->cover, one);
-  q->soft = splat(c->soft) * t->wide;
-  if (any(lt(t->wide, one))) {
-    q->soft =
-        q->soft + vmax(lane_near(c, ends, p, t, m), lane_near(c, ends, p, t, n)) * (one - t->wide);
+  if (close) {
+    vf ramp = p->chord * t->inverse_end;
+    vf near = vmax(lane_near(c, ends, ramp, m), lane_near(c, ends, ramp, n));
+    q->soft = (near - splat(c->soft)) * (one - t->wide);
   }
   vm other = lt(m->cover, n->cover);
-  vu id = (vu)seli(other, (vi)n->id, (vi)m->id);
-  q->slope = sel(other, n->slope, m->slope) + zero; /* no -0 */
+  q->id = selu(other, n->id, m->id);
+  q->slope = sel(other, n->slope, m->slope);
   /* over the part of the footprint that is covered */
   vf inverse = one / sel(other, n->r, m->r);
   vf lo = sel(other, n->lo, m->lo) * inverse, hi = sel(other, n->hi, m->hi) * inverse;
-  vf sum = lo + hi;
-  vf across2 = vmin((sum * sum - lo * hi) * splat(1.0f / 3.0f), one);
-  q->across = clamp(sum * splat(0.5f), splat(-1.0f), one) + zero;
-  q->tone = field_of(id, 3);
-  q->id = id;
-  q->second = w->second_chance ? lane_second(w, id) : zero;
+  vf sum = q->across = lo + hi;
   /* what is brighter in the middle: 1 at the mean */
-  vf bright = splat(c->lift) * (splat(1.0f / (1.0f - LANE_RIM / 3.0f)) -
-                                splat(LANE_RIM / (1.0f - LANE_RIM / 3.0f)) * across2);
+  const float rim = 1.0f / (1.0f - LANE_RIM / 3.0f), dive = 1.0f / (1.0f - LANE_DIVE / 3.0f);
+  vf bright = splat(c->lift * rim) - splat(c->lift * rim * LANE_RIM / 3.0f) * (sum * sum - lo * hi);
   if (ends) {
-    vf v = vmin(sel(other, n->from, m->from) * p->inverse_length, one);
-    bright = bright * (splat(1.0f / (1.0f - LANE_DIVE / 3.0f)) -
-                       splat(LANE_DIVE / (1.0f - LANE_DIVE / 3.0f)) * (v * v));
+    vf v = vmin(sel(other, n->from, m->from), splat(LANE_ENDS));
+    bright = bright * (splat(dive) - splat(dive * LANE_DIVE / (LANE_ENDS * LANE_ENDS)) * (v * v));
   }
   q->bright = bright;
   q->mean = zero;
 }
 
 /* Between the two: a layer shows a part by its strands and a part by their mean. */
-INLINE void lane_blend(const fibertex_layer *c, vf far, vf expected, lane_hit *q) {
-  vf near = splat(1.0f) - far;
+INLINE void lane_blend(const fibertex_layer *c, int ends, int close, const lane_place *p, vf s,
+                       lane_hit *q) {
+  vf far = lane_far(c, s), near = splat(1.0f) - far;
   q->cover = near * q->cover;
-  q->mean = far * expected;
-  q->soft = q->soft * near + splat(c->soft) * far;
+  q->mean = far * lane_expected(c, ends, p);
+  if (close) q->soft = q->soft * near;
 }
 
 #endif

@@ -7,28 +7,42 @@
 
 #include "block.h"
 
-/* A layer's strands over what is below them; direction: in the ground's frame. */
+/* A layer's strands over what is below them; direction: in the ground's frame. Of what has two
+ * colours the first has all of it until the layers are through (sum_up). */
 INLINE void compose(const fibertex_constants *w, const fibertex_layer *c, block *k,
-                    const lane_hit *q, vf bend, const vf direction[2], vf level, int light) {
+                    const lane_hit *q, vf bend, const vf direction[2], vf level, int close,
+                    int light) {
   sums *sum = &k->sum;
+  const vf zero = splat(0.0f);
   vf strand = sum->left * q->cover, rest = sum->left * q->mean, share = strand + rest;
   sum->left = sum->left - share;
-  /* the mean of strands is 1 bright */
-  vf bright = strand * q->bright, shade = k->shade;
-  vf toned = bright + bright * (splat(FIELD(1.0f) * w->variation) * q->tone);
-  vf first = (toned + rest) * shade, ambient = splat(c->ambient), lit = k->lit;
+  /* the mean of strands is 1 bright, and so is that of their tones */
+  vf tone = splat(1.0f) + splat(FIELD(1.0f) * w->variation) * field_of(q->id, 3);
+  vf bright = strand * q->bright * tone;
+  if (close) {
+    bright = bright * k->shade;
+    rest = rest * k->shade;
+  }
+  vf all = bright + rest, ambient = splat(c->ambient), lit = k->lit;
+  sum->albedo[0] = sum->albedo[0] + all * ambient;
+  sum->depth = sum->depth + share * level;
+  vm more = gt(share, k->most);
   if (w->second_chance) {
-    vf second = (toned * q->second + rest * splat(w->second_share)) * shade;
-    first = first - second;
+    vf of = sel(lane_first(w, q->id), zero, bright);
+    vf second = of + rest * splat(w->second_share);
     sum->albedo[1] = sum->albedo[1] + second * ambient;
     if (light) sum->direct[1] = sum->direct[1] + second * lit;
   }
-  sum->albedo[0] = sum->albedo[0] + first * ambient;
-  sum->depth = sum->depth + share * level;
-  vm more = gt(share, k->most);
+  if (light) {
+    vf reached = all * lit;
+    sum->direct[0] = sum->direct[0] + reached;
+    k->best.lit = sel(more, reached, k->best.lit);
+    k->lit = lit * k->step[0];
+    k->step[0] = k->step[0] * k->step[1];
+  }
   k->next = vmax(k->next, vmin(share, k->most));
   k->most = vmax(share, k->most);
-  k->best.id = (vu)seli(more, (vi)q->id, (vi)k->best.id);
+  k->best.id = selu(more, q->id, k->best.id);
   for (int i = 0; i < 2; i++) {
     k->best.direction[i] = sel(more, direction[i], k->best.direction[i]);
   }
@@ -36,15 +50,7 @@ INLINE void compose(const fibertex_constants *w, const fibertex_layer *c, block 
   k->best.bend = sel(more, bend, k->best.bend);
   k->best.across = sel(more, q->across, k->best.across);
   k->best.strand = sel(more, strand, k->best.strand);
-  if (light) {
-    vf bare = (bright + rest) * (shade * lit);
-    sum->direct[0] = sum->direct[0] + first * lit;
-    sum->bare = sum->bare + bare;
-    k->best.lit = sel(more, bare, k->best.lit);
-    k->lit = lit * k->step[0];
-    k->step[0] = k->step[0] * k->step[1];
-  }
-  k->shade = shade * (splat(1.0f + w->contact * c->soft) - splat(w->contact) * q->soft);
+  if (close) k->shade = k->shade - k->shade * (splat(w->contact) * q->soft);
 }
 
 /* What of it is only known when all layers have been: of what covers most, how much is a strand's
@@ -55,17 +61,17 @@ INLINE void stage_best(block *k) {
   vf part = k->best.detail = vmin(k->best.strand * inverse, one);
   k->best.bare = k->best.lit * inverse;
   k->best.slope = k->best.slope * part + (k->best.bend * (one - part) + zero);
-  k->best.across = k->best.across * part + zero; /* no -0 */
+  k->best.across = k->best.across * (splat(0.5f) * part) + zero; /* no -0 */
   k->best.id = (vu)seli(gt(part, zero), (vi)k->best.id, splati(0));
 }
 
 INLINE void yarn_place(const fibertex_layer *c, const vf at[2], vu h, lane_place *p) {
-  vf co = splat(c->twist[0]), si = splat(c->twist[1]), one = splat(1.0f);
+  vf co = splat(c->twist[0]), si = splat(c->twist[1]);
   p->x = at[0] * co + at[1] * si;
   p->y = at[1] * co - at[0] * si;
-  p->bend = splat(0.0f);
-  p->thin = p->reach = p->inverse_length = p->widen = p->many = one;
-  p->full = splat(c->presence - HASH_ONE);
+  p->bend = p->part = p->many = splat(0.0f);
+  p->chord = p->widen = splat(1.0f);
+  p->full = splati((int32_t)(c->presence - HASH_ONE));
   p->h = hash_mix(h + splatu(c->seed));
 }
 
@@ -73,8 +79,7 @@ INLINE void yarn_place(const fibertex_layer *c, const vf at[2], vu h, lane_place
 typedef struct {
   bundle_cell cell;
   lane_place p;
-  vf direction[2], far, expected;
-  lane_pair pair;
+  vf direction[2];
   lane_strand both[2];
   lane_hit hit;
 } layer_work;
@@ -85,92 +90,100 @@ typedef struct {
 typedef layer_work layers_work[LAYERS_TOGETHER][BLOCKS_TOGETHER];
 #define EACH_LAYER EACH(l, layers) EACH(b, blocks)
 
-INLINE void stages_of_lanes(const fibertex_constants *w, const fibertex_layer *c, uint32_t layers,
-                            int ends, const block *k, uint32_t blocks, layers_work of) {
-  const vf zero = splat(0.0f), one = splat(1.0f);
-  vm strands = lt(one, zero), means = strands;
-  EACH_LAYER {
-    layer_work *q = &of[l][b];
-    lane_pair_of(&c[l], &q->p, &q->pair);
-    q->far = lane_far(&c[l], k[b].s);
-    strands = or_(strands, lt(q->far, one));
-    means = or_(means, gt(q->far, zero));
-    q->expected = lane_expected(&c[l], ends, &q->p);
+/* Of all blocks; close: whether any is so narrow that it sees how near strands are. */
+typedef struct {
+  float least, most;
+  int close;
+} footprints;
+
+INLINE footprints footprints_of(const block *k, uint32_t blocks) {
+  vf low = splat(1e30f), high = splat(0.0f), wide = splat(1.0f);
+  EACH(b, blocks) {
+    low = vmin(k[b].s, low);
+    high = vmax(k[b].s, high);
+    wide = vmin(k[b].filter.wide, wide);
   }
-  if (any(strands)) {
+  footprints r = {lane(low, 0), lane(high, 0), any(lt(wide, splat(1.0f)))};
+  for (uint32_t i = 1; i < LANES; i++) {
+    r.least = lane(low, i) < r.least ? lane(low, i) : r.least;
+    r.most = lane(high, i) > r.most ? lane(high, i) : r.most;
+  }
+  return r;
+}
+
+INLINE void stages_of_lanes(const fibertex_constants *w, const fibertex_layer *c, uint32_t layers,
+                            int ends, const block *k, uint32_t blocks, const footprints *s,
+                            layers_work of) {
+  const vf zero = splat(0.0f);
+  int strands = 0, means = 0;
+  EACH(l, layers) {
+    strands |= (s->least - c[l].vague) * c[l].vague_inverse < 1.0f;
+    means |= s->most > c[l].vague;
+  }
+  if (strands) {
+    EACH_LAYER lane_pair(w, &c[l], ends, &of[l][b].p, of[l][b].both);
     EACH_LAYER {
-      layer_work *q = &of[l][b];
-      lane_draw(w, &c[l], ends, &q->p, &q->pair, 0, &q->both[0]);
-      lane_draw(w, &c[l], ends, &q->p, &q->pair, 1, &q->both[1]);
+      lane_course(&c[l], &of[l][b].both[0]);
+      lane_course(&c[l], &of[l][b].both[1]);
     }
     EACH_LAYER {
       layer_work *q = &of[l][b];
-      lane_course(&c[l], &q->p, &q->both[0]);
-      lane_course(&c[l], &q->p, &q->both[1]);
+      vf ramp = q->p.chord * k[b].filter.inverse_end;
+      lane_cover(ends, &q->p, &k[b].filter, ramp, &q->both[0]);
+      lane_cover(ends, &q->p, &k[b].filter, ramp, &q->both[1]);
     }
     EACH_LAYER {
       layer_work *q = &of[l][b];
-      lane_cover(ends, &q->p, &k[b].filter, &q->both[0]);
-      lane_cover(ends, &q->p, &k[b].filter, &q->both[1]);
-    }
-    EACH_LAYER {
-      layer_work *q = &of[l][b];
-      lane_choose(w, &c[l], ends, &q->p, &k[b].filter, q->both, &q->hit);
+      lane_choose(&c[l], ends, s->close, &k[b].filter, &q->p, q->both, &q->hit);
     }
   } else {
-    EACH_LAYER {
-      of[l][b].hit = (lane_hit){zero, zero, zero, zero, zero, zero, zero, zero, splatu(0)};
-    }
+    EACH_LAYER of[l][b].hit = (lane_hit){zero, zero, zero, zero, zero, zero, splatu(0)};
   }
-  if (!any(means)) return;
-  EACH_LAYER {
-    layer_work *q = &of[l][b];
-    lane_blend(&c[l], q->far, q->expected, &q->hit);
-  }
+  if (!means) return;
+  EACH_LAYER lane_blend(&c[l], ends, s->close, &of[l][b].p, k[b].s, &of[l][b].hit);
 }
 
 INLINE void stages_of_hull(const fibertex_constants *w, const fibertex_layer *c, uint32_t layers,
-                           const block *k, uint32_t blocks, int level, layers_work of) {
+                           const block *k, uint32_t blocks, int level, const footprints *s,
+                           layers_work of) {
   EACH_LAYER bundle_cube(&c[l], k[b].g, level, &of[l][b].cell);
   EACH_LAYER bundle_find(&c[l], &of[l][b].cell);
   EACH_LAYER {
     layer_work *q = &of[l][b];
     bundle_middle(w, &c[l], &k[b].f, k[b].g, level, &q->cell, &q->p, q->direction);
   }
-  EACH_LAYER bundle_course(w, &of[l][b].cell, &of[l][b].p);
-  EACH_LAYER bundle_chord(&c[l], &of[l][b].cell, &of[l][b].p);
-  stages_of_lanes(w, c, layers, 1, k, blocks, of);
+  EACH_LAYER bundle_course(w, &c[l], &of[l][b].cell, &of[l][b].p);
+  stages_of_lanes(w, c, layers, 1, k, blocks, s, of);
 }
 
 STAGE void layers_of_hull(const fibertex_constants *w, const fibertex_layer *c, uint32_t layers,
-                          block *k, uint32_t blocks, int level, int light) {
+                          block *k, uint32_t blocks, int level, const footprints *s, int light) {
   layers_work of;
-  stages_of_hull(w, c, layers, k, blocks, level, of);
+  stages_of_hull(w, c, layers, k, blocks, level, s, of);
   EACH_LAYER {
     const layer_work *q = &of[l][b];
-    compose(w, &c[l], &k[b], &q->hit, q->p.bend, q->direction, splat(c[l].depth), light);
+    compose(w, &c[l], &k[b], &q->hit, q->p.bend, q->direction, splat(c[l].depth), s->close, light);
   }
 }
 
 STAGE void layers_of_yarn(const fibertex_constants *w, const fibertex_layer *c, uint32_t layers,
-                          block *k, uint32_t blocks, int light) {
+                          block *k, uint32_t blocks, const footprints *s, int light) {
   layers_work of;
   EACH_LAYER yarn_place(&c[l], k[b].ground.place, k[b].ground.h, &of[l][b].p);
-  stages_of_lanes(w, c, layers, 0, k, blocks, of);
+  stages_of_lanes(w, c, layers, 0, k, blocks, s, of);
   EACH_LAYER {
     const vf d[2] = {splat(c[l].twist[0]), splat(c[l].twist[1])};
     const lane_hit *hit = &of[l][b].hit;
-    compose(w, &c[l], &k[b], hit, splat(0.0f), d, splat(c[l].depth) + k[b].ground.level, light);
+    compose(w, &c[l], &k[b], hit, splat(0.0f), d, splat(c[l].depth) + k[b].ground.level, s->close,
+            light);
   }
 }
 
-/* Whether any of the blocks has strands to show, and anything left to be covered. */
+/* Whether any of the blocks has anything left to be covered. */
 INLINE int layers_wanted(const block *k, uint32_t blocks) {
-  vm some = lt(splat(1.0f), splat(0.0f));
-  EACH(b, blocks) {
-    some = or_(some, and_(gt(k[b].sum.left, splat(0.0f)), lt(k[b].far, splat(1.0f))));
-  }
-  return any(some);
+  vf left = splat(0.0f);
+  EACH(b, blocks) left = vmax(k[b].sum.left, left);
+  return any(gt(left, splat(0.0f)));
 }
 
 /* What of a footprint lies between yarns is so for all of their layers. */
@@ -182,16 +195,19 @@ INLINE void keep_holes(block *k) {
 /* Down through the shell. */
 INLINE void stage_layers(const fibertex_constants *w, int woven, block *k, uint32_t blocks,
                          int level, int light) {
+  const footprints s = footprints_of(k, blocks);
+  if (s.least >= w->far[1]) return; /* nothing near is left of them */
   /* of a cloth what stands off it first */
   uint32_t all = (uint32_t)w->layers, first = woven ? (uint32_t)w->layer[0].ends : 0, layers;
   for (uint32_t l = 0; l < all && layers_wanted(k, blocks); l += layers) {
     uint32_t to = l < first ? first : all;
     layers = to - l < LAYERS_TOGETHER ? to - l : LAYERS_TOGETHER;
+    if (LAYERS_TOGETHER == 1) layers = 1;
     if (woven && l == first) EACH(b, blocks) keep_holes(&k[b]);
     if (woven && l >= first)
-      layers_of_yarn(w, w->layer + l, layers, k, blocks, light);
+      layers_of_yarn(w, w->layer + l, layers, k, blocks, &s, light);
     else
-      layers_of_hull(w, w->layer + l, layers, k, blocks, level, light);
+      layers_of_hull(w, w->layer + l, layers, k, blocks, level, &s, light);
   }
 }
 

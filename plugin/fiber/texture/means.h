@@ -24,24 +24,16 @@ INLINE void look_axes(const fibertex_look *o, strand_axes *t) {
   t->up2 = splat(o->up2);
 }
 
-/* One of the directions that stand for all. */
-INLINE void look_lit(const fibertex_constants *w, const fibertex_look *o, int woven, const block *k,
+/* One of the directions that stand for all of a cloth's. */
+INLINE void look_lit(const fibertex_constants *w, const fibertex_look *o, const block *k,
                      const strand_angles *a, looks *q) {
   strand_lit r;
   strand_axes t;
   look_axes(o, &t);
   strand_lobes(w, a, &r);
-  int i = woven ? o->weft : 0;
-  vf share = splat(o->straight), around = k->ground.around;
-  if (woven) {
-    vf up = dot3(t.up, k->f.light);
-    around = vmax(up, splat(0.0f)) * k->front;
-    share = share * flank(up);
-  } else { /* strands across the view's slant look broader, and are more of what is seen */
-    share = share * widening(k->f.lean2[0] * t.across[0] + k->f.lean2[1] * t.across[1],
-                             w->layer[w->layers - 1].widen_most);
-    q->onward = q->onward + share * r.onward;
-  }
+  int i = o->weft;
+  vf up = dot3(t.up, k->f.light);
+  vf around = vmax(up, splat(0.0f)) * k->front, share = splat(o->straight) * flank(up);
   q->around[i] = q->around[i] + splat(o->around) * around;
   q->glow[i] = q->glow[i] + share * r.glow;
   q->bulk[i] = q->bulk[i] + share * r.bulk;
@@ -49,8 +41,8 @@ INLINE void look_lit(const fibertex_constants *w, const fibertex_look *o, int wo
   q->straight = q->straight + share;
 }
 
-STAGE void stage_looks(const fibertex_constants *w, int woven, const block *k, uint32_t blocks,
-                       int light, looks *q) {
+STAGE void stage_looks(const fibertex_constants *w, const block *k, uint32_t blocks, int light,
+                       looks *q) {
   const vf zero = splat(0.0f);
   EACH(b, blocks) {
     for (int i = 0; i < 2; i++) {
@@ -60,22 +52,14 @@ STAGE void stage_looks(const fibertex_constants *w, int woven, const block *k, u
   }
   for (int m = 0; m < w->looks; m++) {
     const fibertex_look *o = &w->look[m];
-    int i = woven ? o->weft : 0;
+    int i = o->weft;
     EACH(b, blocks) q[b].albedo[i] = q[b].albedo[i] + splat(o->lit);
     if (!light) continue;
     strand_axes t;
     strand_angles a[BLOCKS_TOGETHER];
     look_axes(o, &t);
     EACH(b, blocks) strand_angles_of(k[b].f.light, k[b].f.view, k[b].f.between, &t, &a[b]);
-    EACH(b, blocks) look_lit(w, o, woven, &k[b], &a[b], &q[b]);
-  }
-  if (woven || !light) return;
-  EACH(b, blocks) {
-    vf inverse = splat(1.0f) / q[b].straight;
-    q[b].glow[0] = q[b].glow[0] * inverse;
-    q[b].bulk[0] = q[b].bulk[0] * inverse;
-    q[b].white[0] = q[b].white[0] * inverse;
-    q[b].onward = q[b].onward * inverse;
+    EACH(b, blocks) look_lit(w, o, &k[b], &a[b], &q[b]);
   }
 }
 
@@ -126,6 +110,9 @@ STAGE void far_sums(const fibertex_constants *w, const block *k, int light, sums
 
 /* What is below the layers, seen between their strands. */
 INLINE void stage_deep(const fibertex_constants *w, block *k) {
+  k->sum.bare = k->sum.direct[0];
+  k->sum.albedo[0] = k->sum.albedo[0] - k->sum.albedo[1];
+  k->sum.direct[0] = k->sum.direct[0] - k->sum.direct[1];
   vf under = k->sum.left * splat(w->deep), shaded = under * k->shade;
   add_mean(w, &k->sum, under, shaded * splat(w->deep_ambient), shaded * k->deep_lit,
            under * (splat(w->deep_depth) + k->ground.level));

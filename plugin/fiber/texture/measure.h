@@ -12,6 +12,15 @@
 
 #define MEASURED_EXTENT 4096.0f /* large to everything */
 
+INLINE void set_number(vu *v, uint32_t k, uint32_t x) {
+#if LANES == 1
+  (void)k;
+  *v = x;
+#else
+  (*v)[k] = x;
+#endif
+}
+
 /* What the yarns show: warp's and weft's shares, and those in their shade. */
 static void measure_cloth(const fibertex_constants *w, uint32_t count, fibertex_means *out) {
   const vf zero = splat(0.0f);
@@ -40,37 +49,57 @@ static void measure_cloth(const fibertex_constants *w, uint32_t count, fibertex_
   }
 }
 
+/* Places for a layer's means, of a block: cells of it. */
+INLINE void measure_cells(const fibertex_layer *c, uint32_t i, vf at[3]) {
+  vu first = splatu(0);
+  for (uint32_t k = 0; k < LANES; k++) set_number(&first, k, (i + k) * 3u);
+  for (uint32_t a = 0; a < 3; a++) {
+    vu h = hash_mix(first + splatu(a + HASH_Z));
+    at[a] = to_float((vi)(h >> 8)) * splat(MEASURED_EXTENT / 16777216.0f) * splat(c->size);
+  }
+}
+
+/* What a layer shows at as many points as blocks have, from the i-th on. */
+STAGE void measure_blocks(const fibertex_constants *w, const fibertex_layer *c, uint32_t i,
+                          block *k, layers_work of) {
+  const footprints points = {0.0f, 0.0f, 1};
+  vf at[BLOCKS_TOGETHER][3];
+  EACH(b, BLOCKS_TOGETHER) measure_cells(c, i + b * LANES, at[b]);
+  if (c->ends) {
+    EACH(b, BLOCKS_TOGETHER) lattice_of(&k[b].f, at[b], 1, k[b].g);
+    stages_of_hull(w, c, 1, k, BLOCKS_TOGETHER, 1, &points, of);
+  } else {
+    EACH(b, BLOCKS_TOGETHER) yarn_place(c, at[b], splatu(0), &of[0][b].p);
+    stages_of_lanes(w, c, 1, 0, k, BLOCKS_TOGETHER, &points, of);
+  }
+}
+
 static void measure(const fibertex_constants *w, uint32_t count, fibertex_means *out) {
   const vf zero = splat(0.0f), one = splat(1.0f);
   /* any surface; this leans alike against every axis */
-  block k = {.i = 0, .n = LANES};
-  k.f = (hull_frame){.n = {splat(0.57735027f), splat(0.57735027f), splat(0.57735027f)}};
+  block k[BLOCKS_TOGETHER];
   const vf axis[3] = {splat(w->axis[0]), splat(w->axis[1]), splat(w->axis[2])};
-  frame_axes(w, axis, &k.f);
-  for (int c = 0; c < 2; c++) k.f.lean2[c] = zero;
-  for (int c = 0; c < 3; c++) k.f.step[c] = zero;
+  EACH(b, BLOCKS_TOGETHER) {
+    hull_frame *f = &k[b].f;
+    for (int a = 0; a < 3; a++) f->n[a] = splat(0.57735027f);
+    frame_axes(w, axis, f);
+    f->lean2[0] = f->lean2[1] = f->step[0] = f->step[1] = f->step[2] = zero;
+    k[b].filter = lane_filter_of(w->layer[0].radius, zero);
+    k[b].s = zero;
+  }
   memset(out, 0, sizeof *out);
-  k.filter = lane_filter_of(w->layer[0].radius, zero);
-  k.s = zero;
   for (int l = 0; l < w->layers; l++) {
     const fibertex_layer *c = &w->layer[l];
-    for (uint32_t i = 0; i < count; i += LANES) {
-      vf at[3];
-      for (uint32_t a = 0; a < 3; a++)
-        at[a] = measure_place(i, a, MEASURED_EXTENT) * splat(c->size);
+    for (uint32_t i = 0; i < count; i += BLOCKS_TOGETHER * LANES) {
       layers_work of;
-      const lane_hit *q = &of[0][0].hit;
-      if (c->ends) {
-        lattice_of(&k.f, at, 1, k.g);
-        stages_of_hull(w, c, 1, &k, 1, 1, of);
-      } else {
-        yarn_place(c, at, splatu(0), &of[0][0].p);
-        stages_of_lanes(w, c, 1, 0, &k, 1, of);
+      measure_blocks(w, c, i, k, of);
+      EACH(b, BLOCKS_TOGETHER) {
+        const lane_hit *q = &of[0][b].hit;
+        measure_add(&out->point[l], q->cover);
+        measure_add(&out->soft[l], (q->soft + splat(c->soft)) * (one - q->cover));
+        measure_add(&out->bright[l], q->cover * q->bright);
+        measure_add(&out->formula[l], lane_expected(c, c->ends, &of[0][b].p));
       }
-      measure_add(&out->point[l], q->cover);
-      measure_add(&out->soft[l], q->soft * (one - q->cover));
-      measure_add(&out->bright[l], q->cover * q->bright);
-      measure_add(&out->formula[l], lane_expected(c, c->ends, &of[0][0].p));
     }
     out->soft[l] /= count - out->point[l];
     if (out->point[l] > 0.0) out->bright[l] /= out->point[l];

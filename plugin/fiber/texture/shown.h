@@ -90,7 +90,7 @@ INLINE void share_out(int woven, const block *k, vf mean, vf change, vf second, 
 
 /* Near: by the strand that is seen; what else is there by the means. */
 INLINE void show_near(const fibertex_constants *w, int woven, const block *k, const looks *q,
-                      const strand_axes *t, int light, shown *o) {
+                      const strand_axes *t, const strand_lit *r, int light, shown *o) {
   const vf zero = splat(0.0f), one = splat(1.0f);
   const ground *g = &k->ground;
   const sums *s = &k->sum;
@@ -114,26 +114,24 @@ INLINE void show_near(const fibertex_constants *w, int woven, const block *k, co
     glow = (glow + q->glow[1]) * inverse;
     bulk = (bulk + q->bulk[1]) * inverse;
   }
-  strand_angles angles;
-  strand_lit r;
-  strand_angles_of(k->f.light, k->f.view, k->f.between, t, &angles);
-  strand_lobes(w, &angles, &r);
   /* a strand is brighter on the side that the light is on */
   vf facing = k->best.across * dot3(t->across, k->f.light), side = one + splat(0.6f) * facing;
   /* what chance gave it; of what is a mean the mean's */
   vf detail = k->best.detail;
-  vf tone = splat(FIELD(1.0f) * w->variation) * field_of(k->best.id, 3) * detail;
-  vf second = lane_second(w, k->best.id) * detail + splat(w->second_share) * (one - detail);
-  vf part = k->most - k->next, lit = part * k->best.bare, bright = lit + lit * tone;
+  vf second = zero;
+  if (w->second_chance) {
+    second = sel(lane_first(w, k->best.id), zero, detail) + splat(w->second_share) * (one - detail);
+  }
+  vf part = k->most - k->next, lit = part * k->best.bare;
   vf around = splat(w->multiple) * g->around;
   around = woven ? around * g->ambient : around * (one + splat(0.25f) * part * facing);
   const vf often[2] = {s->albedo[0] * around, s->albedo[1] * around};
   /* the last of the strands that it went through is the one that is seen */
-  vf last = (q->onward + splat(ONWARD_LAST) * part * (r.onward - q->onward)) * g->onward;
+  vf last = (q->onward + splat(ONWARD_LAST) * part * (r->onward - q->onward)) * g->onward;
   const vf onward[2] = {s->albedo[0] * last, s->albedo[1] * last};
-  share_out(woven, k, glow, bright * (r.glow * side - glow), second, onward, o->glow);
-  share_out(woven, k, bulk, bright * (r.bulk * side - bulk), second, often, o->bulk);
-  o->white = s->bare * white + lit * (r.white - white);
+  share_out(woven, k, glow, lit * (r->glow * side - glow), second, onward, o->glow);
+  share_out(woven, k, bulk, lit * (r->bulk * side - bulk), second, often, o->bulk);
+  o->white = s->bare * white + lit * (r->white - white);
   if (woven) o->white = o->white * g->straight;
   o->white = vmax(o->white, zero);
 }

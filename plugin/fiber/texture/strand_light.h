@@ -16,15 +16,13 @@
 #include "../../core/maths.h"
 #include "texture.h"
 
-/* max(0, 1 - q/8)^8, which is e^-q nearly, over 2.396 sigma: a bell's density.
- * k: 1 / sigma. */
-INLINE vf bell(vf x, vf k) {
-  vf z = x * k;
-  vf q = vmax(splat(1.0f) - z * z * splat(1.0f / 16.0f), splat(0.0f));
+/* max(0, 1 - q/8)^8, which is e^-q nearly; over BELL sigma a bell's density. x: over 4 sigma. */
+#define BELL 2.39628f
+INLINE vf bell(vf x) {
+  vf q = vmax(splat(1.0f) - x * x, splat(0.0f));
   q = q * q;
   q = q * q;
-  q = q * q;
-  return q * k * splat(1.0f / 2.39628f);
+  return q * q;
 }
 
 /* A strand's axes: along it, across it in the ground, and out of that; and the
@@ -44,32 +42,43 @@ typedef struct {
   vf white, glow, bulk, onward;
 } strand_lit;
 
+/* Its parts, to be multiplied by their amounts: R, TT, TRT, and what is scattered within. */
+typedef struct {
+  vf reflected, through, back, within;
+} strand_parts;
+
 /* What of it does not wait for a root. */
 typedef struct {
   vf sum, spread, round, squares, cosine;
 } strand_angles;
 
+/* sl, sv: the sines of both inclinations; sl2, sv2: their variances, both: what they have in
+ * common of them. */
+INLINE void strand_angles_from(vf sl, vf sv, vf sl2, vf sv2, vf both, vf between,
+                               strand_angles *q) {
+  const vf one = splat(1.0f), zero = splat(0.0f);
+  vf x = sl * sl, mean = x + sl2;
+  q->spread = sl2 + sv2 + both + both;
+  q->squares = vmax(one - mean, splat(0.01f)) * vmax(one - (sv * sv + sv2), splat(0.01f));
+  q->round = between - sl * sv - both;
+  q->sum = sl + sv;
+  /* the cosine of the inclination, as a polynomial of its sine: its mean is known */
+  vf fourth = splat(1.1f) * sl2 * (x + mean);
+  q->cosine = vmax(splat(0.985f) - mean * (splat(0.3f) + splat(0.55f) * mean) - fourth, zero);
+}
+
 INLINE void strand_angles_of(const vf light[3], const vf view[3], vf between, const strand_axes *t,
                              strand_angles *q) {
-  const vf one = splat(1.0f), zero = splat(0.0f);
-  vf shrink = one - splat(0.5f) * (t->across2 + t->up2);
+  vf shrink = splat(1.0f) - splat(0.5f) * (t->across2 + t->up2);
   vf sl = strand_dot(t->along, light) * shrink, sv = strand_dot(t->along, view) * shrink;
   vf la = strand_dot(t->across, light), va = strand_dot(t->across, view);
   vf lu = strand_dot(t->up, light), vu_ = strand_dot(t->up, view);
   vf a = t->across2 * la, u = t->up2 * lu;
   vf sl2 = a * la + u * lu, sv2 = t->across2 * (va * va) + t->up2 * (vu_ * vu_);
-  vf both = a * va + u * vu_;
-  q->spread = sl2 + sv2 + both + both;
-  vf x = sl * sl;
-  q->squares = vmax(one - x - sl2, splat(0.01f)) * vmax(one - sv * sv - sv2, splat(0.01f));
-  q->round = between - sl * sv - both;
-  q->sum = sl + sv;
-  /* the cosine of the inclination, as a polynomial of its sine: its mean is known */
-  vf fourth = x * x + splat(6.0f) * x * sl2 + splat(3.0f) * sl2 * sl2;
-  q->cosine = vmax(splat(0.985f) - splat(0.3f) * (x + sl2) - splat(0.55f) * fourth, zero);
+  strand_angles_from(sl, sv, sl2, sv2, a * va + u * vu_, between, q);
 }
 
-INLINE void strand_lobes(const fibertex_constants *w, const strand_angles *q, strand_lit *r) {
+INLINE void strand_parts_of(const fibertex_constants *w, const strand_angles *q, strand_parts *r) {
   const vf one = splat(1.0f), zero = splat(0.0f);
   vf round = clamp(q->round * inverse_root(q->squares), splat(-1.0f), one);
   vf ahead = vmax(splat(0.25f) - splat(0.5f) * round, zero);
@@ -77,14 +86,28 @@ INLINE void strand_lobes(const fibertex_constants *w, const strand_angles *q, st
   vf sharp = inverse_root(splat(w->beta2) + q->spread);
   vf lobe[3];
   for (int i = 0; i < 3; i++) {
-    lobe[i] = bell(q->sum - splat(w->tilt[i]), sharp * splat(w->sharp[i]));
+    lobe[i] = bell((q->sum - splat(w->tilt[i])) * (sharp * splat(0.25f * w->sharp[i])));
   }
-  /* azimuthal parts: over all round each is 1 / 2 pi; times pi for the irradiance */
-  vf reflected = (one + round) * splat(0.5f) * q->cosine;
-  r->onward = lobe[1] * (ahead * ahead) * splat(2.82986f) * q->cosine;
-  r->white = splat(w->gloss[0]) * lobe[0] * reflected;
-  r->glow = splat(w->gloss[1]) * r->onward + splat(w->gloss[2]) * lobe[2] * reflected;
-  r->bulk = splat(w->single) * q->cosine;
+  vf height = sharp * q->cosine, reflected = height + height * round;
+  r->reflected = lobe[0] * reflected;
+  r->through = lobe[1] * (ahead * ahead) * height;
+  r->back = lobe[2] * reflected;
+  r->within = q->cosine;
+}
+
+/* Azimuthal parts: over all round each is 1 / 2 pi; times pi for the irradiance. */
+INLINE void strand_amounts(const fibertex_constants *w, const strand_parts *p, strand_lit *r) {
+  r->onward = splat(w->sharp[1] * 2.82986f / BELL) * p->through;
+  r->white = splat(w->gloss[0] * w->sharp[0] * 0.5f / BELL) * p->reflected;
+  r->glow =
+      splat(w->gloss[1]) * r->onward + splat(w->gloss[2] * w->sharp[2] * 0.5f / BELL) * p->back;
+  r->bulk = splat(w->single) * p->within;
+}
+
+INLINE void strand_lobes(const fibertex_constants *w, const strand_angles *q, strand_lit *r) {
+  strand_parts p;
+  strand_parts_of(w, q, &p);
+  strand_amounts(w, &p, r);
 }
 
 #endif
