@@ -272,7 +272,8 @@ typedef struct sozai_textures_1 {
   void (*destroy)(sozai_texture *texture);
 
   /* Answer a batch. Any size, any thread, any number at once; allocates
-   * nothing, locks nothing, and the answer to a point depends on nothing but
+   * nothing, locks nothing, takes at most 384 KB of the thread's stack (a thread
+   * of its own for a host that has less), and the answer to a point depends on nothing but
    * that point: same bits whatever the batch, thread or machine. (Of a texture
    * with a picture, as far as the image service keeps to that.)
    * Checked before any output is written: ARGUMENT if a wanted channel needs
