@@ -659,8 +659,8 @@ static void build_spalt(wood_constants *w, const settings *s) {
 static void build_fibres(wood_constants *w, const settings *s) {
   static const double size[WOOD_FIBRE_OCTAVES] = {1.0, 7.0, 60.0};
   static const double weight[WOOD_FIBRE_OCTAVES] = {0.34, 0.33, 0.33};
-  /* of the growth front: bundles and drifts more than single fibres */
-  static const double bundle[WOOD_FIBRE_OCTAVES] = {0.2, 0.4, 0.4};
+  /* of the growth front, which single fibres do not make */
+  static const double bundle[WOOD_FIBRE_OCTAVES] = {0.0, 0.5, 0.5};
   double most = 0.25 * number_at(s, P_RING_WIDTH), stray = number_at(s, P_LATE_STRAY);
   if (stray > most) stray = most;
   w->has_front = stray > 0.0;

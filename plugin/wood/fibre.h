@@ -16,45 +16,53 @@
  * the bundle that a fibre belongs to strays from its ring's, mm. */
 typedef struct {
   vf shift, front;
-  vf lost; /* mm^2: of the front's variance, what the footprint swallowed */
+  vf lost;       /* mm^2: of the front's variance, what the footprint swallowed */
+  vf trace, det; /* of the footprint in the section */
 } fibre_sum;
 
-/* How much of the octave the mean over the footprint keeps, given its value in the
+INLINE fibre_sum fibre_start(const footprint2 *f) {
+  vf zero = splat(0.0f);
+  return (fibre_sum){splat(1.0f), zero, zero, f->aa + f->bb,
+                     vmax(f->aa * f->bb - f->ab * f->ab, zero)};
+}
+
+/* How much of an octave the mean over the footprint keeps, given its value in the
  * middle: the covariance of the two over the noise's variance. 1 / (1 + x^2 / 8) along
  * each axis, x being the extent in cells, is within 0.02 of it along a line and within
  * 0.04 over a square, measured; shifted so that it ends, at 6.7 cells along a line. */
 #define FIBRE_END 0.15f
 
-INLINE vf fibre_keep(const wood_constants *w, int o, const footprint2 *f) {
-  vf one = splat(1.0f), k = splat(w->fibre_blur[o]);
-  vf det = vmax(f->aa * f->bb - f->ab * f->ab, splat(0.0f));
-  vf keep = one / (one + k * (f->aa + f->bb + k * det));
-  return vmax(keep - splat(FIBRE_END), splat(0.0f)) * splat(1.0f / (1.0f - FIBRE_END));
+INLINE vf fibre_keep(const wood_constants *w, int o, const fibre_sum *sum) {
+  float k = w->fibre_blur[o];
+  vf spread = splat(1.0f) + splat(k) * sum->trace + splat(k * k) * sum->det;
+  return vmax(splat(1.0f / (1.0f - FIBRE_END)) / spread - splat(FIBRE_END / (1.0f - FIBRE_END)),
+              splat(0.0f));
 }
 
-/* Adds an octave at (x, z) of the reference section under a footprint there. Kawai and
- * Momoi repeat a small array of noise; hashing the cell costs no memory and does not
- * repeat. */
-INLINE void fibre_add(const wood_constants *w, vu own, int o, vf x, vf z, const footprint2 *f,
-                      fibre_sum *sum) {
-  if (w->fibre_scale[o] <= 0.0f && w->fibre_front[o] <= 0.0f) return;
-  vf keep = fibre_keep(w, o, f);
-  sum->lost = sum->lost + splat(w->fibre_variance[o]) * (splat(1.0f) - keep * keep);
+/* Adds an octave at (x, z) of the reference section. Kawai and Momoi repeat a small array
+ * of noise; hashing the cell costs no memory and does not repeat. */
+INLINE void fibre_add(const wood_constants *w, vu own, int o, vf x, vf z, fibre_sum *sum) {
+  int strays = w->fibre_front[o] > 0.0f;
+  if (w->fibre_scale[o] <= 0.0f && !strays) return;
+  vf keep = fibre_keep(w, o, sum);
+  /* a twentieth of it does not show, and costs a root */
+  if (strays) {
+    vf lost = vmax(splat(0.95f) - keep * keep, splat(0.0f));
+    sum->lost = sum->lost + splat(w->fibre_variance[o]) * lost;
+  }
   if (!any(gt(keep, splat(0.0f)))) return;
   vf often = splat(w->fibre_frequency[o]);
   noise_axis ax = noise_split_cubic(x * often, HASH_X), az = noise_split_cubic(z * often, HASH_Z);
   vf dx, dz; /* not wanted, and so not computed */
   vf n = keep * noise_value2(&ax, &az, wood_seed(w, own, SEED_FIBRE + (uint32_t)o), &dx, &dz);
   sum->shift = sum->shift + splat(w->fibre_scale[o]) * n;
-  sum->front = sum->front + splat(w->fibre_front[o]) * n;
+  if (strays) sum->front = sum->front + splat(w->fibre_front[o]) * n;
 }
-
-INLINE fibre_sum fibre_start(void) { return (fibre_sum){splat(1.0f), splat(0.0f), splat(0.0f)}; }
 
 /* The factor of brightness, of all of them. */
 INLINE vf fibre_shift(const wood_constants *w, vu own, vf x, vf z, const footprint2 *f) {
-  fibre_sum sum = fibre_start();
-  for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) fibre_add(w, own, o, x, z, f, &sum);
+  fibre_sum sum = fibre_start(f);
+  for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) fibre_add(w, own, o, x, z, &sum);
   return sum.shift;
 }
 

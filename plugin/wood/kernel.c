@@ -624,8 +624,8 @@ INLINE void stage_section_footprint(const wood_constants *w, int boards, const w
 
 /* One octave of the fibres' noise. */
 INLINE void stage_bundle(const wood_constants *w, int boards, int o, block *k) {
-  if (o == 0) k->bundle = fibre_start();
-  fibre_add(w, own_of(boards, k), o, k->x, k->z, &k->f, &k->bundle);
+  if (o == 0) k->bundle = fibre_start(&k->f);
+  fibre_add(w, own_of(boards, k), o, k->x, k->z, &k->bundle);
   k->shift = k->bundle.shift;
 }
 
@@ -633,15 +633,17 @@ INLINE void stage_bundle(const wood_constants *w, int boards, int o, block *k) {
  * pith or farther from it. */
 INLINE vf rings_strayed(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf rho = k->stem.rho, reach = k->reach, front = k->bundle.front, zero = splat(0.0f);
-  ring_place here = k->ring, *ring = &k->ring;
   k->stem.rho = vmax(rho - front, zero);
   if (any(gt(k->bundle.lost, zero))) {
     k->reach = vsqrt(reach * reach + splat(12.0f) * k->bundle.lost);
   }
-  vf phase = here.phase - front * here.inverse_width;
+  vf phase = k->ring.phase - front * k->ring.inverse_width;
   vm out = or_(lt(phase, zero), gt(phase, splat(1.0f)));
-  if (any(out)) {
-    ring_place other = ring_at(w, k->stem.rho);
+  ring_place here;
+  int crossed = any(out);
+  if (crossed) {
+    ring_place other = ring_at(w, k->stem.rho), *ring = &k->ring;
+    here = k->ring;
     ring->turns = sel(out, other.turns, here.turns);
     ring->start = sel(out, other.start, here.start);
     ring->inverse_width = sel(out, other.inverse_width, here.inverse_width);
@@ -651,7 +653,7 @@ INLINE vf rings_strayed(const wood_constants *w, int boards, const wood_io *io, 
   vf mean = rings_mean(w, boards, io, MEAN_LATE, k);
   k->stem.rho = rho;
   k->reach = reach;
-  k->ring = here;
+  if (crossed) k->ring = here;
   return mean;
 }
 
