@@ -44,7 +44,7 @@ SPECIES_ALL(DECLARE)
 #define SPALT(amount, size, line)                                                                  \
   NUMBER("spalt", amount), NUMBER("spalt_size", size), NUMBER("spalt_line", line)
 
-#define CONIFER CHOICE("porosity", "none"), NUMBER("latewood_stray", 0.12)
+#define CONIFER CHOICE("porosity", "none"), NUMBER("latewood_stray", 0.1)
 #define DIFFUSE_POROUS(density, diameter, spread)                                                  \
   CHOICE("porosity", "diffuse"), NUMBER("latewood_stray", 0.15),                                   \
       NUMBER("vessel_density", density), NUMBER("vessel_diameter", diameter),                      \
