@@ -152,6 +152,12 @@ static bool is_of(const shot *s, const sozai_preset *preset) {
   return !s->without || !gives(preset, s->without);
 }
 
+static bool has_seed(const sozai_texture_info *info) {
+  for (uint32_t i = 0; i < info->parameter_count; i++)
+    if (strcmp(info->parameters[i]->id, "seed") == 0) return true;
+  return false;
+}
+
 /* The `count` shots that every preset of a material has, of one preset after
  * another. */
 static bool make_of_each(gallery *g, const shot *shots, uint32_t count, failure *why) {
@@ -164,7 +170,7 @@ static bool make_of_each(gallery *g, const shot *shots, uint32_t count, failure 
       int last = 0;
       while (own.params[last]) last++;
       snprintf(seed, sizeof seed, "seed=%u", i + 1);
-      if (s->own_log) own.params[last] = seed;
+      if (s->own_log && has_seed(info)) own.params[last] = seed;
       snprintf(name, sizeof name, "%s-%s", s->name, info->presets[i]->id);
       snprintf(title, sizeof title, "%s, %s", info->presets[i]->label, s->title);
       if (!make_picture(g, &own, name, title, info->presets[i]->id, why)) return false;
