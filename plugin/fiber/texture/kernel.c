@@ -51,6 +51,7 @@ INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io 
     int level = eye_level(of, count);
     EACH(b, count) stage_bundles(w, level, &of[b]);
     EACH(b, count) stage_reach(w, &of[b]);
+    if (woven) EACH(b, count) stage_reach_of_cloth(w, &of[b]);
     EACH(b, count) {
       if (woven)
         ground_cloth(w, &of[b]);

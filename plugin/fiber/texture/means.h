@@ -12,6 +12,7 @@
  * show, and what reaches them. */
 typedef struct {
   vf white[2], glow[2], bulk[2], around[2], albedo[2], straight, onward;
+  vf flown; /* what single strands that stand off a yarn show */
 } looks;
 
 INLINE void look_axes(const fibertex_look *o, strand_axes *t) {
@@ -25,28 +26,59 @@ INLINE void look_axes(const fibertex_look *o, strand_axes *t) {
 }
 
 /* One of the directions that stand for all. */
-INLINE void look_lit(const fibertex_constants *w, const fibertex_look *o, int woven, const block *k,
+INLINE void look_lit(const fibertex_constants *w, const fibertex_look *o, const block *k,
                      const strand_angles *a, looks *q) {
   strand_lit r;
-  strand_axes t;
-  look_axes(o, &t);
   strand_lobes(w, a, &r);
-  int i = woven ? o->weft : 0;
-  vf share = splat(o->straight), around = k->ground.around;
-  if (woven) {
-    vf up = dot3(t.up, k->f.light);
-    around = vmax(up, splat(0.0f)) * k->front;
-    share = share * flank(up);
-  } else { /* strands across the view's slant look broader, and are more of what is seen */
-    share = share * widening(k->f.lean2[0] * t.across[0] + k->f.lean2[1] * t.across[1],
-                             w->layer[w->layers - 1].widen_most);
-    q->onward = q->onward + share * r.onward;
-  }
-  q->around[i] = q->around[i] + splat(o->around) * around;
-  q->glow[i] = q->glow[i] + share * r.glow;
-  q->bulk[i] = q->bulk[i] + share * r.bulk;
-  q->white[i] = q->white[i] + share * r.white;
+  /* strands across the view's slant look broader, and are more of what is seen */
+  vf share = splat(o->share) *
+             widening(k->f.lean2[0] * splat(o->across[0]) + k->f.lean2[1] * splat(o->across[1]),
+                      w->layer[w->layers - 1].widen_most);
+  q->onward = q->onward + share * r.onward;
+  q->around[0] = q->around[0] + splat(o->share) * k->ground.around;
+  q->glow[0] = q->glow[0] + share * r.glow;
+  q->bulk[0] = q->bulk[0] + share * r.bulk;
+  q->white[0] = q->white[0] + share * r.white;
   q->straight = q->straight + share;
+}
+
+/* The same of a cloth: one of the faces that stand for a yarn's, or of what stands off it. */
+INLINE void look_woven(const fibertex_constants *w, const fibertex_look *o, const block *k,
+                       const strand_angles *a, looks *q) {
+  strand_lit r;
+  strand_lobes_of_yarn(w, a, &r);
+  int i = o->weft;
+  if (o->flown) {
+    vf share = splat(o->share) *
+               widening(k->f.lean2[0] * splat(o->across[0]) + k->f.lean2[1] * splat(o->across[1]),
+                        FLOWN_WIDEST);
+    q->flown = q->flown + share * r.onward;
+    return;
+  }
+  vf tip[2] = {splat(o->tip[0]), splat(o->tip[1])};
+  face_light f;
+  face_of(k, tip, &f);
+  vf share = splat(o->share) * f.seen;
+  vf lit = share * face_lit(&f);
+  q->around[i] = q->around[i] + splat(o->lit * o->up[2]) * f.seen * f.in * r.even;
+  q->glow[i] = q->glow[i] + lit * r.glow;
+  q->white[i] = q->white[i] + lit * r.white;
+  q->straight = q->straight + share;
+}
+
+/* Over all of them. */
+INLINE void looks_woven(const fibertex_constants *w, const block *k, looks *q) {
+  q->straight = splat(1.0f) / q->straight;
+  vf yarn = splat(1.0f - w->flown) * q->straight;
+  q->flown = q->flown * splat(w->flown_gloss);
+  vf flown = q->flown * splat(w->flown);
+  q->flown = q->flown * splat(w->hair * (1.0f - w->flown));
+  const vf share[2] = {splat(w->warp_share), splat(1.0f - w->warp_share)};
+  for (int i = 0; i < 2; i++) {
+    q->around[i] = q->around[i] * q->straight * k->ground.around;
+    q->white[i] = q->white[i] * yarn;
+    q->glow[i] = q->glow[i] * yarn + (flown + q->flown) * share[i];
+  }
 }
 
 STAGE void stage_looks(const fibertex_constants *w, int woven, const block *k, uint32_t blocks,
@@ -56,20 +88,27 @@ STAGE void stage_looks(const fibertex_constants *w, int woven, const block *k, u
     for (int i = 0; i < 2; i++) {
       q[b].white[i] = q[b].glow[i] = q[b].bulk[i] = q[b].around[i] = q[b].albedo[i] = zero;
     }
-    q[b].straight = q[b].onward = zero;
+    q[b].straight = q[b].onward = q[b].flown = zero;
   }
   for (int m = 0; m < w->looks; m++) {
     const fibertex_look *o = &w->look[m];
     int i = woven ? o->weft : 0;
-    EACH(b, blocks) q[b].albedo[i] = q[b].albedo[i] + splat(o->lit);
+    if (!o->flown) EACH(b, blocks) q[b].albedo[i] = q[b].albedo[i] + splat(o->lit);
     if (!light) continue;
     strand_axes t;
     strand_angles a[BLOCKS_TOGETHER];
     look_axes(o, &t);
     EACH(b, blocks) strand_angles_of(k[b].f.light, k[b].f.view, k[b].f.between, &t, &a[b]);
-    EACH(b, blocks) look_lit(w, o, woven, &k[b], &a[b], &q[b]);
+    if (woven)
+      EACH(b, blocks) look_woven(w, o, &k[b], &a[b], &q[b]);
+    else
+      EACH(b, blocks) look_lit(w, o, &k[b], &a[b], &q[b]);
   }
-  if (woven || !light) return;
+  if (!light) return;
+  if (woven) {
+    EACH(b, blocks) looks_woven(w, &k[b], &q[b]);
+    return;
+  }
   EACH(b, blocks) {
     vf inverse = splat(1.0f) / q[b].straight;
     q[b].glow[0] = q[b].glow[0] * inverse;
@@ -106,6 +145,7 @@ STAGE void far_sums(const fibertex_constants *w, const block *k, int light, sums
     if (c->ends) mean = vmin(mean * vmin(wide, splat(c->widen_most)), splat(0.97f));
     vf share = left * mean;
     left = left - share;
+    if (l == w->yarns_from) reach = k->reach;
     if (light) {
       lit = lit + share * reach;
       reach = reach * step;
@@ -118,10 +158,10 @@ STAGE void far_sums(const fibertex_constants *w, const block *k, int light, sums
   out->left = one;
   out->bare = out->depth = zero;
   for (int i = 0; i < 2; i++) out->albedo[i] = out->direct[i] = zero;
-  add_mean(w, out, (one - left + under) * splat(w->solid),
-           (ambient + under * splat(w->deep_ambient)) * splat(w->solid),
-           (lit + under * k->deep_lit) * splat(w->solid),
-           (depth + under * splat(w->deep_depth)) * splat(w->solid));
+  add_mean(w, out, (one - left + under) * k->ground.whole,
+           (ambient + under * splat(w->deep_ambient)) * k->ground.whole,
+           (lit + under * k->deep_lit) * k->ground.whole,
+           (depth + under * splat(w->deep_depth)) * k->ground.whole);
 }
 
 /* What is below the layers, seen between their strands. */

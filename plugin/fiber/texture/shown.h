@@ -24,7 +24,7 @@ INLINE void show_far(const fibertex_constants *w, const block *k, const sums *s,
   o->albedo[COLOUR_FIRST] = s->albedo[0] * q->albedo[0];
   o->albedo[COLOUR_WEFT] = s->albedo[0] * q->albedo[1];
   o->albedo[COLOUR_SECOND] = s->albedo[1] * (q->albedo[0] + q->albedo[1]);
-  vf onward = q->onward * k->ground.onward;
+  vf onward = q->onward * k->ground.onward; /* none in a cloth */
   o->glow[COLOUR_FIRST] = s->direct[0] * q->glow[0] + s->albedo[0] * onward;
   o->glow[COLOUR_WEFT] = s->direct[0] * q->glow[1];
   o->glow[COLOUR_SECOND] = s->direct[1] * (q->glow[0] + q->glow[1]) + s->albedo[1] * onward;
@@ -45,11 +45,16 @@ INLINE void best_axes(const fibertex_constants *w, int woven, const block *k, st
   vf x = (k->best.direction[0] - slope * k->best.direction[1]) * flat;
   vf y = (k->best.direction[1] + slope * k->best.direction[0]) * flat;
   if (woven) {
+    /* what stands off lies on the hull */
+    vm flown = lt(splat(0.5f), k->best.flown);
     for (int c = 0; c < 3; c++) {
-      vf level = x * g->along[c] + y * g->across[c];
-      t->along[c] = (level + rise * g->up[c]) * steep;
-      t->across[c] = x * g->across[c] - y * g->along[c];
-      t->up[c] = (g->up[c] - rise * level) * steep;
+      vf along = sel(flown, splat(c == 0 ? 1.0f : 0.0f), g->along[c]);
+      vf across = sel(flown, splat(c == 1 ? 1.0f : 0.0f), g->across[c]);
+      vf up = sel(flown, splat(c == 2 ? 1.0f : 0.0f), g->up[c]);
+      vf level = x * along + y * across;
+      t->along[c] = (level + rise * up) * steep;
+      t->across[c] = x * across - y * along;
+      t->up[c] = (up - rise * level) * steep;
     }
   } else {
     vf up = rise * steep;
@@ -88,6 +93,20 @@ INLINE void share_out(int woven, const block *k, vf mean, vf change, vf second, 
   out[COLOUR_WEFT] = woven ? a * k->ground.weft : zero;
 }
 
+/* What a strand of a yarn shows, or one that stands off it: from its lobes. around: what comes
+ * back of what is scattered often; given without the yarn's face. */
+INLINE void yarn_lit(const fibertex_constants *w, const block *k, const looks *q, strand_lit *r,
+                     vf *around) {
+  const vf one = splat(1.0f);
+  const ground *g = &k->ground;
+  vf share = g->face.seen * q->straight, lit = share * face_lit(&g->face);
+  vf flown = k->best.flown * k->best.detail, yarn = one - flown;
+  r->white = r->white * lit * yarn;
+  r->glow = r->onward * (splat(w->gloss[1]) * lit * yarn + splat(w->flown_gloss) * flown);
+  r->glow = r->glow + q->flown * yarn;
+  *around = *around * (g->face.in * g->up[2] * r->even * share) * g->ambient;
+}
+
 /* Near: by the strand that is seen; what else is there by the means. */
 INLINE void show_near(const fibertex_constants *w, int woven, const block *k, const looks *q,
                       const strand_axes *t, int light, shown *o) {
@@ -109,15 +128,20 @@ INLINE void show_near(const fibertex_constants *w, int woven, const block *k, co
   if (!light) return;
   vf white = q->white[0], glow = q->glow[0], bulk = q->bulk[0];
   if (woven) {
-    vf inverse = one / vmax(q->straight, splat(0.05f));
-    white = (white + q->white[1]) * inverse;
-    glow = (glow + q->glow[1]) * inverse;
-    bulk = (bulk + q->bulk[1]) * inverse;
+    white = white + q->white[1];
+    glow = glow + q->glow[1];
+    bulk = zero;
   }
   strand_angles angles;
   strand_lit r;
   strand_angles_of(k->f.light, k->f.view, k->f.between, t, &angles);
-  strand_lobes(w, &angles, &r);
+  vf around = splat(w->multiple) * g->around;
+  if (woven) {
+    strand_lobes_of_yarn(w, &angles, &r);
+    yarn_lit(w, k, q, &r, &around);
+  } else {
+    strand_lobes(w, &angles, &r);
+  }
   /* a strand is brighter on the side that the light is on */
   vf facing = k->best.across * dot3(t->across, k->f.light), side = one + splat(0.6f) * facing;
   /* what chance gave it; of what is a mean the mean's */
@@ -125,11 +149,11 @@ INLINE void show_near(const fibertex_constants *w, int woven, const block *k, co
   vf tone = splat(FIELD(1.0f) * w->variation) * field_of(k->best.id, 3) * detail;
   vf second = lane_second(w, k->best.id) * detail + splat(w->second_share) * (one - detail);
   vf part = k->most - k->next, lit = part * k->best.bare, bright = lit + lit * tone;
-  vf around = splat(w->multiple) * g->around;
-  around = woven ? around * g->ambient : around * (one + splat(0.25f) * part * facing);
+  if (!woven) around = around * (one + splat(0.25f) * part * facing);
   const vf often[2] = {s->albedo[0] * around, s->albedo[1] * around};
   /* the last of the strands that it went through is the one that is seen */
   vf last = (q->onward + splat(ONWARD_LAST) * part * (r.onward - q->onward)) * g->onward;
+  if (woven) last = zero;
   const vf onward[2] = {s->albedo[0] * last, s->albedo[1] * last};
   share_out(woven, k, glow, bright * (r.glow * side - glow), second, onward, o->glow);
   share_out(woven, k, bulk, bright * (r.bulk * side - bulk), second, often, o->bulk);

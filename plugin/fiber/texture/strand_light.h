@@ -42,6 +42,7 @@ INLINE vf strand_dot(const vf a[3], const vf b[3]) {
  * was scattered within. And the lobe of what goes on through. */
 typedef struct {
   vf white, glow, bulk, onward;
+  vf even; /* cloth: what comes back of light that was scattered often, the mean 1 */
 } strand_lit;
 
 /* What of it does not wait for a root. */
@@ -85,6 +86,26 @@ INLINE void strand_lobes(const fibertex_constants *w, const strand_angles *q, st
   r->white = splat(w->gloss[0]) * lobe[0] * reflected;
   r->glow = splat(w->gloss[1]) * r->onward + splat(w->gloss[2]) * lobe[2] * reflected;
   r->bulk = splat(w->single) * q->cosine;
+}
+
+/* Of a yarn. Its strands lie side by side, so that what they do is not lost in what many of all
+ * directions do together: what glances off is brighter than what is met squarely (Schlick), TT is
+ * all that goes on, and what was scattered often keeps something of its inclination. */
+INLINE void strand_lobes_of_yarn(const fibertex_constants *w, const strand_angles *q,
+                                 strand_lit *r) {
+  const vf one = splat(1.0f), zero = splat(0.0f), half = splat(0.5f);
+  vf round = clamp(q->round * inverse_root(q->squares), splat(-1.0f), one);
+  vf ahead = vmax(splat(0.25f) - half * round, zero);
+  vf sharp = inverse_root(splat(w->beta2) + q->spread);
+  vf square = vsqrt(half + half * round), aside = one - square, aside2 = aside * aside;
+  vf mirror = splat(w->mirror) + splat(1.0f - w->mirror) * (aside2 * aside2 * aside);
+  vf reflected = bell(q->sum - splat(w->tilt[0]), sharp) * q->cosine * square;
+  r->white = splat(w->gloss[0]) * mirror * reflected;
+  r->onward = bell(q->sum - splat(w->tilt[1]), sharp) * (ahead * ahead) * splat(2.82986f);
+  r->onward = r->onward * q->cosine;
+  r->glow = splat(w->gloss[1]) * r->onward;
+  r->even = splat(w->even) * bell(q->sum, inverse_root(splat(w->even2) + q->spread));
+  r->bulk = zero;
 }
 
 #endif
