@@ -40,6 +40,7 @@ typedef struct {
 typedef struct {
   vf along[3], across[3], up[3]; /* in the hull's frame */
   vf weft, ambient, around, onward, straight;
+  vf flown;   /* cloth: what single strands over it let through of straight light */
   vf lean[2]; /* cloth: tangent of the view's slant, 1 at most */
   face_light face;
   vf place[2];            /* along and round the yarn, mm */

@@ -401,8 +401,8 @@ int32_t fibertex_build(fibertex_constants *w, const sozai_host *host, const sett
   double lean2 = 1.0 + (double)w->lean * (double)w->lean;
   w->scatter_up = (float)angle2((double)w->rise2 / (lean2 * lean2));
   if (w->structure == STRUCTURE_WOVEN) {
-    w->far[0] = 0.7f * w->yarn[0].spacing;
-    w->far[1] = 2.2f * w->yarn[0].spacing;
+    w->far[0] = 0.3f * w->yarn[0].spacing;
+    w->far[1] = 1.2f * w->yarn[0].spacing;
     look_at_yarns(w, kernel, number_at(s, P_TWIST) * RADIANS);
   } else {
     build_directions(w, s);

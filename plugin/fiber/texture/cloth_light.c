@@ -17,16 +17,16 @@
 
 /* ---- fitted ------------------------------------------------------------ */
 
-#define SLAB 0.17   /* Kubelka and Munk's S, over the optical depth */
-#define ALBEDO 0.93 /* of light from all around, to an eye above: over what is beyond the first */
-#define NARROW 0.62 /* width of a lobe along the strand, over the roughness */
-#define BROAD                                                                                      \
-  1.26 /* likewise variance of light that is scattered often, over twice that's square */
-#define GLANCE 1.15  /* reflected */
-#define THROUGH 2.37 /* transmitted, of a yarn; and of single strands over it */
-#define FLOWN 3.9
-#define HAIR 6.4    /* single strands that stand off a yarn, over their slope's variance */
-#define OFTEN 1.137 /* scattered often */
+#define SLAB 0.17    /* Kubelka and Munk's S, over the optical depth */
+#define ALBEDO 0.93  /* of light from all around, to an eye above: over what is beyond the first */
+#define NARROW 0.62  /* width of a lobe along the strand, over the roughness */
+#define BROAD 1.26   /* variance of what is scattered often, over twice the roughness squared */
+#define GLANCE 0.45  /* reflected */
+#define THROUGH 1.52 /* transmitted, of a yarn; and of single strands over it */
+#define FLOWN 2.17
+#define HAIR 6.4   /* single strands that stand off a yarn, over their slope's variance */
+#define SHADED 0.5 /* how far they shade one another, over what of the cloth they cover */
+#define OFTEN 1.18 /* scattered often */
 
 static double most(double a, double b) { return a > b ? a : b; }
 
@@ -92,7 +92,8 @@ static double shade_of(const fibertex_constants *w) {
 }
 
 void fibertex_cloth_amounts(fibertex_constants *w, const settings *s) {
-  double n = number_at(s, P_IOR), f = (n - 1.0) / (n + 1.0), clear = number_at(s, P_TRANSMISSION);
+  double n = number_at(s, P_IOR), f = (n - 1.0) / (n + 1.0),
+         clear = fibertex_passed(number_at(s, P_TRANSMISSION));
   double beta = number_at(s, P_ROUGHNESS) * RADIANS;
   w->mirror = (float)(f * f);
   w->beta2 = (float)(NARROW * NARROW * beta * beta);
@@ -102,6 +103,7 @@ void fibertex_cloth_amounts(fibertex_constants *w, const settings *s) {
   w->gloss[1] = (float)(THROUGH * clear);
   w->flown_gloss = (float)(FLOWN * clear);
   w->hair = (float)HAIR * w->rise2;
+  w->flown_deep = (float)SHADED * (w->flown + w->hair);
   w->multiple = (float)(OFTEN / shade_of(w));
   double white = over_black(w, s, 1.0);
   w->slab_linear = (float)(1.0 / SLAB);

@@ -12,6 +12,8 @@
 
 /* What of the light from around reaches what is seen squarely, the mean (light.c). */
 double fibertex_ambient(const fibertex_constants *w);
+/* What part of TT goes on at each strand. */
+double fibertex_passed(double clear);
 /* After Kubelka and Munk (1931): what a slab over black sends back, of what is without end of that
  * colour; slab: their S X. */
 double fibertex_over_black(double slab, double colour);

@@ -7,9 +7,7 @@
 
 #include "block.h"
 
-#ifndef RELIEF
-#define RELIEF 0.5f
-#endif
+#define RELIEF 0.5f       /* how much more or less a yarn's flank is lit or seen, at most */
 #define FLOWN_WIDEST 2.6f /* how much broader strands that stand off look at a slant, at most */
 
 /* What comes back after many strands: less of light that grazes, and to an eye that does, but
@@ -47,7 +45,8 @@ INLINE void ground_hull(const fibertex_constants *w, block *k) {
 INLINE void face_of(const block *k, const vf tip[2], face_light *o) {
   const vf zero = splat(0.0f), one = splat(1.0f);
   const vf *light = k->f.light, *lean = k->ground.lean;
-  vf in = vmax(light[2], zero);
+  /* and where it grazes, much of it is lost between them */
+  vf cosine = vmax(light[2], zero), in = cosine * cosine / (cosine + splat(0.045f));
   vf most = splat(RELIEF) * in;
   o->in = in + clamp(light[0] * tip[0] + light[1] * tip[1], zero - most, most);
   o->seen = one + clamp(lean[0] * tip[0] + lean[1] * tip[1], splat(-RELIEF), splat(RELIEF));
@@ -81,6 +80,9 @@ STAGE void ground_cloth(const fibertex_constants *w, block *k) {
   vf deep = splat(w->slab) * (k->inverse[0] + k->inverse[1]);
   g->around = deep / (deep + splat(w->slab_linear)) * k->front;
   g->onward = zero;
+  /* what stands off shades itself, where light grazes */
+  vf in = vmax(k->f.light[2], zero);
+  g->flown = in * splat(w->flown_gloss) / (in + splat(w->flown_deep + 1e-4f));
   vf steep = one / vmax(g->up[2], splat(0.05f));
   const vf tip[2] = {g->up[0] * steep, g->up[1] * steep};
   face_of(k, tip, &g->face);

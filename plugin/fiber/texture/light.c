@@ -41,16 +41,16 @@ static double slow_depth(double clear, double depth) {
 }
 
 /* What part of TT goes on at each strand. */
-static double passed(double clear) { return clear / (clear + 0.25) * (CLEAR + 0.25) / CLEAR; }
+double fibertex_passed(double clear) { return clear / (clear + 0.25) * (CLEAR + 0.25) / CLEAR; }
 
 static void amounts_of_bulk(fibertex_constants *w, const settings *s, double depth) {
   double clear = number_at(s, P_TRANSMISSION);
   double slow = slow_depth(clear, depth), ambient = fibertex_ambient(w);
   w->gloss[0] *= 0.87f;
-  w->gloss[1] = (float)(0.8 * passed(clear));
+  w->gloss[1] = (float)(0.8 * fibertex_passed(clear));
   w->single = 0.12f;
   w->multiple = (float)(1.183 / ambient);
-  w->chain = (float)(6.94 * passed(clear) * depth / (depth + 0.92) / ambient);
+  w->chain = (float)(6.94 * fibertex_passed(clear) * depth / (depth + 0.92) / ambient);
   w->slab = (float)(0.5 * slow);
   w->slab_linear = 5.53f;
   w->slab_square = 14.7f;

@@ -70,7 +70,7 @@ INLINE void look_woven(const fibertex_constants *w, const fibertex_look *o, cons
 INLINE void looks_woven(const fibertex_constants *w, const block *k, looks *q) {
   q->straight = splat(1.0f) / q->straight;
   vf yarn = splat(1.0f - w->flown) * q->straight;
-  q->flown = q->flown * splat(w->flown_gloss);
+  q->flown = q->flown * k->ground.flown;
   vf flown = q->flown * splat(w->flown);
   q->flown = q->flown * splat(w->hair * (1.0f - w->flown));
   const vf share[2] = {splat(w->warp_share), splat(1.0f - w->warp_share)};

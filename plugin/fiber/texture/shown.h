@@ -102,7 +102,7 @@ INLINE void yarn_lit(const fibertex_constants *w, const block *k, const looks *q
   vf share = g->face.seen * q->straight, lit = share * face_lit(&g->face);
   vf flown = k->best.flown * k->best.detail, yarn = one - flown;
   r->white = r->white * lit * yarn;
-  r->glow = r->onward * (splat(w->gloss[1]) * lit * yarn + splat(w->flown_gloss) * flown);
+  r->glow = r->onward * (splat(w->gloss[1]) * lit * yarn + g->flown * flown);
   r->glow = r->glow + q->flown * yarn;
   *around = *around * (g->face.in * g->up[2] * r->even * share) * g->ambient;
 }

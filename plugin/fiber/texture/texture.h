@@ -124,10 +124,10 @@ typedef struct {
   float beta2;                       /* R's variance */
   float single, multiple;            /* diffuse: of light met once, and often */
   float chain;                       /* of what goes on through strand after strand */
-  /* cloth: reflectance of a strand squarely; what its flown strands let through, and how many of
-   * them its yarns have; variance of what is scattered often along a yarn's strands, and 1 over its
-   * bell's mean */
-  float mirror, flown_gloss, hair, even2, even;
+  /* cloth: reflectance of a strand squarely; what strands that stand off its yarns let through, how
+   * much they shade themselves, and how many there are; variance of what is scattered often along
+   * a yarn's strands, and 1 over its bell's mean */
+  float mirror, flown_gloss, flown_deep, hair, even2, even;
   /* what is met often: the shell's optical depth for it, half; over how deep shells are; and
    * its loss where light or view is at a slant, and where both are */
   float slab, slab_linear, slab_square, graze, graze_both;
