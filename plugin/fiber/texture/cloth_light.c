@@ -18,7 +18,7 @@
 /* ---- fitted ------------------------------------------------------------ */
 
 #define SLAB 0.17    /* Kubelka and Munk's S, over the optical depth */
-#define ALBEDO 0.93  /* of light from all around, to an eye above: over what is beyond the first */
+#define ALBEDO 0.91  /* of light from all around, to an eye above: over what is beyond the first */
 #define NARROW 0.62  /* width of a lobe along the strand, over the roughness */
 #define BROAD 1.26   /* variance of what is scattered often, over twice the roughness squared */
 #define GLANCE 0.45  /* reflected */
