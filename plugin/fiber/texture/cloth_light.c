@@ -26,7 +26,7 @@
 #define FLOWN 2.17
 #define HAIR 6.4   /* single strands that stand off a yarn, over their slope's variance */
 #define SHADED 0.5 /* how far they shade one another, over what of the cloth they cover */
-#define OFTEN 1.18 /* scattered often */
+#define OFTEN 1.19 /* scattered often */
 
 static double most(double a, double b) { return a > b ? a : b; }
 
