@@ -6,7 +6,8 @@
 #include <math.h>
 #include "slab.h"
 
-enum { SCALES = 5, POINTS = 32768 };
+enum { SCALES = 5, POINTS = 32768, VIEWS = 2 };
+static const double views[VIEWS] = {90, 45};
 
 /* ---- the texture ------------------------------------------------------- */
 
@@ -108,7 +109,7 @@ static void compare(const aggregate *a) {
       b.packing, a->thick);
   double all[3] = {0}, all_seen[SCALES][3] = {{0}}, worst[3] = {0}, chance2[3] = {0}, apart = 0;
   for (int v = 0; v < VIEWS; v++) {
-    seen s = look_at_curves(&b, v, a->rays);
+    seen s = look_at_curves(&b.t, (eye){views[v], 0, 360}, a->rays);
     for (int l = 0; l < LIGHTS; l++) {
       double got[SCALES][3], mean[3] = {0};
       vec towards = aim(lights[l][0], lights[l][1]);

@@ -30,12 +30,21 @@ typedef struct {
   vf depth;
 } sums;
 
+/* How a face of a yarn is lit and seen: ground.h. */
+typedef struct {
+  vf in, out; /* cosines of light and view, over the face's own to the cloth */
+  vf seen;    /* what of what is seen the face is, over what it is squarely */
+} face_light;
+
 /* What a cloth's yarn does to its strands, and what is the hull's of an aggregate. */
 typedef struct {
   vf along[3], across[3], up[3]; /* in the hull's frame */
   vf weft, ambient, around, onward, straight;
-  vf place[2]; /* along and round the yarn, mm */
-  vf level, solid;
+  vf flown;   /* cloth: what single strands over it let through of straight light */
+  vf lean[2]; /* cloth: tangent of the view's slant, 1 at most */
+  face_light face;
+  vf place[2];            /* along and round the yarn, mm */
+  vf level, solid, whole; /* solid: there; whole: the mean */
   vu h;
 } ground;
 
@@ -55,6 +64,7 @@ typedef struct {
   vf front;                    /* 0 behind, 1 in front, with a soft edge */
   vf inverse[2];               /* 1 over the cosines of light and view, none too great */
   vf inverse_up, step[2], lit; /* step: factors from layer to layer, of lit and of itself */
+  vf reach;                    /* lit, of the first; of a cloth of the first on its yarns */
   vf deep_lit;                 /* what of it reaches what is below the layers */
   vf far;                      /* 0 where bundles are seen, 1 where only what all show together */
   /* the strand that most is seen of, and how much of the next */
@@ -62,6 +72,7 @@ typedef struct {
   struct {
     vf direction[2], slope, bend, across;
     vf strand, lit;  /* what of its share is a strand, and lit */
+    vf flown;        /* 1 where it stands off a cloth */
     vf bare, detail; /* in the end: how lit it is; 1 a strand, 0 no more than a mean */
     vu id;
   } best;

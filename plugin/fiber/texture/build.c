@@ -140,6 +140,16 @@ static void measure_layers(fibertex_constants *w, const settings *s, const fiber
     c->ambient = (float)(1.0 - darkening * (1.0 - scalar_exp(-1.3 * above)));
     above -= scalar_log(1.0 - least(m.point[l], 0.99));
   }
+  double left = 1.0;
+  for (int l = 0; l < w->layers; l++) {
+    w->part[l] = (float)(left * (double)w->layer[l].mean);
+    left -= (double)w->part[l];
+  }
+  w->part_deep = (float)left;
+  if (w->structure == STRUCTURE_WOVEN) {
+    w->yarns_from = w->layer[0].ends;
+    w->flown = w->layer[0].ends ? w->part[0] : 0.0f;
+  }
   /* evenly more from each to the next, which two factors tell the kernel */
   int n = w->layers;
   double ratio = w->structure == STRUCTURE_WOVEN ? 1.0 : densest(1, 2) / densest(0, 2);
@@ -217,6 +227,16 @@ static void build_bundles(fibertex_constants *w, const settings *s) {
   w->rise2 = (float)((double)w->rise * (double)w->rise / 3.0);
 }
 
+/* Variance of an angle whose tangent is spread evenly with that variance. */
+static double angle2(double slope2) {
+  double sum = 0.0, widest = __builtin_sqrt(3.0 * slope2);
+  for (int i = 0; i < 16; i++) {
+    double x = widest * (i + 0.5) / 16.0, a = x / (1.0 + 0.28 * x * x);
+    sum += a * a / 16.0;
+  }
+  return sum;
+}
+
 /* ---- cloth ------------------------------------------------------------- */
 
 typedef struct {
@@ -250,6 +270,7 @@ static void build_yarns(fibertex_constants *w, const settings *s) {
     y->half = (float)half;
     y->inverse_half = (float)(1.0 / half);
     y->height = (float)(0.5 * thin * number_at(s, P_YARN_FLATNESS));
+    y->edge = number_at(s, P_YARN_WIDTH) < 1.0 ? y->height * y->inverse_half : 0.0f;
     y->rise = (float)rise;
     y->over = (float)(i ? -over : over);
     y->wander = (float)(WAVE * 0.16 * slub);
@@ -262,58 +283,61 @@ static void build_yarns(fibertex_constants *w, const settings *s) {
   w->hollow = (float)number_at(s, P_HOLLOW);
 }
 
-/* Of the three looks at a yarn under light from right above: what they face of it, and
- * what their flanks take. */
-static double look_up(const fibertex_yarn *y, int k) {
-  double e = 0.7745967 * (k - 1), f = e * (double)y->height * (double)y->inverse_half;
-  return __builtin_sqrt((1.0 - e * e) / (f * f + 1.0 - e * e));
-}
-static double top_mean(const fibertex_yarn *y) {
-  return (5.0 * look_up(y, 0) + 8.0 * look_up(y, 1) + 5.0 * look_up(y, 2)) / 18.0;
-}
-static double flank_of(double up) { return least(0.25 + 1.1 * up, 1.0); }
-static double flank_mean(const fibertex_yarn *y) {
-  return (5.0 * flank_of(look_up(y, 0)) + 8.0 * flank_of(look_up(y, 1)) +
-          5.0 * flank_of(look_up(y, 2))) /
-         18.0;
-}
-
-/* Three places across each yarn, whose flanks face as their ellipse does. */
+/* Two faces stand for a yarn's, as its ellipse has them, and two directions for what stands off. */
 static void look_at_yarns(fibertex_constants *w, const fibertex_kernel *kernel, double twist) {
   fibertex_means m;
   kernel->measure(w, MEASURED, &m);
-  double all = m.yarn[0] + m.yarn[1];
-  if (all < 1e-9) all = 1.0;
+  double all = most(m.yarn[0] + m.yarn[1], 1e-9), co = scalar_cos(twist), si = scalar_sin(twist);
   w->solid = (float)all;
-  w->looks = 6;
-  for (int k = 0; k < 6; k++) {
+  double gap = 1.0;
+  for (int i = 0; i < 2; i++) {
+    gap *= most(1.0 - 2.0 * (double)w->yarn[i].half * (double)w->yarn[i].inverse_spacing, 0.0);
+  }
+  w->gaps = (float)(gap > 0.0 ? (1.0 - least(all, 1.0)) / gap : 0.0);
+  w->warp_share = (float)(m.yarn[0] / all);
+  w->looks = FIBERTEX_LOOKS;
+  w->below[0] = (float)co;
+  w->below[1] = (float)si;
+  for (int k = 0; k < w->looks; k++) {
     fibertex_look *o = &w->look[k];
-    int weft = k / 3;
-    const fibertex_yarn *y = &w->yarn[weft];
-    /* Gauss's places and weights for three */
-    double e = 0.7745967 * (k % 3 - 1), weight = k % 3 == 1 ? 8.0 / 18.0 : 5.0 / 18.0;
+    *o = (fibertex_look){.weft = k < FIBERTEX_FACES ? k / 2 : k - FIBERTEX_FACES};
+    const fibertex_yarn *y = &w->yarn[o->weft];
+    double side[2] = {o->weft ? -1.0 : 0.0, o->weft ? 0.0 : 1.0};
+    double way[2] = {o->weft ? 0.0 : 1.0, o->weft ? 1.0 : 0.0};
+    if (k >= FIBERTEX_FACES) {
+      for (int c = 0; c < 2; c++) {
+        o->along[c] = (float)way[c];
+        o->across[c] = (float)side[c];
+      }
+      o->up[2] = 1.0f;
+      o->share = 0.5f;
+      o->across2 = (float)(PI * PI / 48.0); /* a quarter turn, evenly */
+      o->up2 = w->scatter_up;
+      continue;
+    }
+    /* of Gauss's two places, for what of the width is seen */
+    double share = m.yarn[o->weft] / all;
+    double e = scalar_root(m.across2[o->weft] / most(m.yarn[o->weft], 1e-9)) * (k % 2 ? 1.0 : -1.0);
     double f = e * (double)y->height * (double)y->inverse_half;
     double top = __builtin_sqrt(1.0 - e * e), n = __builtin_sqrt(f * f + top * top);
     f /= n;
     top /= n;
-    double side[2] = {weft ? -1.0 : 0.0, weft ? 0.0 : 1.0};
-    double way[2] = {weft ? 0.0 : 1.0, weft ? 1.0 : 0.0};
-    double co = scalar_cos(twist), si = scalar_sin(twist), share = m.yarn[weft] / all;
-    for (int c = 0; c < 2; c++) {
-      o->up[c] = (float)(side[c] * f);
-      o->along[c] = (float)(way[c] * co + side[c] * top * si);
-      o->across[c] = (float)(side[c] * top * co - way[c] * si);
+    /* and as it goes up and down: one of the two as it rises, one as it falls */
+    double rise = scalar_root(m.slope2[o->weft] / most(m.yarn[o->weft], 1e-9));
+    double level = __builtin_sqrt(1.0 - rise * rise);
+    if (k == 0 || k == 3) rise = -rise;
+    for (int c = 0; c < 3; c++) {
+      double sideways = c < 2 ? side[c] : 0.0, along = c < 2 ? way[c] * level : rise;
+      double lift = c < 2 ? -rise * way[c] : level, round = sideways * top - lift * f;
+      o->up[c] = (float)(sideways * f + lift * top);
+      o->along[c] = (float)(along * co + round * si);
+      o->across[c] = (float)(round * co - along * si);
     }
-    o->up[2] = (float)top;
-    o->along[2] = (float)(-f * si);
-    o->across[2] = (float)(-f * co);
-    o->share = (float)(share * weight);
-    o->lit = (float)(m.shaded[weft] / all * weight);
-    o->around = (float)(weight * m.around[weft] / all / top_mean(y));
-    o->straight = (float)(share > 0.0 ? weight * m.straight[weft] / all / flank_mean(y) : 0.0);
-    o->across2 = w->scatter + 0.02f;
-    o->up2 = w->scatter_up + 0.02f;
-    o->weft = weft;
+    for (int c = 0; c < 2; c++) o->tip[c] = o->up[c] / o->up[2];
+    o->share = (float)(share * 0.5);
+    o->lit = (float)(m.shaded[o->weft] / all * 0.5);
+    o->across2 = w->scatter + 0.009f; /* layers on a yarn are turned a little */
+    o->up2 = w->scatter_up;
   }
 }
 
@@ -323,16 +347,6 @@ static void look_at_yarns(fibertex_constants *w, const fibertex_kernel *kernel, 
 static double quantile(double alignment, double t) {
   double a = t < 0.0 ? -t : t;
   return 0.5 * PI * t * (1.0 - alignment + alignment * 0.18 * a * a);
-}
-
-/* Variance of an angle whose tangent is spread evenly with that variance. */
-static double angle2(double slope2) {
-  double sum = 0.0, widest = __builtin_sqrt(3.0 * slope2);
-  for (int i = 0; i < 16; i++) {
-    double x = widest * (i + 0.5) / 16.0, a = x / (1.0 + 0.28 * x * x);
-    sum += a * a / 16.0;
-  }
-  return sum;
 }
 
 static void build_directions(fibertex_constants *w, const settings *s) {
@@ -358,7 +372,7 @@ static void build_directions(fibertex_constants *w, const settings *s) {
     o->up[0] = (float)(-co * out);
     o->up[1] = (float)(-si * out);
     o->up[2] = (float)steep;
-    o->share = o->lit = o->around = o->straight = (float)(1.0 / HULL_LOOKS);
+    o->share = o->lit = (float)(1.0 / HULL_LOOKS);
     o->across2 = (float)((to - from) * (to - from) / 12.0 +
                          angle2((double)w->slope2 + (double)w->layer[1].slope2));
     o->up2 = w->scatter_up;
@@ -387,8 +401,8 @@ int32_t fibertex_build(fibertex_constants *w, const sozai_host *host, const sett
   double lean2 = 1.0 + (double)w->lean * (double)w->lean;
   w->scatter_up = (float)angle2((double)w->rise2 / (lean2 * lean2));
   if (w->structure == STRUCTURE_WOVEN) {
-    w->far[0] = 0.7f * w->yarn[0].spacing;
-    w->far[1] = 2.2f * w->yarn[0].spacing;
+    w->far[0] = 0.3f * w->yarn[0].spacing;
+    w->far[1] = 1.2f * w->yarn[0].spacing;
     look_at_yarns(w, kernel, number_at(s, P_TWIST) * RADIANS);
   } else {
     build_directions(w, s);

@@ -63,7 +63,7 @@ INLINE vf cloth_over(const fibertex_constants *w, vi i, vi j) {
 
 /* The mine-th yarn's face at a point: `at` along it, `off` from its middle, in spacings. */
 INLINE void cloth_yarn(const fibertex_constants *w, int which, vi mine, vf at, vf off, vf s,
-                       cloth_hit *q) {
+                       vf wide, cloth_hit *q) {
   const fibertex_yarn *y = &w->yarn[which], *x = &w->yarn[1 - which];
   const vf zero = splat(0.0f), one = splat(1.0f), half = splat(0.5f);
   vi next;
@@ -83,8 +83,8 @@ INLINE void cloth_yarn(const fibertex_constants *w, int which, vi mine, vf at, v
   }
   vf middle = a + (b - a) * f * f * (splat(3.0f) - splat(2.0f) * f);
   q->slope = splat(6.0f * y->rise * x->inverse_spacing) * (b - a) * f * (one - f);
-  q->half = splat(y->half) * width;
-  q->across = off * splat(y->spacing * y->inverse_half) * (splat(2.0f) - width);
+  q->half = splat(y->half) * width * wide;
+  q->across = off * splat(y->spacing * y->inverse_half) * (splat(2.0f) - width) / wide;
   vf rest = one - q->across * q->across;
   q->on = gt(rest, zero);
   q->solid = sel(q->on, one, zero);
@@ -122,22 +122,25 @@ INLINE cloth_hit cloth_higher(const cloth_hit *a, const cloth_hit *b) {
 
 /* Of one direction's yarns the higher of the two nearest: what floats spreads over
  * its neighbours. */
-INLINE cloth_hit cloth_yarns(const fibertex_constants *w, int which, vf at, vf off, vf s) {
+INLINE cloth_hit cloth_yarns(const fibertex_constants *w, int which, vf at, vf off, vf s, vf wide) {
   const vf half = splat(0.5f), one = splat(1.0f);
   cloth_hit a, b;
   vi left;
   vf x = off * splat(w->yarn[which].inverse_spacing) - half, f = x - vfloor(x, &left);
-  cloth_yarn(w, which, left, at, f, s, &a);
-  cloth_yarn(w, which, left + splati(1), at, f - one, s, &b);
+  cloth_yarn(w, which, left, at, f, s, wide, &a);
+  cloth_yarn(w, which, left + splati(1), at, f - one, s, wide, &b);
   a.weft = b.weft = lt(one, half);
   cloth_hit r = cloth_higher(&a, &b);
   r.solid = vmin(a.solid + b.solid, one); /* side by side */
   return r;
 }
 
-INLINE void cloth_at(const fibertex_constants *w, vf u, vf v, vf s, cloth_hit *q) {
+/* broad: how much broader warp and weft look at the eye's slant. */
+INLINE void cloth_at(const fibertex_constants *w, vf u, vf v, vf s, const vf broad[2],
+                     cloth_hit *q) {
   const vf zero = splat(0.0f), one = splat(1.0f);
-  cloth_hit warp = cloth_yarns(w, 0, u, v, s), weft = cloth_yarns(w, 1, v, u, s);
+  cloth_hit warp = cloth_yarns(w, 0, u, v, s, broad[0]);
+  cloth_hit weft = cloth_yarns(w, 1, v, u, s, broad[1]);
   weft.across = zero - weft.across;
   *q = cloth_higher(&warp, &weft);
   q->weft = lt(warp.top, weft.top);

@@ -88,7 +88,7 @@ INLINE void looks_of_hull_as(const fibertex_constants *w, int level, const block
     strand_amounts(w, &sum[b], &r);
     q[b].white[0] = r.white * inverse;
     q[b].glow[0] = r.glow * inverse;
-    q[b].bulk[0] = r.bulk * inverse;
+    q[b].bulk = r.bulk * inverse;
     q[b].onward = r.onward * inverse;
   }
 }
@@ -109,8 +109,8 @@ INLINE void stage_looks_of_hull(const fibertex_constants *w, const block *k, uin
     q[b].around[0] = k[b].ground.around;
     q[b].albedo[0] = q[b].straight = one;
     q[b].around[1] = q[b].albedo[1] = zero;
-    q[b].white[0] = q[b].glow[0] = q[b].bulk[0] = q[b].onward = zero;
-    q[b].white[1] = q[b].glow[1] = q[b].bulk[1] = zero;
+    q[b].white[0] = q[b].glow[0] = q[b].bulk = q[b].onward = zero;
+    q[b].white[1] = q[b].glow[1] = q[b].flown = zero;
   }
   if (!light) return;
   if (level)

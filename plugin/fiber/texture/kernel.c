@@ -2,6 +2,7 @@
  *
  * Fibre's evaluate: compiled once for each instruction set and width.
  */
+#include "cloth_looks.h"
 #include "hull_looks.h"
 #include "measure.h"
 #include "output.h"
@@ -18,11 +19,11 @@ INLINE void stage_show(const fibertex_constants *w, int woven, block *k, const l
     show_near(w, woven, k, q, t, lit, light, near);
     if (!any(gt(k->far, zero))) return;
     far_sums(w, k, light, &sum);
-    show_far(w, k, &sum, q, &mean);
+    show_far(w, woven, k, &sum, q, &mean);
     blend(near, &mean, k->far, woven, light);
   } else { /* nothing near is left of it */
     far_sums(w, k, light, &sum);
-    show_far(w, k, &sum, q, near);
+    show_far(w, woven, k, &sum, q, near);
   }
   vm nothing = le(one, k->far);
   for (int c = 0; c < 3; c++) t->along[c] = sel(nothing, zero, t->along[c]);
@@ -48,6 +49,7 @@ INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io 
     int level = eye_level(of, count);
     EACH(b, count) stage_bundles(w, level, &of[b]);
     EACH(b, count) stage_reach(w, &of[b]);
+    if (woven) EACH(b, count) stage_reach_of_cloth(w, &of[b]);
     EACH(b, count) {
       if (woven)
         ground_cloth(w, &of[b]);
@@ -57,7 +59,7 @@ INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io 
     EACH(b, count) stage_empty(w, &of[b]);
     stage_layers(w, woven, of, count, level, light);
     if (woven)
-      stage_looks(w, of, count, light, all);
+      stage_looks_of_cloth(w, of, count, light, all);
     else
       stage_looks_of_hull(w, of, count, level, light, all);
     EACH(b, count) stage_best(&of[b]);
@@ -71,7 +73,12 @@ INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io 
       EACH(b, count) {
         strand_angles_of(of[b].f.light, of[b].f.view, of[b].f.between, &t[b], &a[b]);
       }
-      EACH(b, count) strand_lobes(w, &a[b], &lit[b]);
+      EACH(b, count) {
+        if (woven)
+          strand_lobes_of_yarn(w, &a[b], &lit[b]);
+        else
+          strand_lobes(w, &a[b], &lit[b]);
+      }
     }
     EACH(b, count) stage_show(w, woven, &of[b], &all[b], &t[b], &lit[b], light, &seen[b]);
     EACH(b, count) stage_put(w, woven, io, &of[b], &seen[b], &t[b], light, &out[b]);

@@ -10,8 +10,8 @@
 /* A layer's strands over what is below them; direction: in the ground's frame. Of what has two
  * colours the first has all of it until the layers are through (sum_up). */
 INLINE void compose(const fibertex_constants *w, const fibertex_layer *c, block *k,
-                    const lane_hit *q, vf bend, const vf direction[2], vf level, int close,
-                    int light) {
+                    const lane_hit *q, vf bend, const vf direction[2], vf level, int woven,
+                    int close, int light) {
   sums *sum = &k->sum;
   const vf zero = splat(0.0f);
   vf strand = sum->left * q->cover, rest = sum->left * q->mean, share = strand + rest;
@@ -50,6 +50,7 @@ INLINE void compose(const fibertex_constants *w, const fibertex_layer *c, block 
   k->best.bend = sel(more, bend, k->best.bend);
   k->best.across = sel(more, q->across, k->best.across);
   k->best.strand = sel(more, strand, k->best.strand);
+  if (woven) k->best.flown = sel(more, splat(c->ends ? 1.0f : 0.0f), k->best.flown);
   if (close) k->shade = k->shade - k->shade * (splat(w->contact) * q->soft);
 }
 
@@ -157,12 +158,14 @@ INLINE void stages_of_hull(const fibertex_constants *w, const fibertex_layer *c,
 }
 
 STAGE void layers_of_hull(const fibertex_constants *w, const fibertex_layer *c, uint32_t layers,
-                          block *k, uint32_t blocks, int level, const footprints *s, int light) {
+                          block *k, uint32_t blocks, int level, const footprints *s, int woven,
+                          int light) {
   layers_work of;
   stages_of_hull(w, c, layers, k, blocks, level, s, of);
   EACH_LAYER {
     const layer_work *q = &of[l][b];
-    compose(w, &c[l], &k[b], &q->hit, q->p.bend, q->direction, splat(c[l].depth), s->close, light);
+    compose(w, &c[l], &k[b], &q->hit, q->p.bend, q->direction, splat(c[l].depth), woven, s->close,
+            light);
   }
 }
 
@@ -174,8 +177,8 @@ STAGE void layers_of_yarn(const fibertex_constants *w, const fibertex_layer *c, 
   EACH_LAYER {
     const vf d[2] = {splat(c[l].twist[0]), splat(c[l].twist[1])};
     const lane_hit *hit = &of[l][b].hit;
-    compose(w, &c[l], &k[b], hit, splat(0.0f), d, splat(c[l].depth) + k[b].ground.level, s->close,
-            light);
+    compose(w, &c[l], &k[b], hit, splat(0.0f), d, splat(c[l].depth) + k[b].ground.level, 1,
+            s->close, light);
   }
 }
 
@@ -186,10 +189,12 @@ INLINE int layers_wanted(const block *k, uint32_t blocks) {
   return any(gt(left, splat(0.0f)));
 }
 
-/* What of a footprint lies between yarns is so for all of their layers. */
-INLINE void keep_holes(block *k) {
+/* What of a footprint lies between yarns is so for all of their layers; and what light
+ * reaches the first of them. */
+INLINE void enter_yarns(block *k) {
   k->hole = k->sum.left * (splat(1.0f) - k->ground.solid);
   k->sum.left = k->sum.left - k->hole;
+  k->lit = k->reach;
 }
 
 /* Down through the shell. */
@@ -203,11 +208,11 @@ INLINE void stage_layers(const fibertex_constants *w, int woven, block *k, uint3
     uint32_t to = l < first ? first : all;
     layers = to - l < LAYERS_TOGETHER ? to - l : LAYERS_TOGETHER;
     if (LAYERS_TOGETHER == 1) layers = 1;
-    if (woven && l == first) EACH(b, blocks) keep_holes(&k[b]);
+    if (woven && l == first) EACH(b, blocks) enter_yarns(&k[b]);
     if (woven && l >= first)
       layers_of_yarn(w, w->layer + l, layers, k, blocks, &s, light);
     else
-      layers_of_hull(w, w->layer + l, layers, k, blocks, level, &s, light);
+      layers_of_hull(w, w->layer + l, layers, k, blocks, level, &s, woven, light);
   }
 }
 

@@ -10,11 +10,11 @@
 
 #include "../../core/colour.h"
 #include "../../core/scalar.h"
+#include "cloth_light.h"
 #include "parameters.h"
 
 #define PI 3.14159265358979324
 #define RADIANS (PI / 180.0)
-#define CLEAR 0.454 /* transmission of the fibre that amounts are given for */
 
 static double least(double a, double b) { return a < b ? a : b; }
 static double most(double a, double b) { return a > b ? a : b; }
@@ -22,7 +22,7 @@ static double most(double a, double b) { return a > b ? a : b; }
 /* ---- amounts ----------------------------------------------------------- */
 
 /* What of the light from around reaches what is seen squarely, the mean. */
-static double mean_ambient(const fibertex_constants *w) {
+double fibertex_ambient(const fibertex_constants *w) {
   double left = 1.0, sum = 0.0;
   for (int l = 0; l < w->layers; l++) {
     double share = left * (double)w->layer[l].mean;
@@ -41,16 +41,16 @@ static double slow_depth(double clear, double depth) {
 }
 
 /* What part of TT goes on at each strand. */
-static double passed(double clear) { return clear / (clear + 0.25) * (CLEAR + 0.25) / CLEAR; }
+double fibertex_passed(double clear) { return clear / (clear + 0.25) * (CLEAR + 0.25) / CLEAR; }
 
 static void amounts_of_bulk(fibertex_constants *w, const settings *s, double depth) {
   double clear = number_at(s, P_TRANSMISSION);
-  double slow = slow_depth(clear, depth), ambient = mean_ambient(w);
+  double slow = slow_depth(clear, depth), ambient = fibertex_ambient(w);
   w->gloss[0] *= 0.87f;
-  w->gloss[1] = (float)(0.8 * passed(clear));
+  w->gloss[1] = (float)(0.8 * fibertex_passed(clear));
   w->single = 0.12f;
   w->multiple = (float)(1.183 / ambient);
-  w->chain = (float)(6.94 * passed(clear) * depth / (depth + 0.92) / ambient);
+  w->chain = (float)(6.94 * fibertex_passed(clear) * depth / (depth + 0.92) / ambient);
   w->slab = (float)(0.5 * slow);
   w->slab_linear = 5.53f;
   w->slab_square = 14.7f;
@@ -85,7 +85,10 @@ static void amounts(fibertex_constants *w, const settings *s, double depth) {
   w->multiple = (float)(0.42 + 0.1 * clear);
   double alpha = least(most(2.0 * number_at(s, P_ROUGHNESS) * RADIANS, 0.08), 1.0);
   w->strand_alpha2 = (float)(alpha * alpha);
-  if (w->structure != STRUCTURE_WOVEN) amounts_of_bulk(w, s, depth);
+  if (w->structure == STRUCTURE_WOVEN)
+    fibertex_cloth_amounts(w, s);
+  else
+    amounts_of_bulk(w, s, depth);
 }
 
 /* ---- colours ----------------------------------------------------------- */
@@ -113,13 +116,7 @@ static double onward(const crossings *n, double c) {
   return t / (1.0 + n->more * (1.0 - t));
 }
 
-/* A slab over black, after Kubelka and Munk (1931), of what is without end of that colour. */
-static double slab_of(const crossings *n, double c) {
-  double k = (1.0 - c) * (1.0 - c) / (2.0 * c), a = 1.0 + k, b = scalar_root(k * (k + 2.0));
-  if (b * n->slab < 1e-4) return n->slab / (1.0 + a * n->slab);
-  double e = scalar_exp(-2.0 * b * n->slab);
-  return (1.0 - e) / (a * (1.0 - e) + b * (1.0 + e));
-}
+static double slab_of(const crossings *n, double c) { return fibertex_over_black(n->slab, c); }
 
 static double often(const crossings *n, double c) {
   return slab_of(n, most(c, 1e-8)) / slab_of(n, 1.0);
@@ -149,26 +146,30 @@ static int32_t colours(fibertex_constants *w, const sozai_host *host, const sett
                        double depth) {
   memcpy(w->glow, w->colour, sizeof w->glow);
   memcpy(w->bulk, w->colour, sizeof w->bulk);
-  if (w->structure == STRUCTURE_WOVEN) return SOZAI_OK;
   float primaries[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   int32_t r = colour_list(host, "sRGB", primaries, 3);
   if (r) return r;
   double to[3][3], from[3][3];
   for (int i = 0; i < 9; i++) to[i / 3][i % 3] = (double)primaries[i / 3][i % 3];
   if (!invert((const double(*)[3])to, from)) return SOZAI_OK;
-  const crossings n = crossings_of(number_at(s, P_TRANSMISSION), depth);
+  crossings n = crossings_of(number_at(s, P_TRANSMISSION), depth);
+  int woven = w->structure == STRUCTURE_WOVEN;
+  if (woven) n.more = 0.0; /* side by side: what went through one goes out */
   for (int i = 0; i < FIBERTEX_COLOURS; i++) {
-    double c[3], glow[3], bulk[3], out[2][3];
+    double c[3], glow[3], bulk[3], albedo[3], out[3][3];
     for (int k = 0; k < 3; k++) c[k] = (double)w->colour[i][k];
     transform((const double(*)[3])from, c, out[0]);
     for (int k = 0; k < 3; k++) {
       double x = least(most(out[0][k], 0.0), 1.0), outside = out[0][k] - x;
       glow[k] = onward(&n, x) + outside;
-      bulk[k] = often(&n, x) + outside;
+      bulk[k] = (woven ? fibertex_cloth_often(w, s, x) : often(&n, x)) + outside;
+      albedo[k] = woven ? fibertex_cloth_albedo(w, s, x) + outside : 0.0;
     }
     transform((const double(*)[3])to, glow, out[0]);
     transform((const double(*)[3])to, bulk, out[1]);
+    transform((const double(*)[3])to, albedo, out[2]);
     for (int k = 0; k < 3; k++) {
+      if (woven) w->colour[i][k] = (float)out[2][k];
       w->glow[i][k] = (float)out[0][k];
       w->bulk[i][k] = (float)out[1][k];
     }

@@ -23,29 +23,27 @@ INLINE void set_number(vu *v, uint32_t k, uint32_t x) {
 
 /* What the yarns show: warp's and weft's shares, and those in their shade. */
 static void measure_cloth(const fibertex_constants *w, uint32_t count, fibertex_means *out) {
-  const vf zero = splat(0.0f);
+  const vf zero = splat(0.0f), one = splat(1.0f), squarely[2] = {one, one};
   for (uint32_t i = 0; i < count; i += LANES) {
     cloth_hit q;
     cloth_at(w, measure_place(i, 0, MEASURED_EXTENT) * splat(w->yarn[1].spacing),
-             measure_place(i, 1, MEASURED_EXTENT) * splat(w->yarn[0].spacing), zero, &q);
+             measure_place(i, 1, MEASURED_EXTENT) * splat(w->yarn[0].spacing), zero, squarely, &q);
     vf weft = sel(q.weft, q.solid, zero), warp = sel(q.weft, zero, q.solid);
     measure_add(&out->yarn[0], warp);
     measure_add(&out->yarn[1], weft);
     measure_add(&out->shaded[0], warp * q.ambient);
     measure_add(&out->shaded[1], weft * q.ambient);
-    vf along[3], across[3], up[3];
-    cloth_frame(w, &q, along, across, up);
-    vf around = q.ambient * vmax(up[2], zero), straight = flank(up[2]);
-    measure_add(&out->around[0], warp * around);
-    measure_add(&out->around[1], weft * around);
-    measure_add(&out->straight[0], warp * straight);
-    measure_add(&out->straight[1], weft * straight);
+    vf across2 = q.across * q.across, slope2 = one - one / (one + q.slope * q.slope);
+    measure_add(&out->across2[0], warp * across2);
+    measure_add(&out->across2[1], weft * across2);
+    measure_add(&out->slope2[0], warp * slope2);
+    measure_add(&out->slope2[1], weft * slope2);
   }
   for (int i = 0; i < 2; i++) {
     out->yarn[i] /= count;
     out->shaded[i] /= count;
-    out->around[i] /= count;
-    out->straight[i] /= count;
+    out->across2[i] /= count;
+    out->slope2[i] /= count;
   }
 }
 

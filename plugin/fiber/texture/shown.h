@@ -14,8 +14,8 @@ typedef struct {
 } shown;
 
 /* From afar: by the means of all directions. */
-INLINE void show_far(const fibertex_constants *w, const block *k, const sums *s, const looks *q,
-                     shown *o) {
+INLINE void show_far(const fibertex_constants *w, int woven, const block *k, const sums *s,
+                     const looks *q, shown *o) {
   o->cover = splat(1.0f) - s->left;
   o->depth = s->depth;
   o->white = s->bare * (q->white[0] + q->white[1]);
@@ -24,14 +24,18 @@ INLINE void show_far(const fibertex_constants *w, const block *k, const sums *s,
   o->albedo[COLOUR_FIRST] = s->albedo[0] * q->albedo[0];
   o->albedo[COLOUR_WEFT] = s->albedo[0] * q->albedo[1];
   o->albedo[COLOUR_SECOND] = s->albedo[1] * (q->albedo[0] + q->albedo[1]);
-  vf onward = q->onward * k->ground.onward;
-  o->glow[COLOUR_FIRST] = s->direct[0] * q->glow[0] + s->albedo[0] * onward;
+  o->glow[COLOUR_FIRST] = s->direct[0] * q->glow[0];
   o->glow[COLOUR_WEFT] = s->direct[0] * q->glow[1];
-  o->glow[COLOUR_SECOND] = s->direct[1] * (q->glow[0] + q->glow[1]) + s->albedo[1] * onward;
-  o->bulk[COLOUR_FIRST] = s->direct[0] * q->bulk[0] + s->albedo[0] * often[0];
-  o->bulk[COLOUR_WEFT] = s->direct[0] * q->bulk[1] + s->albedo[0] * often[1];
-  o->bulk[COLOUR_SECOND] =
-      s->direct[1] * (q->bulk[0] + q->bulk[1]) + s->albedo[1] * (often[0] + often[1]);
+  o->glow[COLOUR_SECOND] = s->direct[1] * (q->glow[0] + q->glow[1]);
+  o->bulk[COLOUR_FIRST] = s->albedo[0] * often[0];
+  o->bulk[COLOUR_WEFT] = s->albedo[0] * often[1];
+  o->bulk[COLOUR_SECOND] = s->albedo[1] * (often[0] + often[1]);
+  if (woven) return; /* what goes through one of its strands goes out */
+  vf onward = q->onward * k->ground.onward;
+  o->glow[COLOUR_FIRST] = o->glow[COLOUR_FIRST] + s->albedo[0] * onward;
+  o->glow[COLOUR_SECOND] = o->glow[COLOUR_SECOND] + s->albedo[1] * onward;
+  o->bulk[COLOUR_FIRST] = o->bulk[COLOUR_FIRST] + s->direct[0] * q->bulk;
+  o->bulk[COLOUR_SECOND] = o->bulk[COLOUR_SECOND] + s->direct[1] * q->bulk;
 }
 
 /* The strand that is seen: its axes in the hull's frame. */
@@ -45,11 +49,16 @@ INLINE void best_axes(const fibertex_constants *w, int woven, const block *k, st
   vf x = (k->best.direction[0] - slope * k->best.direction[1]) * flat;
   vf y = (k->best.direction[1] + slope * k->best.direction[0]) * flat;
   if (woven) {
+    /* what stands off lies on the hull */
+    vm flown = lt(splat(0.5f), k->best.flown);
     for (int c = 0; c < 3; c++) {
-      vf level = x * g->along[c] + y * g->across[c];
-      t->along[c] = (level + rise * g->up[c]) * steep;
-      t->across[c] = x * g->across[c] - y * g->along[c];
-      t->up[c] = (g->up[c] - rise * level) * steep;
+      vf along = sel(flown, splat(c == 0 ? 1.0f : 0.0f), g->along[c]);
+      vf across = sel(flown, splat(c == 1 ? 1.0f : 0.0f), g->across[c]);
+      vf up = sel(flown, splat(c == 2 ? 1.0f : 0.0f), g->up[c]);
+      vf level = x * along + y * across;
+      t->along[c] = (level + rise * up) * steep;
+      t->across[c] = x * across - y * along;
+      t->up[c] = (up - rise * level) * steep;
     }
   } else {
     vf up = rise * steep;
@@ -71,10 +80,18 @@ INLINE void best_axes(const fibertex_constants *w, int woven, const block *k, st
  * better a footprint's mean stands for its strands. */
 #define ONWARD_LAST 0.5f
 
+/* Of a cloth the first colour is the warp's, or the weft's is in its place. */
+INLINE void give_colours(int woven, const block *k, vf first, vf second, vf out[]) {
+  const vf zero = splat(0.0f), one = splat(1.0f);
+  vf a = vmax(first, zero);
+  out[COLOUR_SECOND] = vmax(second, zero);
+  out[COLOUR_FIRST] = woven ? a * (one - k->ground.weft) : a;
+  out[COLOUR_WEFT] = woven ? a * k->ground.weft : zero;
+}
+
 /* What one strand shows beyond its means, given to the colours; second: its share of the second. */
 INLINE void share_out(int woven, const block *k, vf mean, vf change, vf second, const vf often[2],
                       vf out[]) {
-  const vf zero = splat(0.0f), one = splat(1.0f);
   const sums *s = &k->sum;
   vf b = change * second, a = s->direct[0] * mean + (change - b);
   b = s->direct[1] * mean + b;
@@ -82,15 +99,26 @@ INLINE void share_out(int woven, const block *k, vf mean, vf change, vf second, 
     a = a * k->ground.straight;
     b = b * k->ground.straight;
   }
-  a = vmax(a + often[0], zero);
-  out[COLOUR_SECOND] = vmax(b + often[1], zero);
-  out[COLOUR_FIRST] = woven ? a * (one - k->ground.weft) : a;
-  out[COLOUR_WEFT] = woven ? a * k->ground.weft : zero;
+  give_colours(woven, k, a + often[0], b + often[1], out);
+}
+
+/* What a strand of a yarn shows, or one that stands off it: from its lobes. around: what comes
+ * back of what is scattered often; given without the yarn's face. */
+INLINE void yarn_lit(const fibertex_constants *w, const block *k, const looks *q, strand_lit *r,
+                     vf *around) {
+  const vf one = splat(1.0f);
+  const ground *g = &k->ground;
+  vf share = g->face.seen * q->straight, lit = share * face_lit(&g->face);
+  vf flown = k->best.flown * k->best.detail, yarn = one - flown;
+  r->white = r->white * lit * yarn;
+  r->glow = r->onward * (splat(w->gloss[1]) * lit * yarn + g->flown * flown);
+  r->glow = r->glow + q->flown * yarn;
+  *around = *around * (g->face.in * g->up[2] * r->even * share) * g->ambient;
 }
 
 /* Near: by the strand that is seen; what else is there by the means. */
 INLINE void show_near(const fibertex_constants *w, int woven, const block *k, const looks *q,
-                      const strand_axes *t, const strand_lit *r, int light, shown *o) {
+                      const strand_axes *t, const strand_lit *lobes, int light, shown *o) {
   const vf zero = splat(0.0f), one = splat(1.0f);
   const ground *g = &k->ground;
   const sums *s = &k->sum;
@@ -107,12 +135,10 @@ INLINE void show_near(const fibertex_constants *w, int woven, const block *k, co
   }
   o->white = zero;
   if (!light) return;
-  vf white = q->white[0], glow = q->glow[0], bulk = q->bulk[0];
+  vf white = q->white[0], glow = q->glow[0], bulk = q->bulk;
   if (woven) {
-    vf inverse = one / vmax(q->straight, splat(0.05f));
-    white = (white + q->white[1]) * inverse;
-    glow = (glow + q->glow[1]) * inverse;
-    bulk = (bulk + q->bulk[1]) * inverse;
+    white = white + q->white[1];
+    glow = glow + q->glow[1];
   }
   /* a strand is brighter on the side that the light is on */
   vf facing = k->best.across * dot3(t->across, k->f.light), side = one + splat(0.6f) * facing;
@@ -124,14 +150,24 @@ INLINE void show_near(const fibertex_constants *w, int woven, const block *k, co
   }
   vf part = k->most - k->next, lit = part * k->best.bare;
   vf around = splat(w->multiple) * g->around;
-  around = woven ? around * g->ambient : around * (one + splat(0.25f) * part * facing);
+  strand_lit r = *lobes;
+  if (woven)
+    yarn_lit(w, k, q, &r, &around);
+  else
+    around = around * (one + splat(0.25f) * part * facing);
   const vf often[2] = {s->albedo[0] * around, s->albedo[1] * around};
-  /* the last of the strands that it went through is the one that is seen */
-  vf last = (q->onward + splat(ONWARD_LAST) * part * (r->onward - q->onward)) * g->onward;
-  const vf onward[2] = {s->albedo[0] * last, s->albedo[1] * last};
-  share_out(woven, k, glow, lit * (r->glow * side - glow), second, onward, o->glow);
-  share_out(woven, k, bulk, lit * (r->bulk * side - bulk), second, often, o->bulk);
-  o->white = s->bare * white + lit * (r->white - white);
+  if (woven) {
+    const vf none[2] = {zero, zero};
+    share_out(woven, k, glow, lit * (r.glow * side - glow), second, none, o->glow);
+    give_colours(woven, k, often[0], often[1], o->bulk);
+  } else {
+    /* the last of the strands that it went through is the one that is seen */
+    vf last = (q->onward + splat(ONWARD_LAST) * part * (r.onward - q->onward)) * g->onward;
+    const vf onward[2] = {s->albedo[0] * last, s->albedo[1] * last};
+    share_out(woven, k, glow, lit * (r.glow * side - glow), second, onward, o->glow);
+    share_out(woven, k, bulk, lit * (r.bulk * side - bulk), second, often, o->bulk);
+  }
+  o->white = s->bare * white + lit * (r.white - white);
   if (woven) o->white = o->white * g->straight;
   o->white = vmax(o->white, zero);
 }

@@ -40,6 +40,7 @@ INLINE vf strand_dot(const vf a[3], const vf b[3]) {
  * was scattered within. And the lobe of what goes on through. */
 typedef struct {
   vf white, glow, bulk, onward;
+  vf even; /* of a yarn: what comes back of light that was scattered often, the mean 1 */
 } strand_lit;
 
 /* Its parts, to be multiplied by their amounts: R, TT, TRT, and what is scattered within. */
@@ -108,6 +109,42 @@ INLINE void strand_lobes(const fibertex_constants *w, const strand_angles *q, st
   strand_parts p;
   strand_parts_of(w, q, &p);
   strand_amounts(w, &p, r);
+}
+
+/* Of a yarn. Its strands lie side by side, so that what they do is not lost in what many of all
+ * directions do together: what glances off is brighter than what is met squarely (Schlick), TT is
+ * all that goes on, and what was scattered often keeps something of its inclination. */
+typedef struct {
+  vf reflected, through, often;
+} yarn_parts;
+
+INLINE void yarn_parts_of(const fibertex_constants *w, const strand_angles *q, yarn_parts *r) {
+  const vf one = splat(1.0f), zero = splat(0.0f), half = splat(0.5f);
+  vf round = clamp(q->round * inverse_root(q->squares), splat(-1.0f), one);
+  vf ahead = vmax(splat(0.25f) - half * round, zero);
+  vf sharp = inverse_root(splat(w->beta2) + q->spread), narrow = sharp * splat(0.25f);
+  vf square = vsqrt(half + half * round), aside = one - square, aside2 = aside * aside;
+  vf mirror = splat(w->mirror) + splat(1.0f - w->mirror) * (aside2 * aside2 * aside);
+  vf height = sharp * q->cosine;
+  r->reflected = bell((q->sum - splat(w->tilt[0])) * narrow) * height * (square * mirror);
+  r->through = bell((q->sum - splat(w->tilt[1])) * narrow) * height * (ahead * ahead);
+  vf even = inverse_root(splat(w->even2) + q->spread);
+  r->often = bell(q->sum * (even * splat(0.25f))) * even;
+}
+
+INLINE void yarn_amounts(const fibertex_constants *w, const yarn_parts *p, strand_lit *r) {
+  r->white = splat(w->gloss[0] / BELL) * p->reflected;
+  r->onward = splat(2.82986f / BELL) * p->through;
+  r->glow = splat(w->gloss[1]) * r->onward;
+  r->even = splat(w->even / BELL) * p->often;
+}
+
+INLINE void strand_lobes_of_yarn(const fibertex_constants *w, const strand_angles *q,
+                                 strand_lit *r) {
+  yarn_parts p;
+  yarn_parts_of(w, q, &p);
+  yarn_amounts(w, &p, r);
+  r->bulk = splat(0.0f);
 }
 
 #endif

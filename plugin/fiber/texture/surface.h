@@ -95,7 +95,20 @@ INLINE void stage_reach(const fibertex_constants *w, block *k) {
   k->step[0] = exp2_(splat(-1.442695f * w->step) * k->inverse_up);
   k->step[1] = exp2_(splat(-1.442695f * w->step_more) * k->inverse_up);
   k->deep_lit = exp2_(splat(-1.442695f * w->deep_above) * k->inverse_up) * k->front;
-  k->lit = k->front;
+  k->reach = k->lit = k->front;
+}
+
+/* Of a cloth what of the light all of them get is the yarn's business: here only which of them
+ * more, which less. */
+INLINE void stage_reach_of_cloth(const fibertex_constants *w, block *k) {
+  vf all = splat(0.0f);
+  for (int l = w->layers - 1; l >= w->layer[0].ends; l--) {
+    all = all * k->step[0] + splat(w->part[l]);
+  }
+  all = k->front * all + splat(w->part_deep) * k->deep_lit;
+  vf inverse = k->front * splat(1.0f - w->flown) / vmax(all, splat(1e-6f));
+  k->reach = k->front * inverse;
+  k->deep_lit = k->deep_lit * inverse;
 }
 
 INLINE void stage_empty(const fibertex_constants *w, block *k) {
@@ -104,10 +117,12 @@ INLINE void stage_empty(const fibertex_constants *w, block *k) {
   k->sum.left = k->shade = one;
   k->hole = zero;
   for (int c = 0; c < 2; c++) {
-    k->sum.albedo[c] = k->sum.direct[c] = k->best.direction[c] = zero;
+    k->sum.albedo[c] = k->sum.direct[c] = zero;
+    k->best.direction[c] = splat(w->below[c]);
   }
   k->sum.bare = k->sum.depth = k->most = k->next = zero;
   k->best.slope = k->best.bend = k->best.across = k->best.strand = k->best.lit = zero;
+  k->best.flown = zero;
   k->best.id = splatu(0);
 }
 

@@ -26,6 +26,7 @@
 #define FIBERTEX_LAYERS 7
 #define FIBERTEX_DIRECTIONS 16 /* that bundles lie in: quantiles */
 #define FIBERTEX_LOOKS 6       /* directions that stand for all from afar */
+#define FIBERTEX_FACES 4       /* of a cloth the first, two of either yarn; the rest stand off */
 
 enum { STRUCTURE_AGGREGATE, STRUCTURE_WOVEN };
 enum { COLOUR_FIRST, COLOUR_SECOND, COLOUR_WEFT, FIBERTEX_COLOURS };
@@ -62,9 +63,8 @@ typedef struct {
   float along[3], across[3], up[3]; /* the strand's; out of its yarn, or the hull. unit */
   float across2, up2;               /* variance of the angles to the directions it stands for */
   float share;
-  float lit;      /* what of the light that comes from around reaches it, times share */
-  float around;   /* the same of light from one side */
-  float straight; /* share, less what yarns' flanks turn away */
+  float lit;    /* what of the light that comes from around reaches it, times share */
+  float tip[2]; /* of a yarn's face: how it leans, a tangent to either axis */
   int32_t weft;
 } fibertex_look;
 
@@ -73,6 +73,7 @@ typedef struct {
   float spacing, inverse_spacing; /* from one to the next */
   float half, inverse_half;       /* width, half */
   float height;                   /* thickness, half */
+  float edge;                     /* the same over the width, where there are holes */
   float rise, over;               /* how far its middle goes up and down, about what */
   float wander, frequency;        /* unevenness, of half; 1/mm */
   float tone;                     /* from yarn to yarn, over a field's 2^31 */
@@ -105,8 +106,12 @@ typedef struct {
   int32_t over, pair, shift;
   float repeat, inverse_repeat;
   float hollow, low, inverse_range; /* shade of furrows; their depth, and 1 over it */
-  float warp_share;                 /* of what is yarn */
-  float solid;                      /* share that is yarn */
+  float solid, gaps;                /* share that is yarn; holes, over both widths' gaps */
+  int32_t yarns_from;               /* the first layer that is on them */
+  float warp_share, flown;          /* of what is yarn; of what is seen, single strands over it */
+  float part[FIBERTEX_LAYERS];      /* of what is seen squarely, each layer's, */
+  float part_deep;                  /* and what lies deeper, */
+  float below[2];                   /* in which direction; of an aggregate in none */
 
   /* working space: the palette; of light that went on through strands; of light that is
    * scattered often */
@@ -119,6 +124,10 @@ typedef struct {
   float beta2;                       /* R's variance */
   float single, multiple;            /* diffuse: of light met once, and often */
   float chain;                       /* of what goes on through strand after strand */
+  /* cloth: reflectance of a strand squarely; what strands that stand off its yarns let through, how
+   * much they shade themselves, and how many there are; variance of what is scattered often along
+   * a yarn's strands, and 1 over its bell's mean */
+  float mirror, flown_gloss, flown_deep, hair, even2, even;
   /* what is met often: the shell's optical depth for it, half; over how deep shells are; and
    * its loss where light or view is at a slant, and where both are */
   float slab, slab_linear, slab_square, graze, graze_both;
@@ -145,12 +154,12 @@ enum {
 
 /* Means over `count` points: of each layer's coverage at a point, of its bundles'
  * formula, of what covers its brightness, and of its strands' nearness where they do not cover; and
- * of a cloth what share its warp and its weft show, those in the shade of furrows, and what they
- * take of light from right above after being scattered, and straight. */
+ * of a cloth what share its warp and its weft show, those in the shade of furrows, and sums of the
+ * squares of the place across the yarn and of the sine of its slope. */
 typedef struct {
   double point[FIBERTEX_LAYERS], formula[FIBERTEX_LAYERS], soft[FIBERTEX_LAYERS],
       bright[FIBERTEX_LAYERS];
-  double yarn[2], shaded[2], around[2], straight[2];
+  double yarn[2], shaded[2], across2[2], slope2[2];
 } fibertex_means;
 typedef void fibertex_measure(const fibertex_constants *w, uint32_t count, fibertex_means *out);
 
