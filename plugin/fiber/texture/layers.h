@@ -8,7 +8,7 @@
 #include "block.h"
 
 /* A layer's strands over what is below them; direction: in the ground's frame. Of what has two
- * colours the first has all of it until the layers are through (sum_up). */
+ * colours the first has all of it until the layers are through (stage_deep). */
 INLINE void compose(const fibertex_constants *w, const fibertex_layer *c, block *k,
                     const lane_hit *q, vf bend, const vf direction[2], vf level, int woven,
                     int close, int light) {
