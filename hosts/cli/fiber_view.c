@@ -47,15 +47,6 @@ static vec colour_of(const view *w, uint32_t curve) {
   return (vec){fminf(a.x, 0.985f), fminf(a.y, 0.985f), fminf(a.z, 0.985f)};
 }
 
-/* Out of the fibre, where a ray of that direction leaves it. */
-static vec leave(const strand_hit *h, vec direction) {
-  vec middle = vec_along(h->point, -h->radius, h->normal);
-  vec flat = vec_along(direction, -vec_dot(direction, h->tangent), h->tangent);
-  float l = vec_length(flat);
-  vec out = l > 1e-4f ? vec_scale(1 / l, flat) : h->normal;
-  return vec_along(middle, 1.03f * h->radius, out);
-}
-
 static vec key_light(const view *w, const fiber_lobe *lobe, const fiber_view_from *f,
                      const strand_hit *h, sample_stream *d) {
   const studio *st = &w->studio;
@@ -64,7 +55,7 @@ static vec key_light(const view *w, const fiber_lobe *lobe, const fiber_view_fro
   towards = vec_unit(vec_along(towards, r * sinf(turn), st->light_t));
   vec value = fiber_lobe_value(lobe, f, towards);
   if (value.x + value.y + value.z < 1e-5f) return (vec){0, 0, 0};
-  if (scene_blocked(&w->strands->scene, leave(h, towards), towards)) return (vec){0, 0, 0};
+  if (scene_blocked(&w->strands->scene, strand_leave(h, towards), towards)) return (vec){0, 0, 0};
   return vec_scale(3.14159265f, vec_mul(value, st->light_colour));
 }
 
@@ -107,7 +98,7 @@ static vec follow(const view *w, strand_hit h, vec direction, sample_stream *d) 
       if (!(sample_next(d) < keep)) break;
       through = vec_scale(1 / keep, through);
     }
-    origin = leave(&h, direction);
+    origin = strand_leave(&h, direction);
     if (!strands_trace(w->strands, origin, direction, &h)) {
       sum = vec_add(sum, vec_mul(through, surroundings(w, origin, direction)));
       break;

@@ -162,15 +162,18 @@ static bool has_seed(const sozai_texture_info *info) {
  * another. */
 static bool make_of_each(gallery *g, const shot *shots, uint32_t count, failure *why) {
   const sozai_texture_info *info = g->session.plugin.textures->find(material_of(shots));
+  bool seeds = info && has_seed(info);
   for (uint32_t i = 0; info && i < info->preset_count; i++)
     for (const shot *s = shots; s < shots + count; s++) {
       char name[128], title[256], seed[32];
       if (!is_of(s, info->presets[i])) continue;
       shot own = *s;
-      int last = 0;
-      while (own.params[last]) last++;
       snprintf(seed, sizeof seed, "seed=%u", i + 1);
-      if (s->own_log && has_seed(info)) own.params[last] = seed;
+      for (int k = 0; s->own_log && seeds && k < SHOT_PARAMS; k++) {
+        if (own.params[k]) continue;
+        own.params[k] = seed;
+        break;
+      }
       snprintf(name, sizeof name, "%s-%s", s->name, info->presets[i]->id);
       snprintf(title, sizeof title, "%s, %s", info->presets[i]->label, s->title);
       if (!make_picture(g, &own, name, title, info->presets[i]->id, why)) return false;

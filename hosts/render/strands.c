@@ -146,3 +146,11 @@ bool strands_trace(const strands *s, vec origin, vec direction, strand_hit *h) {
   h->normal = vec_unit(n);
   return true;
 }
+
+vec strand_leave(const strand_hit *h, vec direction) {
+  vec middle = vec_along(h->point, -h->radius, h->normal);
+  vec flat = vec_along(direction, -vec_dot(direction, h->tangent), h->tangent);
+  float l = vec_length(flat);
+  vec out = l > 1e-4f ? vec_scale(1 / l, flat) : h->normal;
+  return vec_along(middle, 1.03f * h->radius, out);
+}

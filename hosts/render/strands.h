@@ -27,5 +27,7 @@ typedef struct strand_hit {
 bool strands_open(strands *s, const sozai_curves *c, uint32_t smooth, bool floor, failure *why);
 void strands_close(strands *s);
 bool strands_trace(const strands *s, vec origin, vec direction, strand_hit *h);
+/* Out of the fibre that was hit, where a ray of that direction leaves it. */
+vec strand_leave(const strand_hit *h, vec direction);
 
 #endif

@@ -577,7 +577,6 @@ static void build_rays(wood_constants *w, const settings *s) {
   w->ray_stray = (float)(slope * along / 2147483648.0);
   w->ray_wave_radial = (float)(1.0 / (8.0 + 3.5 * height));
   w->ray_wave_along = (float)(1.0 / along);
-  w->ray_sway_from = 20.0f;
   /* light goes round the edges of a broad ray, which a cut along it leaves wedges of */
   double sharp = limited(0.2 * broad * half, 0.01, 1.0);
   w->ray_sharp2 = (float)(sharp * sharp);

@@ -164,6 +164,8 @@ INLINE vf rays_share(const wood_constants *w, const ray_cells *q) {
   return inside * splat(4.0f / 3.0f) / (q->arc * splat(w->inverse_ray_arc));
 }
 
+#define RAY_SWAY_FROM 20.0f /* mm */
+
 /* turn: theta' / 2 pi. */
 INLINE ray_place ray_place_of(const wood_constants *w, vu own, vf rho, vf turn, vf y,
                               const footprint2 *f, vf along) {
@@ -173,9 +175,9 @@ INLINE ray_place ray_place_of(const wood_constants *w, vu own, vf rho, vf turn, 
   noise_axis up = noise_split_cubic(y * splat(w->ray_wave_along), HASH_Y);
   /* The sheets are not flat: they sway with the bundles of fibres that go round them,
    * together all round the stem, so that a cut along them leaves them and meets them
-   * again. Nearer to the pith than ray_sway_from they sway by an angle. */
+   * again. Nearer to the pith than RAY_SWAY_FROM they sway by an angle. */
   vf lean, sway, stray = noise_value2(&out, &up, wood_seed(w, own, SEED_RAYS), &lean, &sway);
-  vf from = splat(w->ray_sway_from), per = splat(w->ray_stray) * vmin(rho / from, splat(1.0f));
+  vf from = splat(RAY_SWAY_FROM), per = splat(w->ray_stray) * vmin(rho / from, splat(1.0f));
   p.lean = lean * per * splat(w->ray_wave_radial);
   p.sway = sway * per * splat(w->ray_wave_along);
   turn = turn + stray * splat(0.15915494f * w->ray_stray) / vmax(rho, from);

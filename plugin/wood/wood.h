@@ -219,7 +219,6 @@ typedef struct {
   float ray_stray;                         /* mm of a sheet's waves, over HASH_ONE */
   float ray_wave_radial, ray_wave_along;   /* 1/mm */
   float ray_sharp2;                        /* mm2: no edge is sharper */
-  float ray_sway_from;                     /* mm of rho: less nearer to the pith */
   float ray_uneven;                        /* of the thickness, within which it varies */
 
   /* shifted brightness */

@@ -2,27 +2,14 @@
  * Row 10, of cloth: every woven preset as curves (woven.h), between which rays go to and fro,
  * and as the texture under five footprints: what is covered, what comes back of light from all
  * around, and the radiance under light from seven sides. Prints docs/fiber-texture.md's table. */
-#include <dlfcn.h>
 #include <math.h>
+#include "textured.h"
 #include "woven.h"
 
-enum { SCALES = 5, POINTS = 8192, VIEWS = 3, SIDES = 4, RAYS = 2500, COMPONENTS = 17 };
+enum { SCALES = 5, POINTS = 8192, VIEWS = 3, SIDES = 4, RAYS = 2500 };
 static const double footprints[SCALES] = {0, 0.03, 0.3, 3, 30};
 static const double views[VIEWS] = {90, 50, 25};
 static const char *const names[3] = {"white", "wool", "dark"};
-enum { ALBEDO = 0, RADIANCE = 3, COVERAGE = 6 };
-
-static const sozai_textures_1 *textures_of(void) {
-  geometry(); /* makes the plugin ready */
-  void *library = dlopen(SOZAI_TEST_PLUGIN, RTLD_NOW | RTLD_LOCAL);
-  const sozai_entry_v1 *entry = library ? dlsym(library, SOZAI_ENTRY_SYMBOL) : NULL;
-  assert_non_null(entry);
-  return entry->get_factory(SOZAI_TEXTURES_1);
-}
-
-static double encoded(double x) {
-  return x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1 / 2.4) - 0.055;
-}
 
 /* The preset, of even yarns and strands of one thickness and one colour. */
 static sozai_texture *texture_of(const cloth *c, const sozai_textures_1 *textures) {
@@ -48,11 +35,6 @@ static sozai_texture *texture_of(const cloth *c, const sozai_textures_1 *texture
   return t;
 }
 
-static double random_of(uint32_t *state) {
-  *state = *state * 1664525u + 1013904223u;
-  return (double)(*state >> 8) / 16777216.0;
-}
-
 static eye eye_of(int view, int side) {
   return (eye){views[view], 180.0 * side / SIDES - 90.0 / SIDES, 180.0 / SIDES};
 }
@@ -60,36 +42,22 @@ static eye eye_of(int view, int side) {
 /* Means of the texture's albedo, radiance and coverage. */
 static void look_at_texture(const sozai_texture *t, const sozai_textures_1 *textures, eye e,
                             const double light[2], double footprint, double got[7]) {
-  static float in[10][POINTS], normal[3][POINTS], out[7][POINTS];
+  ground g = ground_of(POINTS, 1);
   uint32_t r = 9;
   for (int i = 0; i < POINTS; i++) {
     double turn = e.from + e.range * random_of(&r);
-    for (int k = 0; k < 2; k++) in[k][i] = (float)(400 * random_of(&r));
+    for (int k = 0; k < 2; k++) g.at[k][i] = (float)(400 * random_of(&r));
     const vec of[2] = {aim(e.elevation, turn), aim(light[0], light[1] + turn)};
+    float **to[2] = {g.view, g.light};
     for (int q = 0; q < 2; q++) {
-      in[3 + 3 * q][i] = of[q].x;
-      in[4 + 3 * q][i] = of[q].y;
-      in[5 + 3 * q][i] = of[q].z;
+      to[q][0][i] = of[q].x;
+      to[q][1][i] = of[q].y;
+      to[q][2][i] = of[q].z;
     }
-    in[9][i] = (float)footprint;
-    normal[2][i] = 1;
   }
-  float *outs[COMPONENTS] = {0};
-  for (int k = 0; k < 7; k++) outs[k] = out[k];
-  sozai_batch q = {.size = sizeof q,
-                   .count = POINTS,
-                   .point = {in[0], in[1], in[2]},
-                   .normal = {normal[0], normal[1], normal[2]},
-                   .view = {in[3], in[4], in[5]},
-                   .light = {in[6], in[7], in[8]},
-                   .footprint = in[9],
-                   .out = outs,
-                   .out_count = COMPONENTS};
-  assert_int_equal(textures->evaluate(t, &q), SOZAI_OK);
-  for (int k = 0; k < 7; k++) {
-    got[k] = 0;
-    for (int i = 0; i < POINTS; i++) got[k] += (double)out[k][i] / POINTS;
-  }
+  ground_ask(&g, textures, t, footprint);
+  for (int k = 0; k < 7; k++) got[k] = ground_mean(&g, k);
+  ground_free(&g);
 }
 
 /* ---- both -------------------------------------------------------------- */

@@ -2,25 +2,14 @@
  * Row 10: light on curves and on the texture of one aggregate. Rays go to and fro between
  * the strands of a slab (slab.h), and the texture of the same diameter, packing, thickness,
  * rise and fibre answers under five footprints. Prints the table of docs/fiber-texture.md. */
-#include <dlfcn.h>
 #include <math.h>
 #include "slab.h"
+#include "textured.h"
 
 enum { SCALES = 5, POINTS = 32768, VIEWS = 2 };
 static const double views[VIEWS] = {90, 45};
 
 /* ---- the texture ------------------------------------------------------- */
-
-static const sozai_textures_1 *textures_of(void) {
-  void *library = dlopen(SOZAI_TEST_PLUGIN, RTLD_NOW | RTLD_LOCAL);
-  const sozai_entry_v1 *entry = library ? dlsym(library, SOZAI_ENTRY_SYMBOL) : NULL;
-  assert_non_null(entry);
-  return entry->get_factory(SOZAI_TEXTURES_1);
-}
-
-static double encoded(double x) {
-  return x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1 / 2.4) - 0.055;
-}
 
 static sozai_texture *texture_of(const slab *b, const sozai_textures_1 *textures) {
   const aggregate *a = b->of;
@@ -52,47 +41,27 @@ static sozai_texture *texture_of(const slab *b, const sozai_textures_1 *textures
   return t;
 }
 
-static double random_of(uint32_t *state) {
-  *state = *state * 1664525u + 1013904223u;
-  return (double)(*state >> 8) / 16777216.0;
-}
-
 /* Mean radiance of the three colours. */
 static void look_at_texture(const sozai_texture *t, const sozai_textures_1 *textures, vec view,
                             vec light, double footprint, double got[3]) {
-  enum { RADIANCE = 3, COMPONENTS = 17 };
-  static float in[10][POINTS], normal[3][POINTS], out[3][POINTS];
+  ground g = ground_of(POINTS, 1);
   uint32_t r = 9;
   for (int i = 0; i < POINTS; i++) {
     /* the hull's frame turns with the ground, as the curves' view does */
     double turn = 2 * PI * random_of(&r), c = cos(turn), d = sin(turn);
-    for (int k = 0; k < 2; k++) in[k][i] = (float)(400 * random_of(&r));
+    for (int k = 0; k < 2; k++) g.at[k][i] = (float)(400 * random_of(&r));
     const vec *of[2] = {&view, &light};
+    float **to[2] = {g.view, g.light};
     for (int q = 0; q < 2; q++) {
       double x = (double)of[q]->x, y = (double)of[q]->y;
-      in[3 + 3 * q][i] = (float)(c * x - d * y);
-      in[4 + 3 * q][i] = (float)(d * x + c * y);
-      in[5 + 3 * q][i] = of[q]->z;
+      to[q][0][i] = (float)(c * x - d * y);
+      to[q][1][i] = (float)(d * x + c * y);
+      to[q][2][i] = of[q]->z;
     }
-    in[9][i] = (float)footprint;
-    normal[2][i] = 1;
   }
-  float *outs[COMPONENTS] = {0};
-  for (int k = 0; k < 3; k++) outs[RADIANCE + k] = out[k];
-  sozai_batch q = {.size = sizeof q,
-                   .count = POINTS,
-                   .point = {in[0], in[1], in[2]},
-                   .normal = {normal[0], normal[1], normal[2]},
-                   .view = {in[3], in[4], in[5]},
-                   .light = {in[6], in[7], in[8]},
-                   .footprint = in[9],
-                   .out = outs,
-                   .out_count = COMPONENTS};
-  assert_int_equal(textures->evaluate(t, &q), SOZAI_OK);
-  for (int k = 0; k < 3; k++) {
-    got[k] = 0;
-    for (int i = 0; i < POINTS; i++) got[k] += (double)out[k][i] / POINTS;
-  }
+  ground_ask(&g, textures, t, footprint);
+  for (int k = 0; k < 3; k++) got[k] = ground_mean(&g, RADIANCE + k);
+  ground_free(&g);
 }
 
 /* ---- both -------------------------------------------------------------- */

@@ -2,9 +2,9 @@
  * Row 10: curves and texture of one aggregate. A slab is filled with strands that
  * point every way; rays from above meet the curves, and the texture of the same
  * diameter, packing, thickness and rise answers under five footprints. */
-#include <dlfcn.h>
 #include <math.h>
 #include "fiber.h"
+#include "textured.h"
 
 #define SIDE 30.0
 #define THICK 2.0
@@ -92,11 +92,6 @@ static double meet(const slab *s, double x, double y, double radius) {
   return best;
 }
 
-static double random_of(uint32_t *state) {
-  *state = *state * 1664525u + 1013904223u;
-  return (double)(*state >> 8) / 16777216.0;
-}
-
 static void look_at_curves(slab *s, double radius) {
   uint32_t r = 7;
   double covered = 0, depth = 0;
@@ -110,41 +105,22 @@ static void look_at_curves(slab *s, double radius) {
   s->depth = depth / covered;
 }
 
-static const sozai_textures_1 *textures_of(void) {
-  void *library = dlopen(SOZAI_TEST_PLUGIN, RTLD_NOW | RTLD_LOCAL);
-  const sozai_entry_v1 *entry = library ? dlsym(library, SOZAI_ENTRY_SYMBOL) : NULL;
-  assert_non_null(entry);
-  return entry->get_factory(SOZAI_TEXTURES_1);
-}
-
 static void look_at_texture(const sozai_texture *t, const sozai_textures_1 *textures,
                             double footprint, double *covered, double *depth) {
-  enum { COVERAGE = 6, DEPTH = 11, COMPONENTS = 17 };
-  static float in[4][RAYS], normal[3][RAYS], out[2][RAYS];
+  ground g = ground_of(RAYS, 0);
   uint32_t r = 9;
   for (int i = 0; i < RAYS; i++) {
-    for (int a = 0; a < 2; a++) in[a][i] = (float)(400 * random_of(&r));
-    normal[2][i] = 1;
-    in[3][i] = (float)footprint;
+    for (int a = 0; a < 2; a++) g.at[a][i] = (float)(400 * random_of(&r));
   }
-  float *outs[COMPONENTS] = {0};
-  outs[COVERAGE] = out[0];
-  outs[DEPTH] = out[1];
-  sozai_batch b = {.size = sizeof b,
-                   .count = RAYS,
-                   .point = {in[0], in[1], in[2]},
-                   .normal = {normal[0], normal[1], normal[2]},
-                   .footprint = in[3],
-                   .out = outs,
-                   .out_count = COMPONENTS};
-  assert_int_equal(textures->evaluate(t, &b), SOZAI_OK);
+  ground_ask(&g, textures, t, footprint);
   double sum = 0, down = 0;
   for (int i = 0; i < RAYS; i++) {
-    sum += (double)out[0][i];
-    down += (double)out[0][i] * (double)out[1][i];
+    sum += (double)g.out[COVERAGE][i];
+    down += (double)g.out[COVERAGE][i] * (double)g.out[DEPTH][i];
   }
   *covered = sum / RAYS;
   *depth = down / sum;
+  ground_free(&g);
 }
 
 static void compare(const char *strands, double diameter) {

@@ -56,14 +56,6 @@ static bool blocked(const traced *b, vec origin, vec direction) {
 
 /* ---- curves ------------------------------------------------------------ */
 
-static vec leave(const strand_hit *h, vec direction) {
-  vec middle = vec_along(h->point, -h->radius, h->normal);
-  vec flat = vec_along(direction, -vec_dot(direction, h->tangent), h->tangent);
-  float l = vec_length(flat);
-  vec out = l > 1e-4f ? vec_scale(1 / l, flat) : h->normal;
-  return vec_along(middle, 1.03f * h->radius, out);
-}
-
 static void follow(const traced *b, strand_hit h, vec direction, vec absorption, double turn,
                    sample_stream *d, double got[LIGHTS][3], vec *around) {
   vec through = {1, 1, 1}, weight;
@@ -75,7 +67,7 @@ static void follow(const traced *b, strand_hit h, vec direction, vec absorption,
       vec towards = aim(lights[l][0], lights[l][1] + turn);
       vec value = fiber_lobe_value(&b->lobe, &f, towards);
       if (value.x + value.y + value.z < 1e-5f) continue;
-      if (blocked(b, leave(&h, towards), towards)) continue;
+      if (blocked(b, strand_leave(&h, towards), towards)) continue;
       vec lit = vec_scale((float)PI, vec_mul(through, value));
       double rgb[3] = {(double)lit.x, (double)lit.y, (double)lit.z};
       for (int k = 0; k < 3; k++) got[l][k] += rgb[k];
@@ -90,7 +82,7 @@ static void follow(const traced *b, strand_hit h, vec direction, vec absorption,
       if (!(sample_next(d) < keep)) return;
       through = vec_scale(1 / keep, through);
     }
-    if (!trace(b, leave(&h, direction), direction, &h)) {
+    if (!trace(b, strand_leave(&h, direction), direction, &h)) {
       if (direction.z > 0) *around = through;
       return;
     }

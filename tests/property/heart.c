@@ -50,10 +50,7 @@ static void carried(void **state) {
                                             "heartwood_stray=5; heartwood_edge=3");
   points a = {0}, b = {0};
   uniform_seed(72);
-  for (int i = 0; i < 4000; i++) {
-    double angle = 6.2831853 * uniform(), r = 15 + 25 * uniform();
-    points_add(&a, r * cos(angle), 200 * uniform(), r * sin(angle), 0);
-  }
+  points_add_anywhere(&a, 4000, 15, 25, 200);
   points_ask(&a, t);
   double worst = 0;
   int part = 0;

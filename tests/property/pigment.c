@@ -102,10 +102,7 @@ static void carried(void **state) {
   sozai_texture *t = wood_make("olive", BARE "pigment=1; grain=compound; heartwood_years=100000");
   points a = {0}, b = {0};
   uniform_seed(81);
-  for (int i = 0; i < 4000; i++) {
-    double angle = 6.2831853 * uniform(), r = 15 + 60 * uniform();
-    points_add(&a, r * cos(angle), 200 * uniform(), r * sin(angle), 0);
-  }
+  points_add_anywhere(&a, 4000, 15, 60, 200);
   points_ask(&a, t);
   points_along_fibre(&a, 0.5f, &b);
   points_ask(&b, t);

@@ -136,10 +136,7 @@ static void carried(void **state) {
                       "ray_width=600");
   points a = {0}, b = {0};
   uniform_seed(81);
-  for (int i = 0; i < 20000; i++) {
-    double angle = 6.2831853 * uniform(), r = 60 + 60 * uniform();
-    points_add(&a, r * cos(angle), 150 * uniform(), r * sin(angle), 0);
-  }
+  points_add_anywhere(&a, 20000, 60, 60, 150);
   points_ask(&a, t);
   points_along_fibre(&a, 0.5f, &b);
   points_ask(&b, t);
@@ -151,11 +148,7 @@ static void carried(void **state) {
   }
   /* as far across the fibre instead */
   points_clear(&b);
-  for (unsigned i = 0; i < a.count; i++) {
-    double r = hypot((double)a.point[0][i], (double)a.point[2][i]);
-    points_add(&b, (double)a.point[0][i] - 0.5 * (double)a.point[2][i] / r, (double)a.point[1][i],
-               (double)a.point[2][i] + 0.5 * (double)a.point[0][i] / r, 0);
-  }
+  points_round_pith(&a, 0.5, &b);
   points_ask(&b, t);
   for (unsigned i = 0; i < a.count; i++) across += a.out[RAY][i] >= 0.5f && b.out[RAY][i] > 0.3f;
   CHECK(stayed > 0.9 * in && across < 0.3 * in,

@@ -57,6 +57,14 @@ static void as_far_as_asked(void **state) {
   }
 }
 
+/* Mean difference of their latewood. */
+static double apart(const points *a, const points *b) {
+  double sum = 0;
+  for (unsigned i = 0; i < a->count; i++)
+    sum += fabs((double)a->out[LATEWOOD][i] - (double)b->out[LATEWOOD][i]);
+  return sum / a->count;
+}
+
 /* With the fibre, and not across it. */
 static void carried(void **state) {
   (void)state;
@@ -65,26 +73,17 @@ static void carried(void **state) {
                       "ring_width=3; cut=log");
   points p = {0}, b = {0};
   uniform_seed(85);
-  for (int i = 0; i < 30000; i++) {
-    double angle = 6.2831853 * uniform(), r = 50 + 60 * uniform();
-    points_add(&p, r * cos(angle), 300 * uniform(), r * sin(angle), 0);
-  }
+  points_add_anywhere(&p, 30000, 50, 60, 300);
   points_ask(&p, t);
   points_along_fibre(&p, 0.5f, &b);
   points_ask(&b, t);
-  double along = 0, across = 0;
-  for (unsigned i = 0; i < p.count; i++)
-    along += fabs((double)p.out[LATEWOOD][i] - (double)b.out[LATEWOOD][i]);
+  double along = apart(&p, &b);
   points_clear(&b);
-  for (unsigned i = 0; i < p.count; i++) {
-    double x = (double)p.point[0][i], z = (double)p.point[2][i], r = hypot(x, z);
-    points_add(&b, x - 0.5 * z / r, (double)p.point[1][i], z + 0.5 * x / r, 0);
-  }
+  points_round_pith(&p, 0.5, &b);
   points_ask(&b, t);
-  for (unsigned i = 0; i < p.count; i++)
-    across += fabs((double)p.out[LATEWOOD][i] - (double)b.out[LATEWOOD][i]);
+  double across = apart(&p, &b);
   CHECK(along < 0.1 * across, "latewood half a millimetre on differs by %.5f along, %.4f across\n",
-        along / p.count, across / p.count);
+        along, across);
   points_free(&p);
   points_free(&b);
   textures->destroy(t);

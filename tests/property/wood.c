@@ -4,6 +4,7 @@
 #include "cmocka_all.h"
 
 #include <dlfcn.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -126,6 +127,20 @@ void points_along_fibre(const points *p, float step, points *to) {
     points_add(to, (double)(p->point[0][i] + step * p->out[FIBER][i]),
                (double)(p->point[1][i] + step * p->out[FIBER + 1][i]),
                (double)(p->point[2][i] + step * p->out[FIBER + 2][i]), 0);
+  }
+}
+
+void points_round_pith(const points *p, double step, points *to) {
+  for (unsigned i = 0; i < p->count; i++) {
+    double x = (double)p->point[0][i], z = (double)p->point[2][i], r = hypot(x, z);
+    points_add(to, x - step * z / r, (double)p->point[1][i], z + step * x / r, 0);
+  }
+}
+
+void points_add_anywhere(points *p, int count, double r, double deep, double height) {
+  for (int i = 0; i < count; i++) {
+    double angle = 6.2831853 * uniform(), at = r + deep * uniform();
+    points_add(p, at * cos(angle), height * uniform(), at * sin(angle), 0);
   }
 }
 

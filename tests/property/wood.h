@@ -73,6 +73,11 @@ void points_ask(points *p, const sozai_texture *t);
 double points_value(const points *p, int what, unsigned point);
 /* Add to `to` each answered point of p, a step further along its fibre, mm. */
 void points_along_fibre(const points *p, float step, points *to);
+/* The same, level and round the pith instead. */
+void points_round_pith(const points *p, double step, points *to);
+/* Add `count` points anywhere from radius r on, `deep` further at most, up to a height; by
+ * uniform(). */
+void points_add_anywhere(points *p, int count, double r, double deep, double height);
 /* For albedo, with points, normals and footprints alone. */
 void points_ask_albedo(points *p, const sozai_texture *t);
 

@@ -51,7 +51,7 @@ double fibertex_over_black(double slab, double c) {
 
 /* The same of a cloth: over its thickness from place to place, where there is any. Clearer
  * strands turn light later. */
-static double over_black(const fibertex_constants *w, const settings *s, double c) {
+double fibertex_cloth_back(const fibertex_constants *w, const settings *s, double c) {
   double dull = most(1.0 - number_at(s, P_TRANSMISSION), 0.15) / (1.0 - CLEAR);
   double per_mm = SLAB * dull * YARN_PACKING / (0.001 * number_at(s, P_DIAMETER) * PI / 4.0);
   double thick[2][PLACES], sum = 0.0, covered = 0.0;
@@ -105,17 +105,11 @@ void fibertex_cloth_amounts(fibertex_constants *w, const settings *s) {
   w->hair = (float)HAIR * w->rise2;
   w->flown_deep = (float)SHADED * (w->flown + w->hair);
   w->multiple = (float)(OFTEN / shade_of(w));
-  double white = over_black(w, s, 1.0);
+  double white = fibertex_cloth_back(w, s, 1.0);
   w->slab_linear = (float)(1.0 / SLAB);
   w->slab = (float)(0.5 * white / (1.0 - white) / SLAB);
   w->opposition = 0.9f;
   w->opposition_sharp = 20.0f;
 }
 
-double fibertex_cloth_often(const fibertex_constants *w, const settings *s, double colour) {
-  return over_black(w, s, colour) / over_black(w, s, 1.0);
-}
-
-double fibertex_cloth_albedo(const fibertex_constants *w, const settings *s, double colour) {
-  return ALBEDO / shade_of(w) * over_black(w, s, colour);
-}
+double fibertex_cloth_albedo(const fibertex_constants *w) { return ALBEDO / shade_of(w); }

@@ -20,9 +20,10 @@ double fibertex_over_black(double slab, double colour);
 
 /* The yarns are known. */
 void fibertex_cloth_amounts(fibertex_constants *w, const settings *s);
-/* How a colour looks by light that is scattered often; white is 1. */
-double fibertex_cloth_often(const fibertex_constants *w, const settings *s, double colour);
-/* What it takes for the mean albedo to be the cloth's. */
-double fibertex_cloth_albedo(const fibertex_constants *w, const settings *s, double colour);
+/* What the cloth sends back of what is without end of that colour: how a colour looks by light
+ * that is scattered often, over white's. */
+double fibertex_cloth_back(const fibertex_constants *w, const settings *s, double colour);
+/* What that takes for the mean albedo to be the cloth's: a factor. */
+double fibertex_cloth_albedo(const fibertex_constants *w);
 
 #endif

@@ -116,10 +116,11 @@ static double onward(const crossings *n, double c) {
   return t / (1.0 + n->more * (1.0 - t));
 }
 
-static double slab_of(const crossings *n, double c) { return fibertex_over_black(n->slab, c); }
-
-static double often(const crossings *n, double c) {
-  return slab_of(n, most(c, 1e-8)) / slab_of(n, 1.0);
+/* What comes back of what is scattered often. */
+static double back_of(const fibertex_constants *w, const settings *s, const crossings *n,
+                      double c) {
+  if (w->structure == STRUCTURE_WOVEN) return fibertex_cloth_back(w, s, c);
+  return fibertex_over_black(n->slab, most(c, 1e-8));
 }
 
 /* 3x3, columns; false where it has no inverse to speak of. */
@@ -155,6 +156,8 @@ static int32_t colours(fibertex_constants *w, const sozai_host *host, const sett
   crossings n = crossings_of(number_at(s, P_TRANSMISSION), depth);
   int woven = w->structure == STRUCTURE_WOVEN;
   if (woven) n.more = 0.0; /* side by side: what went through one goes out */
+  double white = back_of(w, s, &n, 1.0);
+  double to_albedo = woven ? fibertex_cloth_albedo(w) : 0.0;
   for (int i = 0; i < FIBERTEX_COLOURS; i++) {
     double c[3], glow[3], bulk[3], albedo[3], out[3][3];
     for (int k = 0; k < 3; k++) c[k] = (double)w->colour[i][k];
@@ -162,8 +165,9 @@ static int32_t colours(fibertex_constants *w, const sozai_host *host, const sett
     for (int k = 0; k < 3; k++) {
       double x = least(most(out[0][k], 0.0), 1.0), outside = out[0][k] - x;
       glow[k] = onward(&n, x) + outside;
-      bulk[k] = (woven ? fibertex_cloth_often(w, s, x) : often(&n, x)) + outside;
-      albedo[k] = woven ? fibertex_cloth_albedo(w, s, x) + outside : 0.0;
+      double back = back_of(w, s, &n, x);
+      bulk[k] = back / white + outside;
+      albedo[k] = to_albedo * back + outside;
     }
     transform((const double(*)[3])to, glow, out[0]);
     transform((const double(*)[3])to, bulk, out[1]);
