@@ -587,6 +587,23 @@ static void build_rays(wood_constants *w, const settings *s) {
 
 /* ---- canals, cells, spalting ------------------------------------------- */
 
+/* Latewood's share where canals stand, which are the more the later in the ring: the
+ * profile's mean over the phases that canals_at gives them, in a ring of the mean width. */
+static double late_of_canals(const wood_constants *w) {
+  enum { PARTS = 64 };
+  double margin = (double)CANAL_MARGIN * (double)w->canal.radius / (double)w->ring_width;
+  double low = limited((double)CANAL_LOW, margin, 0.5), high = limited(1.0 - margin, 0.5, 1.0);
+  double mean = 0.0, before = low, late = late_profile_integral(w, low);
+  for (int i = 1; i <= PARTS; i++) {
+    double at = low + (high - low) * i / PARTS, next = late_profile_integral(w, at);
+    mean += (next - late) / (at - before) * (2.0 * i - 1.0) / (PARTS * PARTS);
+    before = at;
+    late = next;
+  }
+  double whole = late_profile_integral(w, 1.0) * (double)w->ring_period;
+  return mean * (whole > 0.0 ? (double)w->late_period / whole : 0.0);
+}
+
 static void build_canals(wood_constants *w, const settings *s, const float (*colours)[3]) {
   double density = number_at(s, P_CANAL_DENSITY), diameter = number_at(s, P_CANAL_DIAMETER);
   w->has_canals = density > 0.0;
@@ -596,6 +613,7 @@ static void build_canals(wood_constants *w, const settings *s, const float (*col
   w->canal_rows = rows < 4 ? rows : 4;
   double square = build_radii(&w->canal, diameter, 0.18), r = (double)w->canal.radius;
   w->canal.coverage = (float)(0.5 * TWO_PI * r * r * square * density);
+  w->canal_late = (float)late_of_canals(w);
   for (int c = 0; c < 3; c++) {
     w->canal_colour[c] = colours[P_CANAL_COLOUR][c];
     w->canal_lumen[c] = 0.55f * colours[P_CANAL_COLOUR][c];

@@ -11,12 +11,23 @@
 
 #include "vessels.h"
 
+#define CANAL_MIXED 0.05f /* square of a footprint over its ring that mixes half of it */
+
 typedef struct {
   vf whole, core; /* share covered: by the canal and by its lumen */
 } canal_cover;
 
 INLINE canal_cover canals_expected(const wood_constants *w) {
   return (canal_cover){splat(w->canal.coverage), splat(w->canal.coverage * CANAL_CORE)};
+}
+
+/* Latewood's share of what is beside the canals. They take latewood rather than the
+ * footprint's mix: all but in it when a ring lies under the footprint, and just what is
+ * there when the footprint is small in its ring. */
+INLINE vf canals_leave(const wood_constants *w, const canal_cover *c, vf bb, vf inverse_width,
+                       vf late) {
+  vf spread = bb * inverse_width * inverse_width, mixed = spread / (spread + splat(CANAL_MIXED));
+  return late - c->whole * mixed * (splat(w->canal_late) - late);
 }
 
 INLINE canal_cover canals_at(const wood_constants *w, const vessel_place *p) {
@@ -41,8 +52,8 @@ INLINE canal_cover canals_at(const wood_constants *w, const vessel_place *p) {
   matrix2 m = {p->f.aa * twelfth, p->f.ab * twelfth, p->f.bb * twelfth};
   disc whole = disc_blurred(radius2, m), core = disc_blurred(radius2 * splat(CANAL_CORE), m);
   /* all of it within its ring */
-  vf margin = splat(1.6f * w->canal.radius) * ring->inverse_width;
-  vf low = vmin(vmax(splat(0.42f), margin), splat(0.5f)), high = vmax(one - margin, splat(0.5f));
+  vf margin = splat(CANAL_MARGIN * w->canal.radius) * ring->inverse_width;
+  vf low = vmin(vmax(splat(CANAL_LOW), margin), splat(0.5f)), high = vmax(one - margin, splat(0.5f));
   vf sum = zero, inner = zero;
   for (int row = 0; row < w->canal_rows; row++) {
     vu seed = (vu)ring->ring * splatu(HASH_Z) + wood_seed(w, p->own, SEED_CANALS);

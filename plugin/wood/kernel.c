@@ -778,8 +778,19 @@ INLINE void stage_cells(const wood_constants *w, int boards, block *k) {
   }
 }
 
-INLINE void stage_spalt(const wood_constants *w, int boards, block *k) {
-  k->spalt = spalt_at(w, own_of(boards, k), k->x, k->p[1], k->z, k->s);
+INLINE void stage_spalt(const wood_constants *w, int boards, const wood_io *io, block *k) {
+  vf a[3], b[3];
+  spalt_eye q = {.at = {k->x, k->p[1], k->z}, .n = k->nrm, .ball = !io->in->normal[0], .s = k->s};
+  section_rows(k, a, b);
+  for (int c = 0; c < 3; c++) {
+    q.row[0][c] = k->c * b[c] - k->sn * a[c];
+    q.row[1][c] = splat(c == 1 ? 1.0f : 0.0f);
+    q.row[2][c] = k->sn * b[c] + k->c * a[c];
+  }
+  if (boards && w->plies.count) {
+    for (int c = 0; c < 3; c++) ply_squeeze(&k->board, q.row[c]);
+  }
+  k->spalt = spalt_at(w, own_of(boards, k), &q);
 }
 
 /* Streaks of minerals along the fibre: a stain, which is no deeper where two
@@ -836,7 +847,8 @@ INLINE void stage_colour(const wood_constants *w, int boards, const wood_io *io,
   /* pores stand everywhere; earlywood rows where there is no latewood, or in its stead */
   vf season = w->has_eyes ? vmax(k->late, k->stem.eye) : k->late;
   vf late = season * (one - vmin(k->over_late, one));
-  late = vmin(late, vmax(one - k->cover, zero));
+  if (w->has_canals) late = canals_leave(w, &k->canal, k->f.bb, k->ring.inverse_width, late);
+  late = clamp(late, zero, vmax(one - k->cover, zero));
   vf early = vmax(one - k->cover - late, zero) * k->shift, dark = late * k->shift;
   vf open = w->has_cells ? k->cover + k->lining : k->cover;
   vf heart = heart_share(w, k->years, k->c, k->sn, vsqrt(k->f.bb) * k->ring.inverse_width);
@@ -1113,7 +1125,7 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
   if (w->has_canals && want->vessel) EACH(stage_canals(w, boards, io, &blocks[k]));
   if (want->vessel && !w->has_canals) EACH(store_lanes(io, WOOD_CANAL, &blocks[k], splat(0.0f)));
   if (want->colour && w->has_cells && !want->picture) EACH(stage_cells(w, boards, &blocks[k]));
-  if (want->colour && w->has_spalt && !want->picture) EACH(stage_spalt(w, boards, &blocks[k]));
+  if (want->colour && w->has_spalt && !want->picture) EACH(stage_spalt(w, boards, io, &blocks[k]));
   if (want->picture) {
     EACH(stage_picture(w, boards, io, &blocks[k]));
     if (want->relief) EACH(stage_relief(w, boards, io, &blocks[k], &reliefs[k]));

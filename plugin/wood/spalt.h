@@ -3,10 +3,16 @@
  * Spalting: thin black zone lines where colonies of fungi meet, and wood that
  * they have bleached on one side of them. Level sets of a noise drawn out along
  * the fibre; a point's distance from one is its value over its gradient.
+ *
+ * That is straight over a small part of a colony only, so that a footprint is
+ * looked at in as many parts as it takes, 64 at most. They cost what they cost
+ * where there is spalting and the footprint is wide; what is to be expected
+ * takes over from two to five colonies.
  */
 #ifndef SOZAI_WOOD_SPALT_H
 #define SOZAI_WOOD_SPALT_H
 
+#include "../core/filter.h"
 #include "../core/noise.h"
 #include "rays.h"
 
@@ -14,46 +20,124 @@ typedef struct {
   vf line, bleached; /* shares of the footprint */
 } spalt_place;
 
-#define SPALT_LONG 2.5f /* along the fibre, to a width of 1 */
+/* A footprint as the fungi see it. */
+typedef struct {
+  vf at[3];     /* the fibre's place x, z in the reference section, and y between them: the height */
+  vf row[3][3]; /* of the map from log space to it */
+  const vf *n;  /* normal, log space */
+  int ball;
+  vf s;
+  vf spread; /* of the surface over the noise's lattice, both directions' squares */
+} spalt_eye;
 
-/* n: the noise; inverse_steep: mm to a unit of it. */
-INLINE vf spalt_line(vf n, vf inverse_steep, float level, vf half, vf e) {
-  vf d = (n - splat(level)) * inverse_steep;
-  return ray_overlap(d - e, d + e, half);
-}
+#define SPALT_LONG 2.5f   /* along the fibre, to a width of 1 */
+#define SPALT_FINER 2.3f  /* the second octave */
+#define SPALT_WEAKER 0.4f /* and its share */
+#define SPALT_FLAT 1.0f  /* of an octave that a part of its lattice's size takes, and takes on */
 
-/* (x, z), y: the fibre's place in the reference section, and the height. */
-INLINE spalt_place spalt_at(const wood_constants *w, vu own, vf x, vf y, vf z, vf s) {
-  spalt_place p;
-  vf one = splat(1.0f), f = splat(w->spalt_frequency);
-  vf fade = smooth_step(splat(0.15f), splat(0.6f), s * f);
-  p.line = splat(w->spalt_line_mean);
-  p.bleached = splat(w->spalt_bleach_mean);
-  if (!any(lt(fade, one))) return p;
-  vf g[3], h[3], a = x * f, b = y * f * splat(1.0f / SPALT_LONG), c = z * f;
-  vf two = splat(2.3f), weight = splat(0.4f), slope = splat(0.92f);
+/* d: from a level of the noise. */
+INLINE vf spalt_line(vf d, vf half, vf e) { return ray_overlap(d - e, d + e, half); }
+
+/* A part of a footprint, of side s about `at`. */
+INLINE spalt_place spalt_part(const wood_constants *w, vu own, const spalt_eye *q, const vf at[3],
+                              vf s) {
+  vf one = splat(1.0f), f = splat(w->spalt_frequency), finer = splat(SPALT_FINER);
+  vf g[3], h[3], slope[3], flat[3], unused;
+  vf a = at[0] * f, b = at[1] * f * splat(1.0f / SPALT_LONG), c = at[2] * f;
   vf n = noise_gradient3(a, b, c, wood_seed(w, own, SEED_SPALT), g);
-  n = n + weight * noise_gradient3(a * two, b * two, c * two, wood_seed(w, own, SEED_SPALT + 1), h);
+  vf m = noise_gradient3(a * finer, b * finer, c * finer, wood_seed(w, own, SEED_SPALT + 1), h);
+  /* an octave's mean over the part, which strays less than the octave by what the
+   * straight run of it within the part does */
+  vf wide = s * f * s * f * q->spread * splat(SPALT_FLAT);
+  vf keep = one / (one + wide), keep_finer = one / (one + wide * finer * finer);
+  n = n * keep + m * (keep_finer * splat(SPALT_WEAKER));
   vf steep2 = splat(1e-3f);
   for (int i = 0; i < 3; i++) {
-    vf k = (g[i] + slope * h[i]) * splat(i == 1 ? 1.0f / SPALT_LONG : 1.0f);
-    steep2 = steep2 + k * k;
+    slope[i] = g[i] * keep + splat(SPALT_WEAKER * SPALT_FINER) * (h[i] * keep_finer);
+    if (i == 1) slope[i] = slope[i] * splat(1.0f / SPALT_LONG);
+    steep2 = steep2 + slope[i] * slope[i];
   }
-  vf inverse = inverse_root(steep2) * splat(w->spalt_size);
+  for (int i = 0; i < 3; i++) {
+    flat[i] = slope[0] * q->row[0][i] + slope[1] * q->row[1][i] + slope[2] * q->row[2][i];
+  }
+  vf inverse = inverse_root(steep2), steep = steep2 * inverse * f; /* of the noise to a mm */
+  vf across = f * vsqrt(footprint_along(flat, q->n, q->ball, &unused));
+  vf e = vmax(splat(0.5f) * s * across, splat(0.02f) * steep);
   /* thinner and thicker from place to place */
-  vf half = splat(0.5f * w->spalt_width) * (one + splat(0.8f) * h[0] * splat(0.4f));
-  half = vmax(half, splat(0.15f * w->spalt_width));
-  vf e = vmax(splat(0.5f) * s, splat(0.02f));
-  vf line = spalt_line(n, inverse, w->spalt_level, half, e) +
-            spalt_line(n, inverse, w->spalt_other, half, e);
-  vf d = (n - splat(w->spalt_level)) * inverse;
+  vf half = splat(0.5f * w->spalt_width) * (one + splat(0.32f) * h[0]);
+  half = vmax(half, splat(0.15f * w->spalt_width)) * steep;
+  vf d = n - splat(w->spalt_level);
+  spalt_place p;
+  p.line = spalt_line(d, half, e) + spalt_line(n - splat(w->spalt_other), half, e);
+  p.line = vmin(p.line, one);
   vf pale = clamp01(d / (e + e) + splat(0.5f));
   /* most bleached by the line */
-  pale = pale * (splat(0.55f) + splat(0.45f) * clamp01(one - d * f * splat(4.0f)));
-  /* a mix by 1 may be a bit off: what a block skips must be what it would find */
+  p.bleached = pale * (splat(0.55f) + splat(0.45f) * clamp01(one - d * inverse * splat(4.0f)));
+  return p;
+}
+
+/* The mean of side * side parts. */
+static __attribute__((noinline)) spalt_place spalt_parts(const wood_constants *w, vu own,
+                                                         const spalt_eye *q, int side) {
+  vf zero = splat(0.0f), one = splat(1.0f), inverse = splat(1.0f / (float)side);
+  /* two directions in the surface: the height's, or x where that is the normal, is one */
+  vm up = lt(vabs(q->n[1]), splat(0.9f));
+  vf t[3] = {sel(up, zero, one), sel(up, one, zero), zero}, u[3];
+  vf along = t[0] * q->n[0] + t[1] * q->n[1];
+  for (int i = 0; i < 3; i++) t[i] = t[i] - along * q->n[i];
+  vf k = inverse_root(vmax(t[0] * t[0] + t[1] * t[1] + t[2] * t[2], splat(1e-6f)));
+  for (int i = 0; i < 3; i++) t[i] = t[i] * k;
+  for (int i = 0; i < 3; i++) {
+    u[i] = q->n[(i + 1) % 3] * t[(i + 2) % 3] - q->n[(i + 2) % 3] * t[(i + 1) % 3];
+  }
+  vf part = q->s * inverse;
+  spalt_place sum = {zero, zero};
+  for (int j = 0; j < side; j++) {
+    for (int i = 0; i < side; i++) {
+      float middle = 0.5f * (float)(side - 1);
+      /* where no normal is known the parts lie in depth too, each elsewhere */
+      float depth = q->ball ? (float)((5 * i + 3 * j) % side) - middle : 0.0f;
+      vf p[3], at[3];
+      for (int c = 0; c < 3; c++) {
+        p[c] = t[c] * splat((float)i - middle) + u[c] * splat((float)j - middle);
+        p[c] = (p[c] + q->n[c] * splat(depth)) * part;
+      }
+      for (int c = 0; c < 3; c++) {
+        const vf *row = q->row[c];
+        at[c] = q->at[c] + row[0] * p[0] + row[1] * p[1] + row[2] * p[2];
+      }
+      spalt_place one_of = spalt_part(w, own, q, at, part);
+      sum.line = sum.line + one_of.line;
+      sum.bleached = sum.bleached + one_of.bleached;
+    }
+  }
+  sum.line = sum.line * (inverse * inverse);
+  sum.bleached = sum.bleached * (inverse * inverse);
+  return sum;
+}
+
+INLINE spalt_place spalt_at(const wood_constants *w, vu own, spalt_eye *q) {
+  /* sides in colonies up to which 1, 2, 4, 8 parts to a side do */
+  static const float most[4] = {0.05f, 0.12f, 0.4f, 5.0f};
+  vf one = splat(1.0f), size = q->s * splat(w->spalt_frequency);
+  spalt_place mean = {splat(w->spalt_line_mean), splat(w->spalt_bleach_mean)}, p = mean;
+  vf unused, before = splat(-1.0f);
+  q->spread = footprint_along(q->row[0], q->n, q->ball, &unused) +
+              footprint_along(q->row[2], q->n, q->ball, &unused) +
+              footprint_along(q->row[1], q->n, q->ball, &unused) *
+                  splat(1.0f / (SPALT_LONG * SPALT_LONG));
+  for (int k = 0; k < 4; k++) {
+    vm mine = and_(gt(size, before), le(size, splat(most[k])));
+    before = splat(most[k]);
+    if (!any(mine)) continue;
+    spalt_place found = k ? spalt_parts(w, own, q, 1 << k) : spalt_part(w, own, q, q->at, q->s);
+    p.line = sel(mine, found.line, p.line);
+    p.bleached = sel(mine, found.bleached, p.bleached);
+  }
+  vf fade = smooth_step(splat(2.0f), splat(5.0f), size);
   vm near = lt(fade, one);
-  p.line = sel(near, mix(vmin(line, one), p.line, fade), p.line);
-  p.bleached = sel(near, mix(pale, p.bleached, fade), p.bleached);
+  p.line = sel(near, mix(p.line, mean.line, fade), mean.line);
+  p.bleached = sel(near, mix(p.bleached, mean.bleached, fade), mean.bleached);
   return p;
 }
 

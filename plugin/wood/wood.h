@@ -40,6 +40,8 @@
 #define PIGMENT_FADE 0.6f     /* how much weaker bands may be in one place than in another */
 #define CURL_STRAY_REACH 1.6f /* of the reach, that the phase strays over */
 #define CANAL_CORE 0.4f       /* share of a resin canal that is its lumen */
+#define CANAL_LOW 0.42f       /* phase of a ring from which on resin canals stand */
+#define CANAL_MARGIN 1.6f     /* radii from a resin canal's middle to its ring's ends */
 #define WOOD_RIM 256          /* directions in which the rim of a picture is known */
 
 /* The seeds of the noises, kept apart. */
@@ -189,6 +191,7 @@ typedef struct {
   float canal_density; /* 1/mm^2 */
   int32_t canal_rows;  /* that those of a ring are looked up in */
   wood_vessels canal;
+  float canal_late;                      /* share of latewood where they stand */
   float canal_colour[3], canal_lumen[3]; /* of the cells that line it, and within */
 
   /* cells */
