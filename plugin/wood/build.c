@@ -19,6 +19,8 @@
 #include "surface/build.h"
 
 #define SPALT_BLEACH 0.75 /* how bleached the bleached share is, measured */
+#define SPALT_SLOPE 0.255 /* variance of an octave's slope along an axis of its lattice, measured  \
+                           */
 
 #define TWO_PI 6.28318530717958647692
 
@@ -648,23 +650,38 @@ static void build_cells(wood_constants *w, const settings *s) {
   w->inverse_element = (float)(1.0 / number_at(s, P_ELEMENT_LENGTH));
 }
 
+/* Of a colony whose edge is at `level` of a noise with the first octave at `scale`: the
+ * share of wood within, and mm of edge to a mm^2 of wood, times the colonies' size. The
+ * noise is nearly normal, and its slope does not depend on it: a level set's area is the
+ * density times the mean slope (S. O. Rice, 1944). */
+static void spalt_expect(double level, double scale, double *within, double *edge) {
+  double variance = (double)SPALT_VARIANCE, slope = SPALT_SLOPE * scale * scale;
+  for (int o = 1; o < SPALT_OCTAVES; o++) {
+    double weight = (double)spalt_weight[o], steep = weight * (double)spalt_scale[o];
+    variance += (double)SPALT_VARIANCE * weight * weight;
+    slope += SPALT_SLOPE * steep * steep;
+  }
+  double density = scalar_exp(-0.5 * level * level / variance) * 0.39894228;
+  /* the mean length of a normal gradient that is 2.5 times flatter along the fibre */
+  *edge = density * scalar_root(slope / variance) * 1.30;
+  double z = level / scalar_root(variance), t = 1.0 / (1.0 + 0.33267 * z);
+  *within = density * t * (0.4361836 + t * (-0.1201676 + 0.937298 * t));
+}
+
 static void build_spalt(wood_constants *w, const settings *s) {
   double amount = number_at(s, P_SPALT), size = number_at(s, P_SPALT_SIZE);
+  double width = number_at(s, P_SPALT_WIDTH), within[2], edge[2];
   w->has_spalt = amount > 0.0;
-  w->spalt_size = (float)size;
   w->spalt_frequency = (float)(1.0 / size);
-  w->spalt_width = (float)number_at(s, P_SPALT_WIDTH);
-  double level = 0.46 - 0.42 * amount, other = -0.6 + 0.35 * amount;
+  w->spalt_width = (float)width;
+  double level = 0.46 - 0.42 * amount, other = 0.5 - 0.42 * amount;
   w->spalt_level = (float)level;
   w->spalt_other = (float)other;
-  /* the noise is nearly normal, of variance 0.0423; its slope does not depend on
-   * it, so that a level set's area falls as the density */
-  double lines = scalar_exp(-level * level / 0.0846) + scalar_exp(-other * other / 0.0846);
-  w->spalt_line_mean = (float)(1.73 * lines * (double)w->spalt_width / size);
-  double z = level / 0.2058, t = 1.0 / (1.0 + 0.33267 * z);
-  double tail =
-      0.39894228 * scalar_exp(-0.5 * z * z) * t * (0.4361836 + t * (-0.1201676 + 0.937298 * t));
-  w->spalt_bleach_mean = (float)(SPALT_BLEACH * tail);
+  spalt_expect(level, 1.0, &within[0], &edge[0]);
+  spalt_expect(other, (double)SPALT_SECOND, &within[1], &edge[1]);
+  double left = 1.0 - within[0], lines = (edge[0] + left * edge[1]) * width / size;
+  w->spalt_line_mean = (float)(lines < 1.0 ? lines : 1.0);
+  w->spalt_bleach_mean = (float)(SPALT_BLEACH * within[0] + left * within[1] * (double)SPALT_PALE);
 }
 
 /* ---- fibres, colour, figure ------------------------------------------- */

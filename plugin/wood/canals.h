@@ -53,7 +53,8 @@ INLINE canal_cover canals_at(const wood_constants *w, const vessel_place *p) {
   disc whole = disc_blurred(radius2, m), core = disc_blurred(radius2 * splat(CANAL_CORE), m);
   /* all of it within its ring */
   vf margin = splat(CANAL_MARGIN * w->canal.radius) * ring->inverse_width;
-  vf low = vmin(vmax(splat(CANAL_LOW), margin), splat(0.5f)), high = vmax(one - margin, splat(0.5f));
+  vf low = vmin(vmax(splat(CANAL_LOW), margin), splat(0.5f)),
+     high = vmax(one - margin, splat(0.5f));
   vf sum = zero, inner = zero;
   for (int row = 0; row < w->canal_rows; row++) {
     vu seed = (vu)ring->ring * splatu(HASH_Z) + wood_seed(w, p->own, SEED_CANALS);

@@ -1,13 +1,19 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * Spalting: thin black zone lines where colonies of fungi meet, and wood that
- * they have bleached on one side of them. Level sets of a noise drawn out along
- * the fibre; a point's distance from one is its value over its gradient.
+ * Spalting. Colonies of two fungi grow along the fibre, each where a noise is above
+ * its level; the second keeps out of the first. Where a colony ends is a thin black
+ * zone line, and the wood within is bleached. So lines close, or end on another, as
+ * territories do. They are ragged down to some millimetres, since fungi go from fibre
+ * to fibre: finer octaves, that both noises have in common. A point's distance from a
+ * line is its value over its gradient.
  *
  * That is straight over a small part of a colony only, so that a footprint is
  * looked at in as many parts as it takes, 64 at most. They cost what they cost
  * where there is spalting and the footprint is wide; what is to be expected
  * takes over from two to five colonies.
+ *
+ * S. C. Robinson et al. (2007, see species.c), and A. Rayner and L. Boddy, Fungal decomposition of
+ * wood (1988), on zone lines as the ends of colonies.
  */
 #ifndef SOZAI_WOOD_SPALT_H
 #define SOZAI_WOOD_SPALT_H
@@ -22,7 +28,7 @@ typedef struct {
 
 /* A footprint as the fungi see it. */
 typedef struct {
-  vf at[3];     /* the fibre's place x, z in the reference section, and y between them: the height */
+  vf at[3]; /* the fibre's place x, z in the reference section, and y between them: the height */
   vf row[3][3]; /* of the map from log space to it */
   const vf *n;  /* normal, log space */
   int ball;
@@ -30,49 +36,86 @@ typedef struct {
   vf spread; /* of the surface over the noise's lattice, both directions' squares */
 } spalt_eye;
 
-#define SPALT_LONG 2.5f   /* along the fibre, to a width of 1 */
-#define SPALT_FINER 2.3f  /* the second octave */
-#define SPALT_WEAKER 0.4f /* and its share */
-#define SPALT_FLAT 1.0f  /* of an octave that a part of its lattice's size takes, and takes on */
+#define SPALT_LONG 2.5f /* along the fibre, to a width of 1 */
+#define SPALT_FLAT 1.0f /* of an octave that a part of its lattice's size takes, and takes on */
 
 /* d: from a level of the noise. */
 INLINE vf spalt_line(vf d, vf half, vf e) { return ray_overlap(d - e, d + e, half); }
 
-/* A part of a footprint, of side s about `at`. */
-INLINE spalt_place spalt_part(const wood_constants *w, vu own, const spalt_eye *q, const vf at[3],
-                              vf s) {
-  vf one = splat(1.0f), f = splat(w->spalt_frequency), finer = splat(SPALT_FINER);
-  vf g[3], h[3], slope[3], flat[3], unused;
-  vf a = at[0] * f, b = at[1] * f * splat(1.0f / SPALT_LONG), c = at[2] * f;
-  vf n = noise_gradient3(a, b, c, wood_seed(w, own, SEED_SPALT), g);
-  vf m = noise_gradient3(a * finer, b * finer, c * finer, wood_seed(w, own, SEED_SPALT + 1), h);
-  /* an octave's mean over the part, which strays less than the octave by what the
-   * straight run of it within the part does */
-  vf wide = s * f * s * f * q->spread * splat(SPALT_FLAT);
-  vf keep = one / (one + wide), keep_finer = one / (one + wide * finer * finer);
-  n = n * keep + m * (keep_finer * splat(SPALT_WEAKER));
+/* A noise, and its gradient over x, z and y between them, in the octave's own lattice
+ * and of unit weight; or a sum of such, in that of the first. */
+typedef struct {
+  vf n, slope[3], lost; /* lost: variance within the part that slopes do not tell of */
+} spalt_noise;
+
+/* One octave's mean over a part of side s, which strays less than the octave by what the
+ * straight run of it within the part does; where the part is wide that is less than the
+ * octave loses. */
+INLINE void spalt_octave(const wood_constants *w, const spalt_eye *q, vu own, const vf at[3], vf s,
+                         uint32_t seed, float scale, float weight, spalt_noise *sum) {
+  vf one = splat(1.0f), f = splat(w->spalt_frequency * scale), g[3];
+  vf n = noise_gradient3(at[0] * f, at[1] * f * splat(1.0f / SPALT_LONG), at[2] * f,
+                         wood_seed(w, own, seed), g);
+  vf wide = s * f * s * f * q->spread * splat(SPALT_FLAT), keep = one / (one + wide);
+  vf kept = keep * splat(weight), lost = wide * kept;
+  sum->n = sum->n + n * kept;
+  sum->lost = sum->lost + splat(SPALT_VARIANCE) * lost * lost;
+  for (int i = 0; i < 3; i++) sum->slope[i] = sum->slope[i] + g[i] * (kept * splat(scale));
+}
+
+/* A colony's edge: its zone line, and how much of the part is within. */
+typedef struct {
+  vf line, within, depth; /* depth: in colonies, from the line inwards */
+} spalt_edge;
+
+INLINE spalt_edge spalt_edge_of(const wood_constants *w, const spalt_eye *q, const spalt_noise *n,
+                                float level, vf width, vf s) {
+  vf one = splat(1.0f), f = splat(w->spalt_frequency), flat[3], slope[3], unused;
   vf steep2 = splat(1e-3f);
   for (int i = 0; i < 3; i++) {
-    slope[i] = g[i] * keep + splat(SPALT_WEAKER * SPALT_FINER) * (h[i] * keep_finer);
-    if (i == 1) slope[i] = slope[i] * splat(1.0f / SPALT_LONG);
+    slope[i] = i == 1 ? n->slope[i] * splat(1.0f / SPALT_LONG) : n->slope[i];
     steep2 = steep2 + slope[i] * slope[i];
   }
   for (int i = 0; i < 3; i++) {
     flat[i] = slope[0] * q->row[0][i] + slope[1] * q->row[1][i] + slope[2] * q->row[2][i];
   }
   vf inverse = inverse_root(steep2), steep = steep2 * inverse * f; /* of the noise to a mm */
-  vf across = f * vsqrt(footprint_along(flat, q->n, q->ball, &unused));
-  vf e = vmax(splat(0.5f) * s * across, splat(0.02f) * steep);
+  vf across2 = f * f * footprint_along(flat, q->n, q->ball, &unused);
+  vf e = vsqrt(splat(0.25f) * s * s * across2 + splat(3.0f) * n->lost);
+  e = vmax(e, splat(0.02f) * steep);
+  vf d = n->n - splat(level);
+  spalt_edge r;
+  r.line = vmin(spalt_line(d, width * steep, e), one);
+  r.within = clamp01(d / (e + e) + splat(0.5f));
+  r.depth = d * inverse;
+  return r;
+}
+
+/* A part of a footprint, of side s about `at`. */
+INLINE spalt_place spalt_part(const wood_constants *w, vu own, const spalt_eye *q, const vf at[3],
+                              vf s) {
+  vf zero = splat(0.0f), one = splat(1.0f);
+  spalt_noise fine = {zero, {zero, zero, zero}, zero};
+  for (uint32_t o = 1; o < SPALT_OCTAVES; o++) {
+    spalt_octave(w, q, own, at, s, o == 1 ? SEED_SPALT + 1 : SEED_SPALT_MORE + o, spalt_scale[o],
+                 spalt_weight[o], &fine);
+  }
+  spalt_noise first = fine, second = fine;
+  second.n = zero - fine.n;
+  for (int i = 0; i < 3; i++) second.slope[i] = zero - fine.slope[i];
+  spalt_octave(w, q, own, at, s, SEED_SPALT, 1.0f, 1.0f, &first);
+  spalt_octave(w, q, own, at, s, SEED_SPALT_MORE, SPALT_SECOND, 1.0f, &second);
   /* thinner and thicker from place to place */
-  vf half = splat(0.5f * w->spalt_width) * (one + splat(0.32f) * h[0]);
-  half = vmax(half, splat(0.15f * w->spalt_width)) * steep;
-  vf d = n - splat(w->spalt_level);
+  vf half = splat(0.5f * w->spalt_width) * (one + splat(0.25f) * fine.slope[0]);
+  half = vmax(half, splat(0.15f * w->spalt_width));
+  spalt_edge a = spalt_edge_of(w, q, &first, w->spalt_level, half, s);
+  spalt_edge b = spalt_edge_of(w, q, &second, w->spalt_other, half, s);
+  vf left = one - a.within;
   spalt_place p;
-  p.line = spalt_line(d, half, e) + spalt_line(n - splat(w->spalt_other), half, e);
-  p.line = vmin(p.line, one);
-  vf pale = clamp01(d / (e + e) + splat(0.5f));
+  p.line = vmin(a.line + b.line * left, one);
   /* most bleached by the line */
-  p.bleached = pale * (splat(0.55f) + splat(0.45f) * clamp01(one - d * inverse * splat(4.0f)));
+  vf pale = splat(0.55f) + splat(0.45f) * clamp01(one - a.depth * splat(4.0f));
+  p.bleached = a.within * pale + left * b.within * splat(SPALT_PALE);
   return p;
 }
 
@@ -118,14 +161,14 @@ static __attribute__((noinline)) spalt_place spalt_parts(const wood_constants *w
 
 INLINE spalt_place spalt_at(const wood_constants *w, vu own, spalt_eye *q) {
   /* sides in colonies up to which 1, 2, 4, 8 parts to a side do */
-  static const float most[4] = {0.05f, 0.12f, 0.4f, 5.0f};
+  static const float most[4] = {0.018f, 0.06f, 0.3f, 5.0f};
   vf one = splat(1.0f), size = q->s * splat(w->spalt_frequency);
   spalt_place mean = {splat(w->spalt_line_mean), splat(w->spalt_bleach_mean)}, p = mean;
   vf unused, before = splat(-1.0f);
-  q->spread = footprint_along(q->row[0], q->n, q->ball, &unused) +
-              footprint_along(q->row[2], q->n, q->ball, &unused) +
-              footprint_along(q->row[1], q->n, q->ball, &unused) *
-                  splat(1.0f / (SPALT_LONG * SPALT_LONG));
+  q->spread =
+      footprint_along(q->row[0], q->n, q->ball, &unused) +
+      footprint_along(q->row[2], q->n, q->ball, &unused) +
+      footprint_along(q->row[1], q->n, q->ball, &unused) * splat(1.0f / (SPALT_LONG * SPALT_LONG));
   for (int k = 0; k < 4; k++) {
     vm mine = and_(gt(size, before), le(size, splat(most[k])));
     before = splat(most[k]);

@@ -40,9 +40,16 @@
 #define PIGMENT_FADE 0.6f     /* how much weaker bands may be in one place than in another */
 #define CURL_STRAY_REACH 1.6f /* of the reach, that the phase strays over */
 #define CANAL_CORE 0.4f       /* share of a resin canal that is its lumen */
-#define CANAL_LOW 0.42f       /* phase of a ring from which on resin canals stand */
-#define CANAL_MARGIN 1.6f     /* radii from a resin canal's middle to its ring's ends */
-#define WOOD_RIM 256          /* directions in which the rim of a picture is known */
+/* Octaves of spalting's noise, of scales and weights; the variance of one of weight 1. */
+enum { SPALT_OCTAVES = 4 };
+static const float spalt_scale[SPALT_OCTAVES] = {1.0f, 2.3f, 5.3f, 12.2f};
+static const float spalt_weight[SPALT_OCTAVES] = {1.0f, 0.4f, 0.13f, 0.045f};
+#define SPALT_VARIANCE 0.0365f
+#define SPALT_SECOND 1.3f /* the second fungus's colonies are that much smaller */
+#define SPALT_PALE 0.5f   /* and bleach so much, where the first bleaches by 1 */
+#define CANAL_LOW 0.42f   /* phase of a ring from which on resin canals stand */
+#define CANAL_MARGIN 1.6f /* radii from a resin canal's middle to its ring's ends */
+#define WOOD_RIM 256      /* directions in which the rim of a picture is known */
 
 /* The seeds of the noises, kept apart. */
 enum {
@@ -75,7 +82,8 @@ enum {
   SEED_WAVE_SWELL,
   SEED_RIBBON,
   SEED_PIGMENT,
-  WOOD_SEEDS
+  SEED_SPALT_MORE,
+  WOOD_SEEDS = SEED_SPALT_MORE + 4
 };
 
 /* A layer of vessels of normally distributed radius. inverse_square[i] is
@@ -206,9 +214,9 @@ typedef struct {
 
   /* spalting */
   int32_t has_spalt;
-  float spalt_frequency, spalt_size, spalt_width; /* 1/mm; mm; mm */
-  float spalt_level, spalt_other;                 /* of the noise, where lines are */
-  float spalt_line_mean, spalt_bleach_mean;       /* expected */
+  float spalt_frequency, spalt_width;       /* 1/mm; mm */
+  float spalt_level, spalt_other;           /* of the noise, where lines are */
+  float spalt_line_mean, spalt_bleach_mean; /* expected */
 
   /* rays */
   int32_t has_rays;
