@@ -6,6 +6,7 @@
 #include "commands.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -158,6 +159,14 @@ static bool has_seed(const sozai_texture_info *info) {
   return false;
 }
 
+static void add_param(shot *s, const char *param) {
+  for (int k = 0; k < SHOT_PARAMS; k++) {
+    if (s->params[k]) continue;
+    s->params[k] = param;
+    return;
+  }
+}
+
 /* The `count` shots that every preset of a material has, of one preset after
  * another. */
 static bool make_of_each(gallery *g, const shot *shots, uint32_t count, failure *why) {
@@ -165,14 +174,16 @@ static bool make_of_each(gallery *g, const shot *shots, uint32_t count, failure 
   bool seeds = info && has_seed(info);
   for (uint32_t i = 0; info && i < info->preset_count; i++)
     for (const shot *s = shots; s < shots + count; s++) {
-      char name[128], title[256], seed[32];
+      char name[128], title[256], seed[32], offset[48];
       if (!is_of(s, info->presets[i])) continue;
       shot own = *s;
       snprintf(seed, sizeof seed, "seed=%u", i + 1);
-      for (int k = 0; s->own_log && seeds && k < SHOT_PARAMS; k++) {
-        if (own.params[k]) continue;
-        own.params[k] = seed;
-        break;
+      if (s->own_log && seeds) add_param(&own, seed);
+      if (s->aside > 0.0) {
+        /* as many to the left as to the right, and none after its like */
+        double place = fmod(0.618034 * (i + 1), 1.0) * 2.0 - 1.0;
+        snprintf(offset, sizeof offset, "cut_offset=%.1f 0 0", place * s->aside);
+        add_param(&own, offset);
       }
       snprintf(name, sizeof name, "%s-%s", s->name, info->presets[i]->id);
       snprintf(title, sizeof title, "%s, %s", info->presets[i]->label, s->title);

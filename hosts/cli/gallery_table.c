@@ -116,6 +116,7 @@ const shot gallery_shots[] = {
      .title = "flat-sawn, 120 mm across",
      .each_preset = true,
      .own_log = true,
+     .aside = 32,
      .without = "construction",
      .sheet = "gallery",
      .params = {"cut=flat"},

@@ -16,6 +16,7 @@ typedef struct shot {
   bool each_preset;                /* once for every preset there is, */
   const char *with, *without;      /* or that gives this parameter, or does not; NULL: all */
   bool own_log;                    /* each preset's from a log of its own: a seed of its own */
+  double aside;                    /* mm: off the pith's line, of each preset up to so much */
   bool more;                       /* only with --all: the others take a minute */
   const char *sheet;               /* id of the sheet that shows it small, or NULL */
   const char *params[SHOT_PARAMS]; /* name=value, the last ones NULL */
