@@ -95,6 +95,63 @@ INLINE void veneer_at(const wood_constants *w, const vf p[3], vf e, wood_board *
   log[2] = r * s + splat(w->shift[2]);
 }
 
+/* A board's shade: a factor of its albedo, of a standard deviation as asked for; of a
+ * footprint that does not lie within it as a whole, that much less. */
+INLINE vf board_tone(const wood_boards *b, const layout_unit *unit, vu own) {
+  vu h = own ^ splatu(HASH_Z);
+  /* three uniform numbers: nearly normal, sd 1 */
+  vf sum = board_random(&h) + board_random(&h) + board_random(&h);
+  vf shade = (sum + sum - splat(3.0f)) * splat(b->tone) * unit->own;
+  return vmax(splat(1.0f) + shade, splat(0.2f));
+}
+
+INLINE vu board_own(const wood_constants *w, const layout_unit *unit) {
+  return hash_mix(unit->id + splatu(w->seeds[SEED_BOARDS]));
+}
+
+/* A wide footprint's shade and joint by side * side parts, each of which lies on boards
+ * of its own. */
+static __attribute__((noinline)) void board_by_parts(const wood_constants *w, vf x, vf y, vf e,
+                                                     int side, vf *tone, vf *joint) {
+  const wood_boards *b = &w->boards;
+  vf part = e * splat(1.0f / (float)side), zero = splat(0.0f), one = splat(1.0f);
+  vf open = zero, shade = zero;
+  for (int j = 0; j < side; j++) {
+    for (int i = 0; i < side; i++) {
+      float middle = 0.5f * (float)(side - 1);
+      layout_unit unit = layout_at(&b->layout, x + part * splat((float)i - middle),
+                                   y + part * splat((float)j - middle), part);
+      vf share = one - unit.joint;
+      open = open + share;
+      shade = shade + share * board_tone(b, &unit, board_own(w, &unit));
+    }
+  }
+  *tone = shade / vmax(open, splat(1e-6f));
+  *joint = one - open * splat(1.0f / (float)(side * side));
+}
+
+#define BOARD_TWO 0.3f  /* of a board's smaller side, from which a footprint is seen in two */
+#define BOARD_FOUR 0.8f /* parts to a side, and in four */
+
+/* Footprints that boards are small under. */
+INLINE void board_wide(const wood_constants *w, const vf p[3], vf e, wood_board *out) {
+  layout_unit *unit = &out->unit;
+  /* sides of irregular polygons are told as lines without ends, which small parts bear */
+  int finer = w->boards.layout.kind == LAYOUT_CRAZY ? 2 : 1;
+  vf size = vmin(unit->length, unit->width) * splat(1.0f / (float)finer);
+  vm wide = gt(e, splat(BOARD_TWO) * size);
+  if (!any(wide)) return;
+  vm four = gt(e, splat(BOARD_FOUR) * size);
+  vf tone, joint;
+  for (int k = 0; k < 2; k++) {
+    vm mine = k ? four : and_(wide, not_(four));
+    if (!any(mine)) continue;
+    board_by_parts(w, p[0], p[1], e, (k ? 4 : 2) * finer, &tone, &joint);
+    out->tone = sel(mine, tone, out->tone);
+    unit->joint = sel(mine, joint, unit->joint);
+  }
+}
+
 /* p: object space, mm; log[3]: where that is in the board's log. */
 INLINE void board_at(const wood_constants *w, const vf p[3], vf e, wood_board *out, vf log[3]) {
   if (w->peeled) {
@@ -105,7 +162,7 @@ INLINE void board_at(const wood_constants *w, const vf p[3], vf e, wood_board *o
   vf one = splat(1.0f), zero = splat(0.0f), half = splat(0.5f);
   layout_unit *unit = &out->unit;
   *unit = layout_at(&b->layout, p[0], p[1], e);
-  vu h = hash_mix(unit->id + splatu(w->seeds[SEED_BOARDS]));
+  vu h = board_own(w, unit);
   out->own = h;
   vf sine, cosine, ca, sa;
   vf which = board_random(&h), cut = board_cut(b, which, board_random(&h));
@@ -121,14 +178,8 @@ INLINE void board_at(const wood_constants *w, const vf p[3], vf e, wood_board *o
   if (b->flip == FLIP_ALTERNATE) {
     flip = one - to_float((vi)(unit->id & splatu(1u))) * splat(2.0f);
   }
-  if (b->tone > 0.0f) {
-    /* three uniform numbers: nearly normal, sd 1 */
-    vf sum = board_random(&h) + board_random(&h) + board_random(&h);
-    vf shade = (sum + sum - splat(3.0f)) * splat(b->tone) * unit->own;
-    out->tone = vmax(one + shade, splat(0.2f));
-  } else {
-    out->tone = one;
-  }
+  out->tone = b->tone > 0.0f ? board_tone(b, unit, out->own) : one;
+  board_wide(w, p, e, out);
 
   vf u = unit->u - half * unit->length, v = unit->v - half * unit->width;
   vf q[3], place[3];

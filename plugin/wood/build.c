@@ -565,6 +565,8 @@ static void build_rays(wood_constants *w, const settings *s) {
   /* broad rays are uneven: fibres pass between their cells */
   double broad = limited((height - 3.0) / 9.0, 0.0, 1.0), uneven = 0.35 * broad;
   w->ray_uneven = (float)uneven;
+  /* a footprint with few of them in it is not one with their mean */
+  w->ray_sides = broad > 0.5 ? 3 : 1;
   /* within its cell, whatever it was asked for: 0.33 to each side of where it may
    * stand, for 1.3 times the mean, unevenly */
   double half = 0.5 * width, room = 0.329, most = 1.3 * (1.0 + uneven);

@@ -151,9 +151,15 @@ INLINE vf rays_cover(const wood_constants *w, const ray_place *p, const ray_cell
   vm meets = gt(q->reach, (edge + clear) * q->arc);
   if (!any(meets)) return sum;
   vi nearer = seli(lt(q->x, splat(0.5f)), splati(-1), splati(1));
-  sum = sum + sel(meets, ray_of_cell(w, p, q, nearer), zero);
-  meets = gt(q->reach, (one - edge + clear) * q->arc);
-  if (any(meets)) sum = sum + sel(meets, ray_of_cell(w, p, q, splati(0) - nearer), zero);
+  for (int k = 1; k <= w->ray_sides; k++) {
+    vf past = splat((float)(k - 1)) + clear;
+    vi side = nearer * splati(k);
+    meets = gt(q->reach, (edge + past) * q->arc);
+    if (!any(meets)) break;
+    sum = sum + sel(meets, ray_of_cell(w, p, q, side), zero);
+    meets = gt(q->reach, (one - edge + past) * q->arc);
+    if (any(meets)) sum = sum + sel(meets, ray_of_cell(w, p, q, splati(0) - side), zero);
+  }
   return sum;
 }
 
@@ -193,14 +199,14 @@ INLINE ray_place ray_place_of(const wood_constants *w, vu own, vf rho, vf turn, 
 }
 
 INLINE vf rays_faded(const wood_constants *w, const ray_place *p, const ray_cells *q, vf found) {
-  /* past the cells looked at the expected cover takes over; 0.2 < 0.45^2 */
-  float arc = 0.5f * w->inverse_ray_arc;
-  vm wide = or_(gt(p->aa * splat(arc * arc), splat(0.2f)),
+  /* past the cells looked at the expected cover takes over */
+  float arc = 0.5f * w->inverse_ray_arc, most = (float)w->ray_sides, from = most - 0.55f;
+  vm wide = or_(gt(p->aa * splat(arc * arc), splat(0.98f * from * from)),
                 gt(p->along * splat(w->inverse_ray_cell), splat(0.44f)));
   if (!any(wide)) return vmin(found, splat(1.0f));
-  vf far =
-      vmax(vsqrt(p->aa) * splat(0.5f * w->inverse_ray_arc), p->along * splat(w->inverse_ray_cell));
-  vf fade = smooth_step(splat(0.45f), splat(1.0f), far);
+  vf far = smooth_step(splat(from), splat(most), vsqrt(p->aa) * splat(arc));
+  vf fade =
+      vmax(smooth_step(splat(0.45f), splat(1.0f), p->along * splat(w->inverse_ray_cell)), far);
   return vmin(mix(found, splat(w->ray_cover) * rays_share(w, q), fade), splat(1.0f));
 }
 

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * Footprints across boards: albedo against the average of 1,024 points of the
- * square, anywhere and astride joints, by layout and footprint. Within a
- * footprint's reach of a joint the neighbour's wood is not looked up: its
- * shade is taken as the mean, its colour as this board's.
+ * square, anywhere and astride joints, by layout and footprint. The neighbour's
+ * wood is not looked up, its shade is where the footprint is wide. Anywhere the
+ * goal is wood's own, up to the 100 mm that it is set for; astride of joints, a
+ * small part of a floor, errors are held to where they are.
  */
 #include <math.h>
 
@@ -24,7 +25,7 @@ static void against_1024_samples(void **state) {
   print_message("RMS / mean error of albedo, by footprint in mm:\n%-22s", "");
   for (unsigned f = 0; f < 8; f++) print_message("%16g", sizes[f]);
   print_message("\n");
-  double worst_small = 0, worst = 0, worst_mean = 0;
+  double worst = 0, worst_mean = 0, beyond = 0, astride = 0;
   points p = {0};
   for (unsigned k = 0; k < 12; k++) {
     const char *layout = layouts[k / 2];
@@ -57,20 +58,24 @@ static void against_1024_samples(void **state) {
       }
       double rms = truth_rms(&errors), mean = truth_mean(&errors);
       print_message("  %.4f/%+.4f", rms, mean);
-      if (!(k & 1)) {
+      if (k & 1) {
+        astride = fmax(astride, rms);
+      } else if (sizes[f] > 100) {
+        beyond = fmax(beyond, rms);
+      } else {
         worst = fmax(worst, rms);
         worst_mean = fmax(worst_mean, fabs(mean));
-        if (sizes[f] <= 10) worst_small = fmax(worst_small, rms);
       }
     }
     print_message("\n");
     textures->destroy(t);
   }
   points_free(&p);
-  CHECK(worst_small <= 0.012 && worst <= 0.03 && worst_mean <= 0.006,
-        "anywhere: worst RMS %.4f up to 10 mm (goal 0.012), %.4f beyond (0.03), worst mean %.4f "
-        "(0.006)\n",
-        worst_small, worst, worst_mean);
+  CHECK(worst <= 0.01 && worst_mean <= 0.002,
+        "anywhere: worst RMS %.4f (goal 0.01), worst mean %.4f (goal 0.002), up to 100 mm\n", worst,
+        worst_mean);
+  CHECK(beyond <= 0.016 && astride <= 0.02,
+        "worst RMS %.4f under 300 mm (0.016), %.4f astride of joints (0.02)\n", beyond, astride);
 }
 
 int main(void) {
