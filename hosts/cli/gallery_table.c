@@ -22,10 +22,10 @@
     .height = 440                                                                                  \
   }
 #define WORKED(id, label, a, b)                                                                    \
-  WORKED_(id, "Oak, " label, "oak", "near", "48x33", "cut=rift", a, b),                            \
-      WORKED_(id, "Oak, " label, "oak", "far", "320x220", "cut=flat", a, b),                       \
-      WORKED_(id, "Sugi, " label, "sugi", "near", "48x33", "cut=rift", a, b),                      \
-      WORKED_(id, "Sugi, " label, "sugi", "far", "320x220", "cut=flat", a, b)
+  WORKED_(id, "Oak: " label, "oak", "near", "48x33", "cut=rift", a, b),                            \
+      WORKED_(id, "Oak: " label, "oak", "far", "320x220", "cut=flat", a, b),                       \
+      WORKED_(id, "Sugi: " label, "sugi", "near", "48x33", "cut=rift", a, b),                      \
+      WORKED_(id, "Sugi: " label, "sugi", "far", "320x220", "cut=flat", a, b)
 
 const shot_sheet gallery_sheets[GALLERY_SHEETS] = {
     {"gallery", 15},                                        /* five species, three cuts of each */
