@@ -24,18 +24,17 @@ INLINE void quarter_turns(vf r, vi k, vf *sine, vf *cosine) {
          z * (splat(-0.49999999615f) +
               z * (splat(0.041666616693f) +
                    z * (splat(-0.0013886617999f) + z * splat(2.4379831235e-5f))));
-  vm odd = eqi(k & splati(1), splati(1));
+  vm odd = odd_(k);
   vf a = sel(odd, c, s), b = sel(odd, s, c);
-  vi flip_s = (k & splati(2)) << 30, flip_c = ((k + splati(1)) & splati(2)) << 30;
-  *sine = float_of(bits_of(a) ^ flip_s);
-  *cosine = float_of(bits_of(b) ^ flip_c);
+  *sine = flip_by_bit(a, k, 1);
+  *cosine = flip_by_bit(b, k + splati(1), 1);
 }
 
 /* Sine and cosine. |x| < 20,000: absolute error below 2e-7 for |x| < 8, and
  * growing with the spacing of floats beyond. */
 INLINE void sine_cosine(vf x, vf *sine, vf *cosine) {
   vi k;
-  vf n = vfloor(x * splat(0.63661977f) + splat(0.5f), &k);
+  vf n = vnearest(x * splat(0.63661977f), &k);
   /* pi/2 in three parts, the first two short enough for n * part to be exact */
   vf r = x - n * splat(1.5703125f);
   r = r - n * splat(4.837512969970703e-4f);
@@ -47,7 +46,7 @@ INLINE void sine_cosine(vf x, vf *sine, vf *cosine) {
 INLINE void sine_cosine_turns(vf x, vf *sine, vf *cosine) {
   vi k;
   vf quarters = x * splat(4.0f);
-  vf n = vfloor(quarters + splat(0.5f), &k);
+  vf n = vnearest(quarters, &k);
   quarter_turns((quarters - n) * splat(1.57079633f), k, sine, cosine);
 }
 
@@ -107,7 +106,7 @@ INLINE vf exp2_(vf x) {
   vm tiny = lt(x, splat(-126.0f));
   vf y = vmax(x, splat(-126.0f));
   vi i;
-  vf n = vfloor(y + splat(0.5f), &i);
+  vf n = vnearest(y, &i);
   vf f = y - n;
   vf p = splat(1.0f) +
          f * (splat(0.69314720670f) +

@@ -114,8 +114,39 @@ INLINE vf noise_axial2(const noise_stem *y, const noise_axis *t, vu seed, vf *dy
 
 /* Axial noise in y with gradients varying over x and z. */
 #ifndef WITHIN_A_POINT
+#ifdef SPREADS
+/* Of lanes that share a cell, as neighbours mostly do: its corners are hashed one to
+ * a lane, x fastest, then z, and what is alike for all is taken once. base: the hash
+ * term of the first corner. */
+INLINE vf noise_axial3_shared(vu base, const noise_axis *x, const noise_stem *y,
+                              const noise_axis *z, vf *dx, vf *dy, vf *dz) {
+  const vu corner = {0,      HASH_X,          HASH_Z,          HASH_X + HASH_Z,
+                     HASH_Y, HASH_Y + HASH_X, HASH_Y + HASH_Z, HASH_Y + HASH_X + HASH_Z};
+  vf a = hash_signed(base + corner), b = next_lane(a) - a; /* along x */
+  vf g[2], gx[2], gz[2];
+  spread value = spread_of(a), right = spread_of(b), turn = spread_of(third_lane(b) - b);
+  UNROLL(2)
+  for (int c = 0; c < 2; c++) {
+    int k = 4 * c;
+    vf low = splat(right.of[k]), p = splat(value.of[k]) + low * x->w;
+    vf q = splat(value.of[k + 2]) + splat(right.of[k + 2]) * x->w - p;
+    gx[c] = (low + splat(turn.of[k]) * z->w) * x->dw;
+    gz[c] = q * z->dw;
+    g[c] = p + q * z->w;
+  }
+  *dx = gx[0] * y->n0 + gx[1] * y->n1;
+  *dz = gz[0] * y->n0 + gz[1] * y->n1;
+  *dy = g[0] * y->d0 + g[1] * y->d1;
+  return g[0] * y->n0 + g[1] * y->n1;
+}
+#endif
+
 INLINE vf noise_axial3(const noise_axis *x, const noise_stem *y, const noise_axis *z, vu seed,
                        vf *dx, vf *dy, vf *dz) {
+#ifdef SPREADS
+  vu base = x->low + y->low + z->low + seed;
+  if (alike((vi)base)) return noise_axial3_shared(base, x, y, z, dx, dy, dz);
+#endif
   vf x0, z0, x1, z1;
   vf g0 = noise_value2(x, z, y->low + seed, &x0, &z0);
   vf g1 = noise_value2(x, z, y->high + seed, &x1, &z1);

@@ -249,6 +249,9 @@ INLINE vf vsqrt(vf a) {
 
 #if defined(SOZAI_ISA_AVX512) && LANES == 16
 #define ROUND_DOWN_(x) ((vf)_mm512_roundscale_ps((__m512)(x), _MM_FROUND_FLOOR | _MM_FROUND_NO_EXC))
+/* beside the rounding, not after it */
+#define WHOLE_DOWN_(x)                                                                             \
+  ((vi)_mm512_cvt_roundps_epi32((__m512)(x), _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC))
 #elif defined(SOZAI_ISA_AVX2) && LANES == 8
 #define ROUND_DOWN_(x) ((vf)_mm256_floor_ps((__m256)(x)))
 #elif (defined(SOZAI_ISA_AVX2) || defined(SOZAI_ISA_AVX512)) && LANES == 4
@@ -268,6 +271,20 @@ INLINE vf lookup8(const float *t, vu i) {
   return (vf)_mm512_permutexvar_ps((__m512i)i, _mm512_castpd_ps(_mm512_broadcast_f64x4(row)));
 }
 #define LOOKUP16_
+/* Pairs of numbers are gathered as one of twice the size: half the loads. i: of pairs. */
+INLINE void gather_pairs_(const float *t, vi i, vf out[2]) {
+  __m256i low = _mm512_castsi512_si256((__m512i)i), high = _mm512_extracti64x4_epi64((__m512i)i, 1);
+  __m512 a = _mm512_castpd_ps(_mm512_i32gather_pd(low, t, 8));
+  __m512 b = _mm512_castpd_ps(_mm512_i32gather_pd(high, t, 8));
+  const vi even = {0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30};
+  out[0] = (vf)_mm512_permutex2var_ps(a, (__m512i)even, b);
+  out[1] = (vf)_mm512_permutex2var_ps(a, (__m512i)(even + splati(1)), b);
+}
+INLINE void gather2(const float (*t)[2], vi i, vf out[2]) { gather_pairs_(t[0], i, out); }
+INLINE void gather4(const float (*t)[4], vi i, vf out[4]) {
+  for (int c = 0; c < 4; c += 2) gather_pairs_(t[0] + c, i + i, out + c);
+}
+#define GATHER_ROWS_
 #elif defined(SOZAI_ISA_AVX2) && LANES == 8
 INLINE vf gather(const float *t, vi i) { return (vf)_mm256_i32gather_ps(t, (__m256i)i, 4); }
 INLINE vi gatheri(const int32_t *t, vi i) { return (vi)_mm256_i32gather_epi32(t, (__m256i)i, 4); }
@@ -377,6 +394,25 @@ INLINE int alike(vi i) {
 #endif
 }
 
+/* What one lane holds, for all: by way of memory, whence a wide unit loads it into every
+ * lane at no cost to the ports that calculate. The compiler would rather permute. */
+#if defined(SOZAI_ISA_AVX512) && LANES == 16
+#define SPREADS
+typedef struct {
+  float of[16] __attribute__((aligned(64)));
+} spread;
+
+INLINE spread spread_of(vf x) {
+  spread s;
+  store(s.of, x);
+  __asm__("" : "+m"(s));
+  return s;
+}
+/* Every even lane's neighbour; and in each four the third lane in place of all. */
+INLINE vf next_lane(vf x) { return (vf)_mm512_movehdup_ps((__m512)x); }
+INLINE vf third_lane(vf x) { return (vf)_mm512_permute_ps((__m512)x, 0xaa); }
+#endif
+
 /* gather2 and gather4 where lanes mostly ask for the same row. */
 INLINE void gather2_near(const float (*t)[2], vi i, vf out[2]) {
 #if LANES > 1
@@ -409,7 +445,10 @@ INLINE vf mix(vf a, vf b, vf t) { return a + (b - a) * t; }
  * |x| < 2^31. It has the sign of x, be it -0, as the unit's own rounding keeps it;
  * SSE2 has no rounding. */
 INLINE vf vfloor(vf x, vi *whole) {
-#ifdef ROUND_DOWN_
+#if defined(WHOLE_DOWN_)
+  *whole = WHOLE_DOWN_(x);
+  return ROUND_DOWN_(x);
+#elif defined(ROUND_DOWN_)
   vf f = ROUND_DOWN_(x);
   *whole = to_int(f);
   return f;
@@ -420,6 +459,36 @@ INLINE vf vfloor(vf x, vi *whole) {
   *whole = seli(above, i - splati(1), i);
   f = sel(above, f - splat(1.0f), f);
   return float_of(bits_of(f) | (bits_of(x) & splati(INT32_MIN)));
+#endif
+}
+
+/* vfloor of x + 1/2, which is never -0. */
+INLINE vf vnearest(vf x, vi *whole) {
+  vf up = x + splat(0.5f);
+#ifdef WHOLE_DOWN_
+  *whole = WHOLE_DOWN_(up);
+  return to_float(*whole);
+#else
+  return vfloor(up, whole);
+#endif
+}
+
+/* x with its sign changed where bit `bit` of k is set. */
+INLINE vf flip_by_bit(vf x, vi k, int bit) {
+#if defined(SOZAI_ISA_AVX512) && LANES == 16
+  return (vf)_mm512_ternarylogic_epi32((__m512i)x, (__m512i)(k << (31 - bit)),
+                                       _mm512_set1_epi32(INT32_MIN), 0x78); /* a ^ (b & c) */
+#else
+  return float_of(bits_of(x) ^ ((k & splati(1 << bit)) << (31 - bit)));
+#endif
+}
+
+/* Where x is odd. */
+INLINE vm odd_(vi x) {
+#if defined(SOZAI_ISA_AVX512) && LANES == 16
+  return _mm512_test_epi32_mask((__m512i)x, _mm512_set1_epi32(1));
+#else
+  return eqi(x & splati(1), splati(1));
 #endif
 }
 

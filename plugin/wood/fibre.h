@@ -32,37 +32,61 @@ INLINE fibre_sum fibre_start(const footprint2 *f) {
  * 0.04 over a square, measured; shifted so that it ends, at 6.7 cells along a line. */
 #define FIBRE_END 0.15f
 
-INLINE vf fibre_keep(const wood_constants *w, int o, const fibre_sum *sum) {
-  float k = w->fibre_blur[o];
-  vf spread = splat(1.0f) + splat(k) * sum->trace + splat(k * k) * sum->det;
+/* What an octave has of the wood: the kernel loads it before its loop, since the
+ * compiler leaves in there what it cannot tell to be needed at all. */
+typedef struct {
+  vf blur, blur2, often, scale, front, variance;
+  vu seed;
+  int idle, strays;
+} fibre_octave;
+
+INLINE fibre_octave fibre_octave_of(const wood_constants *w, int o) {
+  fibre_octave q;
+  float blur = w->fibre_blur[o];
+  q.blur = splat(blur);
+  q.blur2 = splat(blur * blur);
+  q.often = splat(w->fibre_frequency[o]);
+  q.scale = splat(w->fibre_scale[o]);
+  q.front = splat(w->fibre_front[o]);
+  q.variance = splat(w->fibre_variance[o]);
+  q.seed = splatu(w->seeds[SEED_FIBRE + o]);
+  q.strays = w->fibre_front[o] > 0.0f;
+  q.idle = w->fibre_scale[o] <= 0.0f && !q.strays;
+  return q;
+}
+
+INLINE vf fibre_keep(const fibre_octave *q, const fibre_sum *sum) {
+  vf spread = splat(1.0f) + q->blur * sum->trace + q->blur2 * sum->det;
   return vmax(splat(1.0f / (1.0f - FIBRE_END)) / spread - splat(FIBRE_END / (1.0f - FIBRE_END)),
               splat(0.0f));
 }
 
 /* Adds an octave at (x, z) of the reference section. Kawai and Momoi repeat a small array
  * of noise; hashing the cell costs no memory and does not repeat. */
-INLINE void fibre_add(const wood_constants *w, vu own, int o, vf x, vf z, fibre_sum *sum) {
-  int strays = w->fibre_front[o] > 0.0f;
-  if (w->fibre_scale[o] <= 0.0f && !strays) return;
-  vf keep = fibre_keep(w, o, sum);
+INLINE void fibre_add(const fibre_octave *q, vu own, vf x, vf z, fibre_sum *sum) {
+  if (q->idle) return;
+  vf keep = fibre_keep(q, sum);
   /* a twentieth of it does not show, and costs a root */
-  if (strays) {
+  if (q->strays) {
     vf lost = vmax(splat(0.95f) - keep * keep, splat(0.0f));
-    sum->lost = sum->lost + splat(w->fibre_variance[o]) * lost;
+    sum->lost = sum->lost + q->variance * lost;
   }
   if (!any(gt(keep, splat(0.0f)))) return;
-  vf often = splat(w->fibre_frequency[o]);
-  noise_axis ax = noise_split_cubic(x * often, HASH_X), az = noise_split_cubic(z * often, HASH_Z);
+  noise_axis ax = noise_split_cubic(x * q->often, HASH_X);
+  noise_axis az = noise_split_cubic(z * q->often, HASH_Z);
   vf dx, dz; /* not wanted, and so not computed */
-  vf n = keep * noise_value2(&ax, &az, wood_seed(w, own, SEED_FIBRE + (uint32_t)o), &dx, &dz);
-  sum->shift = sum->shift + splat(w->fibre_scale[o]) * n;
-  if (strays) sum->front = sum->front + splat(w->fibre_front[o]) * n;
+  vf n = keep * noise_value2(&ax, &az, q->seed + own, &dx, &dz);
+  sum->shift = sum->shift + q->scale * n;
+  if (q->strays) sum->front = sum->front + q->front * n;
 }
 
 /* The factor of brightness, of all of them. */
 INLINE vf fibre_shift(const wood_constants *w, vu own, vf x, vf z, const footprint2 *f) {
   fibre_sum sum = fibre_start(f);
-  for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) fibre_add(w, own, o, x, z, &sum);
+  for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) {
+    fibre_octave q = fibre_octave_of(w, o);
+    fibre_add(&q, own, x, z, &sum);
+  }
   return sum.shift;
 }
 

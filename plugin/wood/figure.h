@@ -256,7 +256,10 @@ INLINE stem_place stem_with_figure(const wood_constants *w, vf x, vf y, vf z) {
   p.pith = pith_at(w, own, y);
   p.lost = p.lost_slope = p.eye = zero;
   stem_about(x, z, &p);
-  for (int o = 0; o < 2; o++) undulation_add(w, own, o, y, zero, &p, &u);
+  for (int o = 0; o < 2; o++) {
+    undulation_octave octave = undulation_octave_of(w, o);
+    undulation_add(&octave, own, y, zero, &p, &u);
+  }
   figure_add(w, own, y, zero, zero, &p, &u);
   stem_rho(w, y, &u, &p);
   return p;

@@ -164,20 +164,38 @@ INLINE void grain_interlocked(const wood_constants *w, vu own, vf y, vf t, grain
   p->d_t = p->d_t + slope_t;
 }
 
-INLINE void grain_noise(const wood_constants *w, vu own, int o, vf y, const noise_axis *at,
-                        vf extent, grain_place *p) {
-  noise_stem ay = noise_split_axial(y * splat(w->slope_noise_frequency[o]), HASH_Y);
-  vf ny, nt, n = noise_axial2(&ay, at, wood_seed(w, own, SEED_SLOPE + (uint32_t)o), &ny, &nt);
-  float scale = w->slope_noise[o] * w->slope_noise_frequency[o];
-  vf slope = splat(scale) * ny;
-  p->d = p->d + splat(w->slope_noise[o]) * n;
+/* What an octave of the slope's noise has of the wood; see fibre_octave. */
+typedef struct {
+  vf often, far, steep, years, touches, variance;
+  vu seed;
+  float size;
+} grain_octave;
+
+INLINE grain_octave grain_octave_of(const wood_constants *w, int o) {
+  float steep = w->slope_noise[o] * w->slope_noise_frequency[o];
+  return (grain_octave){.often = splat(w->slope_noise_frequency[o]),
+                        .far = splat(w->slope_noise[o]),
+                        .steep = splat(steep),
+                        .years = splat(w->slope_noise[o] * w->slope_noise_years),
+                        .touches = splat(0.5f * w->slope_noise_size[o]),
+                        .variance = splat(0.3f * steep * steep),
+                        .seed = splatu(w->seeds[SEED_SLOPE + o]),
+                        .size = w->slope_noise_size[o]};
+}
+
+INLINE void grain_noise(const grain_octave *q, vu own, vf y, const noise_axis *at, vf extent,
+                        grain_place *p) {
+  noise_stem ay = noise_split_axial(y * q->often, HASH_Y);
+  vf ny, nt, n = noise_axial2(&ay, at, q->seed + own, &ny, &nt);
+  vf slope = q->steep * ny;
+  p->d = p->d + q->far * n;
   p->g = p->g + slope;
-  p->d_t = p->d_t + splat(w->slope_noise[o] * w->slope_noise_years) * nt;
-  if (filter_touches(extent, w->slope_noise_size[o])) {
-    vf keep = filter_keep(extent, w->slope_noise_size[o]);
+  p->d_t = p->d_t + q->years * nt;
+  if (any(gt(extent, q->touches))) {
+    vf keep = filter_keep(extent, q->size);
     slope = slope * keep;
     /* the slope's variance is about 0.3 of its scale's square, measured */
-    p->variance = p->variance + splat(0.3f * scale * scale) * (splat(1.0f) - keep * keep);
+    p->variance = p->variance + q->variance * (splat(1.0f) - keep * keep);
   }
   p->g_filtered = p->g_filtered + slope;
 }

@@ -98,10 +98,10 @@ static __attribute__((noinline)) vf rings_along(const wood_constants *w, int wha
 }
 
 /* Average of a ring's profile over a footprint that may be wide enough for the
- * rings' curvature. e: rings_extent. */
-INLINE vf rings_across(const wood_constants *w, int what, const stem_place *p,
+ * rings' curvature. rho: in place of p's; e: rings_extent. */
+INLINE vf rings_across(const wood_constants *w, int what, const stem_place *p, vf rho,
                        const ring_place *ring, const vf g[3], const vf n[3], int ball, vf s, vf e) {
-  vf mean = ring_average(w, what, ring, p->rho, e);
+  vf mean = ring_average(w, what, ring, rho, e);
   /* the sag of s over a radius r is s^2 / 8 r at most */
   if (ball || !any(gt(s * s, splat(0.64f * w->ring_width) * p->r))) return mean;
 
@@ -110,7 +110,7 @@ INLINE vf rings_across(const wood_constants *w, int what, const stem_place *p,
   vm end = lt(flat2, splat(0.09f)); /* end grain: along the radius */
   vf k = inverse_root(vmax(flat2, splat(1e-6f)));
   vf ux = sel(end, p->c, n[2] * k), uz = sel(end, p->s, splat(0.0f) - n[0] * k);
-  rings_line q = {.s = s, .r = p->r, .ur = ux * p->c + uz * p->s, .rho = p->rho};
+  rings_line q = {.s = s, .r = p->r, .ur = ux * p->c + uz * p->s, .rho = rho};
   vf ut2 = vmax(splat(1.0f) - q.ur * q.ur, splat(0.0f));
   q.sag = s * s * ut2 / (splat(8.0f) * p->r);
   vm curved = gt(q.sag, splat(0.08f * w->ring_width));
@@ -150,6 +150,7 @@ typedef struct {
   vf up2, inverse_up; /* squared length of +y within the surface, its inverse root */
   stem_place stem;
   undulation_sum undulation;
+  vf in_table; /* rho, within the table of rings */
   ring_place ring;
   vf years, divisor, phase;
   vf extent;     /* mm, of the footprint along y */
@@ -167,13 +168,18 @@ typedef struct {
   vessel_cover_t vessels;
   int parts; /* the vessels have been looked up in parts */
   fibre_sum bundle;
+  vf front_rho, front_reach; /* of latewood where it strays */
+  ring_place front_ring;     /* where that crosses a ring's end for any lane */
+  int crossed;
   vf shift; /* of brightness, a factor */
   vf late, over_late, cover, ray, albedo[3];
   vf exponent, strength, incident, tilted, power; /* figure */
   vf light[3];                                    /* log space */
   vf streak, pigment;                             /* share of minerals; depth of bands */
   vf lost;                                        /* variance of the surface's slopes */
+  ray_turn ray_from;
   ray_cells ray_at;
+  ray_seat ray_on;
   ray_body ray_in;
   canal_cover canal;
   vf cells, cell_contrast, lining; /* relative to the tissue's colour and the vessels' */
@@ -261,6 +267,7 @@ INLINE void stage_board(const wood_constants *w, int boards, const wood_io *io, 
 INLINE int as_before(const float *const direction[3], const block *k) {
   if (!direction[0] || k->n < LANES) return 0;
   vi differ = splati(0);
+  UNROLL(3)
   for (int c = 0; c < 3; c++) {
     const float *at = direction[c] + k->i;
     differ |= bits_of(load(at)) ^ bits_of(load(at - LANES));
@@ -271,6 +278,7 @@ INLINE int as_before(const float *const direction[3], const block *k) {
 INLINE void stage_load(const wood_constants *w, int boards, const wood_io *io,
                        const wood_wants *want, block *k) {
   vf p[3];
+  UNROLL(3)
   for (int c = 0; c < 3; c++) p[c] = finite_coordinate(load_lanes(io->in->point[c], k->i, k->n));
   k->s = splat(0.0f);
   if (io->in->footprint) {
@@ -315,8 +323,8 @@ INLINE void stage_pith(const wood_constants *w, int boards, block *k) {
 
 INLINE void stage_about(block *k) { stem_about(k->p[0], k->p[2], &k->stem); }
 
-INLINE void stage_undulation(const wood_constants *w, int boards, int o, block *k) {
-  undulation_add(w, own_of(boards, k), o, k->p[1], k->s, &k->stem, &k->undulation);
+INLINE void stage_undulation(const undulation_octave *q, int boards, block *k) {
+  undulation_add(q, own_of(boards, k), k->p[1], k->s, &k->stem, &k->undulation);
 }
 
 INLINE void stage_figure(const wood_constants *w, int boards, block *k) {
@@ -361,8 +369,12 @@ INLINE void stage_knots(const wood_constants *w, const wood_io *io, vf shift, bl
   store_lanes(io, WOOD_KNOT, k, splat(0.0f));
 }
 
+INLINE void stage_ring_find(const wood_constants *w, block *k) {
+  k->in_table = ring_find(w, k->stem.rho, &k->ring);
+}
+
 INLINE void stage_ring(const wood_constants *w, const wood_io *io, block *k) {
-  k->ring = ring_at(w, k->stem.rho);
+  ring_read(w, k->in_table, &k->ring);
   k->years = to_float(k->ring.ring) + k->ring.phase;
   store_lanes(io, WOOD_TIME, k, k->years);
   k->divisor = grain_divisor(k->stem.rho);
@@ -377,7 +389,6 @@ INLINE void stage_years(const wood_constants *w, int boards, block *k) {
 }
 
 INLINE void stage_wave(const wood_constants *w, block *k) {
-  if (!w->has_wave) return;
   if (w->has_wave_irregularity) {
     grain_wave(w, &k->wave, k->extent, &k->grain);
   } else {
@@ -386,14 +397,11 @@ INLINE void stage_wave(const wood_constants *w, block *k) {
 }
 
 INLINE void stage_interlocked(const wood_constants *w, int boards, block *k) {
-  if (w->has_interlocked) {
-    grain_interlocked(w, own_of(boards, k), k->p[1], k->years, &k->grain);
-  }
+  grain_interlocked(w, own_of(boards, k), k->p[1], k->years, &k->grain);
 }
 
-INLINE void stage_grain_noise(const wood_constants *w, int boards, int o, block *k) {
-  if (w->has_slope_noise)
-    grain_noise(w, own_of(boards, k), o, k->p[1], &k->at, k->extent, &k->grain);
+INLINE void stage_grain_noise(const grain_octave *q, int boards, block *k) {
+  grain_noise(q, own_of(boards, k), k->p[1], &k->at, k->extent, &k->grain);
 }
 
 INLINE void stage_turn(block *k) {
@@ -530,12 +538,17 @@ INLINE vf curved_footprint(const wood_constants *w, int boards, const block *k) 
 }
 
 /* The mean of a ring's profile under the footprint. */
-INLINE vf rings_mean(const wood_constants *w, int boards, const wood_io *io, int what,
-                     const block *k) {
-  vf mean = rings_across(w, what, &k->stem, &k->ring, k->b, k->nrm, !io->in->normal[0],
-                         curved_footprint(w, boards, k), k->reach);
+INLINE vf rings_mean_at(const wood_constants *w, int boards, const wood_io *io, int what,
+                        const block *k, vf rho, const ring_place *ring, vf reach) {
+  vf mean = rings_across(w, what, &k->stem, rho, ring, k->b, k->nrm, !io->in->normal[0],
+                         curved_footprint(w, boards, k), reach);
   if (has_bent_boards(w, boards) && k->wide) mean = wide_rings_mean(what, k, mean);
   return mean;
+}
+
+INLINE vf rings_mean(const wood_constants *w, int boards, const wood_io *io, int what,
+                     const block *k) {
+  return rings_mean_at(w, boards, io, what, k, k->stem.rho, &k->ring, k->reach);
 }
 
 INLINE void stage_wide(const wood_constants *w, int boards, const wood_io *io, block *k,
@@ -623,43 +636,43 @@ INLINE void stage_section_footprint(const wood_constants *w, int boards, const w
 }
 
 /* One octave of the fibres' noise. */
-INLINE void stage_bundle(const wood_constants *w, int boards, int o, block *k) {
+INLINE void stage_bundle(const fibre_octave *q, int boards, int o, block *k) {
   if (o == 0) k->bundle = fibre_start(&k->f);
-  fibre_add(w, own_of(boards, k), o, k->x, k->z, &k->bundle);
+  fibre_add(q, own_of(boards, k), k->x, k->z, &k->bundle);
   k->shift = k->bundle.shift;
 }
 
-/* The latewood's mean where it strays from its ring: as it is that much nearer to the
+/* Where the latewood strays from its ring: it is as it would be that much nearer to the
  * pith or farther from it. */
-INLINE vf rings_strayed(const wood_constants *w, int boards, const wood_io *io, block *k) {
-  vf rho = k->stem.rho, reach = k->reach, front = k->bundle.front, zero = splat(0.0f);
-  k->stem.rho = vmax(rho - front, zero);
+INLINE void stage_stray(const wood_constants *w, block *k) {
+  vf reach = k->reach, front = k->bundle.front, zero = splat(0.0f);
+  k->front_rho = vmax(k->stem.rho - front, zero);
+  k->front_reach = reach;
   if (any(gt(k->bundle.lost, zero))) {
-    k->reach = vsqrt(reach * reach + splat(12.0f) * k->bundle.lost);
+    k->front_reach = vsqrt(reach * reach + splat(12.0f) * k->bundle.lost);
   }
   vf phase = k->ring.phase - front * k->ring.inverse_width;
   vm out = or_(lt(phase, zero), gt(phase, splat(1.0f)));
-  ring_place here;
-  int crossed = any(out);
-  if (crossed) {
-    ring_place other = ring_at(w, k->stem.rho), *ring = &k->ring;
-    here = k->ring;
-    ring->turns = sel(out, other.turns, here.turns);
-    ring->start = sel(out, other.start, here.start);
-    ring->inverse_width = sel(out, other.inverse_width, here.inverse_width);
-    ring->weight = sel(out, other.weight, here.weight);
-    ring->last = sel(out, other.last, here.last);
+  k->crossed = any(out);
+  if (k->crossed) {
+    ring_place other = ring_at(w, k->front_rho), *ring = &k->front_ring;
+    const ring_place *here = &k->ring;
+    ring->turns = sel(out, other.turns, here->turns);
+    ring->start = sel(out, other.start, here->start);
+    ring->inverse_width = sel(out, other.inverse_width, here->inverse_width);
+    ring->weight = sel(out, other.weight, here->weight);
+    ring->last = sel(out, other.last, here->last);
   }
-  vf mean = rings_mean(w, boards, io, MEAN_LATE, k);
-  k->stem.rho = rho;
-  k->reach = reach;
-  if (crossed) k->ring = here;
-  return mean;
 }
 
+/* The latewood's mean. */
 INLINE void stage_rings(const wood_constants *w, int boards, const wood_io *io, block *k) {
-  k->late =
-      w->has_front ? rings_strayed(w, boards, io, k) : rings_mean(w, boards, io, MEAN_LATE, k);
+  if (w->has_front) {
+    const ring_place *ring = k->crossed ? &k->front_ring : &k->ring;
+    k->late = rings_mean_at(w, boards, io, MEAN_LATE, k, k->front_rho, ring, k->front_reach);
+  } else {
+    k->late = rings_mean(w, boards, io, MEAN_LATE, k);
+  }
   vf late = k->late;
   if (k->knot) late = stage_knot_late(w, k);
   store_lanes(io, WOOD_LATEWOOD, k, late);
@@ -729,23 +742,40 @@ INLINE void stage_cover(const wood_constants *w, int boards, const wood_io *io, 
   store_lanes(io, WOOD_VESSEL, k, k->cover);
 }
 
-/* Made anew in each stage, of which each needs another part. */
-INLINE ray_place ray_place_here(const wood_constants *w, int boards, const block *k) {
-  return ray_place_of(w, own_of(boards, k), k->stem.rho, k->turn, k->p[1], &k->f, k->extent);
+/* Put together in each stage, of which each needs another part. */
+INLINE ray_place ray_place_here(int boards, const block *k) {
+  return (ray_place){.rho = k->stem.rho,
+                     .y = k->p[1],
+                     .aa = k->f.aa,
+                     .ab = k->f.ab,
+                     .bb = k->f.bb,
+                     .along = k->extent,
+                     .at = k->ray_from,
+                     .own = own_of(boards, k)};
 }
 
-INLINE void stage_ray_cells(const wood_constants *w, int boards, block *k) {
-  ray_place p = ray_place_here(w, boards, k);
-  k->ray_at = ray_cells_at(w, &p);
+INLINE void stage_ray_turn(const wood_constants *w, int boards, block *k) {
+  k->ray_from = ray_turn_of(w, own_of(boards, k), k->stem.rho, k->turn, k->p[1]);
+}
+
+INLINE void stage_ray_shell(const wood_constants *w, int boards, block *k) {
+  ray_place p = ray_place_here(boards, k);
+  k->ray_at = ray_shell_at(w, &p);
+}
+
+INLINE void stage_ray_seat(const wood_constants *w, int boards, block *k) {
+  ray_place p = ray_place_here(boards, k);
+  ray_cell_size(w, &p, &k->ray_at);
+  k->ray_on = ray_seat_of(w, &p, &k->ray_at, splati(0));
 }
 
 INLINE void stage_ray_body(const wood_constants *w, int boards, block *k) {
-  ray_place p = ray_place_here(w, boards, k);
-  k->ray_in = ray_body_of(w, &p, &k->ray_at, splati(0));
+  ray_place p = ray_place_here(boards, k);
+  k->ray_in = ray_body_of(w, &p, &k->ray_at, &k->ray_on, splati(0));
 }
 
 INLINE void stage_rays(const wood_constants *w, int boards, const wood_io *io, block *k) {
-  ray_place p = ray_place_here(w, boards, k);
+  ray_place p = ray_place_here(boards, k);
   vf nearest = ray_body_cover(w, &p, &k->ray_at, &k->ray_in);
   vf found = rays_cover(w, &p, &k->ray_at, nearest);
   k->ray = rays_faded(w, &p, &k->ray_at, found);
@@ -1053,6 +1083,7 @@ INLINE void stage_radiance(const wood_constants *w, const wood_io *io, block *k)
   vf zero = splat(0.0f);
   vf gloss = k->strength * exp2_(k->power);
   vf diffuse = splat(w->diffuse) * vmax(k->incident, zero);
+  UNROLL(3)
   for (int c = 0; c < 3; c++) {
     store_lit(io, k, c, diffuse * k->albedo[c] + gloss * splat(w->tint_colour[c]));
   }
@@ -1063,8 +1094,8 @@ INLINE void stage_radiance(const wood_constants *w, const wood_io *io, block *k)
 #ifndef BLOCKS
 #define BLOCKS (LANES == 1 ? 1 : 128 / LANES)
 #endif
-#define EACH(stage)                                                                                \
-  for (uint32_t k = 0; k < count; k++) stage
+#define EACH(...)                                                                                  \
+  for (uint32_t k = 0; k < count; k++) __VA_ARGS__
 
 /* restrict: what is stored is no constant, so that those are loaded before the
  * loops and not in them. */
@@ -1073,9 +1104,12 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
                         wide_rings *wides, uint32_t count) {
   EACH(stage_load(w, boards, io, want, &blocks[k]));
   EACH(stage_pith(w, boards, &blocks[k]));
-  EACH(stage_about(&blocks[k]));
-  EACH(stage_undulation(w, boards, 0, &blocks[k]));
-  EACH(stage_undulation(w, boards, 1, &blocks[k]));
+  undulation_octave octaves[2] = {undulation_octave_of(w, 0), undulation_octave_of(w, 1)};
+  EACH({
+    stage_about(&blocks[k]);
+    stage_undulation(&octaves[0], boards, &blocks[k]);
+  });
+  EACH(stage_undulation(&octaves[1], boards, &blocks[k]));
   if (w->has_curl || w->has_quilt || w->has_eyes) EACH(stage_figure(w, boards, &blocks[k]));
   EACH(stage_rho(w, &blocks[k]));
   if (w->knots) {
@@ -1084,13 +1118,17 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
   } else {
     EACH(store_lanes(io, WOOD_KNOT, &blocks[k], splat(0.0f)));
   }
+  EACH(stage_ring_find(w, &blocks[k]));
   EACH(stage_ring(w, io, &blocks[k]));
   if (want->section) {
     EACH(stage_years(w, boards, &blocks[k]));
-    EACH(stage_wave(w, &blocks[k]));
-    EACH(stage_interlocked(w, boards, &blocks[k]));
-    EACH(stage_grain_noise(w, boards, 0, &blocks[k]));
-    EACH(stage_grain_noise(w, boards, 1, &blocks[k]));
+    if (w->has_wave) EACH(stage_wave(w, &blocks[k]));
+    if (w->has_interlocked) EACH(stage_interlocked(w, boards, &blocks[k]));
+    if (w->has_slope_noise) {
+      grain_octave slopes[2] = {grain_octave_of(w, 0), grain_octave_of(w, 1)};
+      EACH(stage_grain_noise(&slopes[0], boards, &blocks[k]));
+      EACH(stage_grain_noise(&slopes[1], boards, &blocks[k]));
+    }
     EACH(stage_turn(&blocks[k]));
     EACH(stage_section(w, io, &blocks[k]));
   }
@@ -1103,10 +1141,13 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
     if (has_bent_boards(w, boards)) EACH(stage_wide(w, boards, io, &blocks[k], &wides[k]));
     if (want->vessel || want->bundle) EACH(stage_section_footprint(w, boards, io, &blocks[k]));
     if (want->bundle) {
-      EACH(stage_bundle(w, boards, 0, &blocks[k]));
-      EACH(stage_bundle(w, boards, 1, &blocks[k]));
-      EACH(stage_bundle(w, boards, 2, &blocks[k]));
+      UNROLL(3)
+      for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) {
+        fibre_octave octave = fibre_octave_of(w, o);
+        EACH(stage_bundle(&octave, boards, o, &blocks[k]));
+      }
     }
+    if (w->has_front) EACH(stage_stray(w, &blocks[k]));
     EACH(stage_rings(w, boards, io, &blocks[k]));
   }
   if ((want->vessel || want->relief) && place_has_turn(w)) EACH(stage_turns(&blocks[k]));
@@ -1117,7 +1158,10 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
     EACH(stage_rows(w, boards, &blocks[k]));
     EACH(stage_cover(w, boards, io, &blocks[k]));
     if (w->has_rays) {
-      EACH(stage_ray_cells(w, boards, &blocks[k]));
+      EACH(stage_ray_turn(w, boards, &blocks[k]));
+      EACH(stage_ray_shell(w, boards, &blocks[k]));
+      EACH(ray_cell_at(w, &blocks[k].ray_at));
+      EACH(stage_ray_seat(w, boards, &blocks[k]));
       EACH(stage_ray_body(w, boards, &blocks[k]));
       EACH(stage_rays(w, boards, io, &blocks[k]));
     }

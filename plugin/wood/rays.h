@@ -16,12 +16,18 @@
 #include "../core/noise.h"
 #include "stem.h"
 
-/* Where a point is, and the footprint there. */
+/* Where a point is among sheets that sway. */
 typedef struct {
-  vf rho, turn, y;      /* turn: theta' / 2 pi, 0..1 */
+  vf turn;       /* theta' / 2 pi, 0..1 */
+  vf lean, sway; /* slopes of the sheets' waves along rho and along y */
+} ray_turn;
+
+/* The same, and the footprint there. */
+typedef struct {
+  vf rho, y;
   vf aa, ab, bb, along; /* products along arc and rho; extent along y */
-  vf lean, sway;        /* slopes of the sheets' waves along rho and along y */
-  vu own;               /* the seeds' offset */
+  ray_turn at;
+  vu own; /* the seeds' offset */
 } ray_place;
 
 /* Share of lo..hi that -w..w covers; hi > lo. */
@@ -42,30 +48,43 @@ typedef struct {
   vf within, x; /* of the shell, of the cell: 0..1 */
   vf arc;       /* mm: of a cell */
   vf reach;     /* mm: of the footprint to either side */
+  vf middle;    /* mm: of the shell, at its sector's beginning */
+  vf count;     /* of the sector's cells in it */
   vu seed;
 } ray_cells;
 
-INLINE ray_cells ray_cells_at(const wood_constants *w, const ray_place *p) {
+/* In three steps, as what follows on them is, so that the kernel can take a few
+ * blocks through each: the shell, */
+INLINE ray_cells ray_shell_at(const wood_constants *w, const ray_place *p) {
   ray_cells q;
   vi sector;
-  vf round = p->turn * splat((float)WOOD_RAY_SECTORS), x = round - vfloor(round, &sector);
+  vf round = p->at.turn * splat((float)WOOD_RAY_SECTORS), whole = vfloor(round, &sector);
+  q.x = round - whole;
   q.seed = wood_seed(w, p->own, SEED_RAYS) + (vu)sector * splatu(HASH_Y);
   vf offset = to_float((vi)(hash_upper(q.seed) >> 8)) * splat(1.0f / 16777216.0f);
   vf shells = p->rho * splat(w->inverse_ray_length) + offset;
   vf low = vfloor(shells, &q.shell);
   q.within = shells - low;
-  vf middle = vmax(low + (splat(0.5f) - offset), splat(0.25f)) * splat(w->ray_length);
-  vi unused;
-  vf count = vfloor(middle * splat(w->ray_per_radius) + splat(0.5f), &unused);
-  count = vmax(count, splat(1.0f));
-  x = x * count;
-  q.x = x - vfloor(x, &q.column);
-  q.arc = vmax(p->rho, splat(0.05f)) * splat(6.2831853f / WOOD_RAY_SECTORS) / count;
-  /* the footprint's extents along rho and y count too where sheets sway */
-  vf across = p->sway * p->along;
-  vf arc2 = p->aa + p->lean * (splat(2.0f) * p->ab + p->lean * p->bb) + across * across;
-  q.reach = splat(0.5f) * vsqrt(vmax(arc2, splat(0.0f)) + splat(w->ray_sharp2));
+  q.middle = vmax(low + (splat(0.5f) - offset), splat(0.25f)) * splat(w->ray_length);
   return q;
+}
+
+/* the cell in it, */
+INLINE void ray_cell_at(const wood_constants *w, ray_cells *q) {
+  vi unused;
+  vf count = vnearest(q->middle * splat(w->ray_per_radius), &unused);
+  q->count = vmax(count, splat(1.0f));
+  vf x = q->x * q->count;
+  q->x = x - vfloor(x, &q->column);
+}
+
+/* and its size beside the footprint's. */
+INLINE void ray_cell_size(const wood_constants *w, const ray_place *p, ray_cells *q) {
+  q->arc = vmax(p->rho, splat(0.05f)) * splat(6.2831853f / WOOD_RAY_SECTORS) / q->count;
+  /* the footprint's extents along rho and y count too where sheets sway */
+  vf lean = p->at.lean, across = p->at.sway * p->along;
+  vf arc2 = p->aa + lean * (splat(2.0f) * p->ab + lean * p->bb) + across * across;
+  q->reach = splat(0.5f) * vsqrt(vmax(arc2, splat(0.0f)) + splat(w->ray_sharp2));
 }
 
 /* A ray of its cell: where the point is from its middle, and its size there. */
@@ -92,18 +111,33 @@ INLINE vf ray_unevenness(const wood_constants *w, const ray_place *p, vu root) {
   return splat(1.0f) + keep * n;
 }
 
-/* The ray of the cell `side` columns on. Past the sector's edge it is one that
+/* Which ray a cell has, and where along the fibre the point is in it. */
+typedef struct {
+  vu root, hash; /* of the column, and of the ray */
+  vf y;          /* 0..1 */
+} ray_seat;
+
+/* That of the cell `side` columns on. Past the sector's edge it is one that
  * might be there: only footprints that blur it away look so far. */
-INLINE ray_body ray_body_of(const wood_constants *w, const ray_place *p, const ray_cells *q,
+INLINE ray_seat ray_seat_of(const wood_constants *w, const ray_place *p, const ray_cells *q,
                             vi side) {
-  ray_body r;
-  vf one = splat(1.0f), half = splat(0.5f), k16 = splat(1.0f / 65536.0f);
+  ray_seat seat;
+  vf k16 = splat(1.0f / 65536.0f);
   vi column = q->column + side, iy;
   vu root = hash_mix((vu)column * splatu(HASH_X) + (vu)q->shell * splatu(HASH_Z) + q->seed);
   /* columns of cells stand at heights of their own */
   vf rows = p->y * splat(w->inverse_ray_cell) + to_float((vi)(root >> 16)) * k16;
-  vf y = rows - vfloor(rows, &iy);
-  vu h = hash_mix((vu)iy * splatu(HASH_Y) + root), g = hash_upper(h + splatu(HASH_Z));
+  seat.root = root;
+  seat.y = rows - vfloor(rows, &iy);
+  seat.hash = hash_mix((vu)iy * splatu(HASH_Y) + root);
+  return seat;
+}
+
+INLINE ray_body ray_body_of(const wood_constants *w, const ray_place *p, const ray_cells *q,
+                            const ray_seat *seat, vi side) {
+  ray_body r;
+  vf one = splat(1.0f), half = splat(0.5f), k16 = splat(1.0f / 65536.0f), y = seat->y;
+  vu h = seat->hash, g = hash_upper(h + splatu(HASH_Z));
 
   vf u = to_float((vi)(h >> 16)) * k16, v = to_float((vi)(h & splatu(0xffffu))) * k16;
   vf tall = splat(w->ray_tall) * (half + u); /* half the height, in cells */
@@ -122,7 +156,7 @@ INLINE ray_body ray_body_of(const wood_constants *w, const ray_place *p, const r
   r.a = (q->x - to_float(side) - place) * q->arc;
   if (w->ray_uneven > 0.0f) {
     vf most = r.thick * splat(1.0f + w->ray_uneven) + q->reach;
-    if (any(lt(vabs(r.a), most))) r.thick = r.thick * ray_unevenness(w, p, root);
+    if (any(lt(vabs(r.a), most))) r.thick = r.thick * ray_unevenness(w, p, seat->root);
   }
   r.inverse_tall = one / tall;
   r.at = (y - centre) * r.inverse_tall;
@@ -139,7 +173,8 @@ INLINE vf ray_body_cover(const wood_constants *w, const ray_place *p, const ray_
 }
 
 INLINE vf ray_of_cell(const wood_constants *w, const ray_place *p, const ray_cells *q, vi side) {
-  ray_body r = ray_body_of(w, p, q, side);
+  ray_seat seat = ray_seat_of(w, p, q, side);
+  ray_body r = ray_body_of(w, p, q, &seat, side);
   return ray_body_cover(w, p, q, &r);
 }
 
@@ -173,9 +208,8 @@ INLINE vf rays_share(const wood_constants *w, const ray_cells *q) {
 #define RAY_SWAY_FROM 20.0f /* mm */
 
 /* turn: theta' / 2 pi. */
-INLINE ray_place ray_place_of(const wood_constants *w, vu own, vf rho, vf turn, vf y,
-                              const footprint2 *f, vf along) {
-  ray_place p;
+INLINE ray_turn ray_turn_of(const wood_constants *w, vu own, vf rho, vf turn, vf y) {
+  ray_turn p;
   vi unused;
   noise_axis out = noise_split_cubic(rho * splat(w->ray_wave_radial), HASH_X);
   noise_axis up = noise_split_cubic(y * splat(w->ray_wave_along), HASH_Y);
@@ -187,14 +221,7 @@ INLINE ray_place ray_place_of(const wood_constants *w, vu own, vf rho, vf turn, 
   p.lean = lean * per * splat(w->ray_wave_radial);
   p.sway = sway * per * splat(w->ray_wave_along);
   turn = turn + stray * splat(0.15915494f * w->ray_stray) / vmax(rho, from);
-  p.rho = rho;
-  p.own = own;
   p.turn = turn - vfloor(turn, &unused);
-  p.y = y;
-  p.aa = f->aa;
-  p.ab = f->ab;
-  p.bb = f->bb;
-  p.along = along;
   return p;
 }
 

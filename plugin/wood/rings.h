@@ -20,24 +20,37 @@ typedef struct {
   vf phase;         /* 0 at the ring's start, 1 at its end */
 } ring_place;
 
-INLINE ring_place ring_at(const wood_constants *w, vf rho) {
-  ring_place p;
+/* In two steps, so that the kernel can take a few blocks through each: which ring it
+ * is, and rho within the table, */
+INLINE vf ring_find(const wood_constants *w, vf rho, ring_place *p) {
   vi turns;
-  p.turns = vfloor(rho * splat(w->inverse_ring_period), &turns);
-  vf m = clamp(rho - p.turns * splat(w->ring_period), splat(0.0f), splat(w->ring_period));
+  p->turns = vfloor(rho * splat(w->inverse_ring_period), &turns);
+  vf m = clamp(rho - p->turns * splat(w->ring_period), splat(0.0f), splat(w->ring_period));
   vi bin = to_int(vmin(m * splat(w->bin_scale), splat((float)w->bin_last)));
   /* a bin is narrower than any ring: at most one boundary lies in it */
-  vf at[2], row[4];
+  vf at[2];
   gather2_near(w->bin, bin, at);
   vf j = at[0] + sel(le(at[1], m), splat(1.0f), splat(0.0f));
-  p.j = to_int(j);
-  gather4_near(w->ring_row, p.j, row);
-  p.start = row[0];
-  p.inverse_width = row[1];
-  p.weight = row[2];
-  p.last = row[3];
-  p.phase = clamp01((m - p.start) * p.inverse_width);
-  p.ring = turns * splati(WOOD_RINGS) + p.j;
+  p->j = to_int(j);
+  p->ring = turns * splati(WOOD_RINGS) + p->j;
+  return m;
+}
+
+/* and what the ring is like. m: from ring_find. */
+INLINE void ring_read(const wood_constants *w, vf m, ring_place *p) {
+  vf row[4];
+  gather4_near(w->ring_row, p->j, row);
+  p->start = row[0];
+  p->inverse_width = row[1];
+  p->weight = row[2];
+  p->last = row[3];
+  p->phase = clamp01((m - p->start) * p->inverse_width);
+}
+
+INLINE ring_place ring_at(const wood_constants *w, vf rho) {
+  ring_place p;
+  vf m = ring_find(w, rho, &p);
+  ring_read(w, m, &p);
   return p;
 }
 

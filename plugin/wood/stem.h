@@ -94,37 +94,55 @@ INLINE undulation_sum undulation_none(void) {
   return (undulation_sum){zero, zero, zero, zero};
 }
 
+/* What an octave has of the wood; see fibre_octave. */
+typedef struct {
+  vf section, axis, height, touches, variance;
+  vu seed;
+  float size;
+  int o, idle;
+} undulation_octave;
+
+INLINE undulation_octave undulation_octave_of(const wood_constants *w, int o) {
+  return (undulation_octave){.section = splat(w->undulation_frequency_section[o]),
+                             .axis = splat(w->undulation_frequency_axis[o]),
+                             .height = splat(w->undulation[o]),
+                             .touches = splat(0.5f * w->undulation_size[o]),
+                             .variance = splat(0.025f * w->undulation[o] * w->undulation[o]),
+                             .seed = splatu(w->seeds[SEED_UNDULATION + o]),
+                             .size = w->undulation_size[o],
+                             .o = o,
+                             .idle = w->undulation[o] == 0.0f};
+}
+
 /* Octaves finer than the footprint are left out; p->lost is the variance that
  * went with them. */
-INLINE void undulation_add(const wood_constants *w, vu own, int o, vf y, vf footprint,
-                           stem_place *p, undulation_sum *u) {
-  if (w->undulation[o] == 0.0f) return;
-  vf f = splat(w->undulation_frequency_section[o]);
-  vf fy = splat(w->undulation_frequency_axis[o]);
+INLINE void undulation_add(const undulation_octave *q, vu own, vf y, vf footprint, stem_place *p,
+                           undulation_sum *u) {
+  if (q->idle) return;
+  vf f = q->section, fy = q->axis;
   noise_stem ay = noise_split_axial(y * fy, HASH_Y);
   /* the second octave is turned by atan(3/4), so that lattices do not line up */
   vf x = p->x, z = p->z;
-  if (o == 1) {
+  if (q->o == 1) {
     x = splat(0.8f) * p->x - splat(0.6f) * p->z;
     z = splat(0.6f) * p->x + splat(0.8f) * p->z;
   }
   noise_axis ax = noise_split_cubic(x * f, HASH_X), az = noise_split_cubic(z * f, HASH_Z);
-  vf a = splat(w->undulation[o]);
-  if (filter_touches(footprint, w->undulation_size[o])) {
-    vf keep = filter_keep(footprint, w->undulation_size[o]);
+  vf a = q->height;
+  if (any(gt(footprint, q->touches))) {
+    vf keep = filter_keep(footprint, q->size);
     a = a * keep;
     /* the noise's variance is about 1/40, measured */
     vf gone = splat(1.0f) - keep * keep;
-    p->lost = p->lost + splat(0.025f * w->undulation[o] * w->undulation[o]) * gone;
+    p->lost = p->lost + q->variance * gone;
   }
   vf gx, gy, gz;
-  vf v =
-      noise_axial3(&ax, &ay, &az, wood_seed(w, own, SEED_UNDULATION + (uint32_t)o), &gx, &gy, &gz);
+  vf v = noise_axial3(&ax, &ay, &az, q->seed + own, &gx, &gy, &gz);
   u->n = u->n + a * v;
   gx = gx * (a * f);
   gz = gz * (a * f);
   u->ny = u->ny + gy * (a * fy);
-  if (o == 1) {
+  if (q->o == 1) {
     u->nx = u->nx + (splat(0.8f) * gx + splat(0.6f) * gz);
     u->nz = u->nz + (splat(0.8f) * gz - splat(0.6f) * gx);
   } else {

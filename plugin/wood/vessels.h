@@ -190,7 +190,7 @@ INLINE row_place row_at(const wood_constants *w, vu own, const ring_place *ring,
   vf width = splat(1.0f) / ring->inverse_width;
   p.start = ring->start + ring->turns * splat(w->ring_period) + sel(ahead, width, splat(0.0f));
   vi which = seli(ahead, ring->ring + splati(1), ring->ring);
-  p.count = vfloor(p.start * splat(6.2831853f * w->row_density) + splat(0.5f), &p.n);
+  p.count = vnearest(p.start * splat(6.2831853f * w->row_density), &p.n);
   p.near = and_(p.near, le(splat(3.0f), p.count));
   p.turn = turn + splat(0.5f);
   p.arc = splat(6.2831853f) * rho / vmax(p.count, splat(1.0f));

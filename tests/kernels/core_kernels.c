@@ -105,6 +105,15 @@ CORE(noise_axial3, noise_axis x = noise_split(IN(0), HASH_X), z = noise_split(IN
      noise_stem y = noise_split_axial(IN(1), HASH_Y); vf dx, dy, dz;
      OUT(0, noise_axial3(&x, &y, &z, (vu)BITS(3), &dx, &dy, &dz)); OUT(1, dx); OUT(2, dy);
      OUT(3, dz);)
+/* The same where lanes are in one cell: 64 points to a cell, anywhere in it. */
+#define CELL_POINTS 64u
+#define WITHIN(k, cell)                                                                            \
+  (to_float((vi)((vu)BITS(k) >> 8)) * splat(1.0f / 16777216.0f) + splat((float)(cell)))
+CORE(noise_axial3_near, uint32_t cell = i / CELL_POINTS;
+     noise_axis x = noise_split(WITHIN(0, cell), HASH_X), z = noise_split(WITHIN(2, 3), HASH_Z);
+     noise_stem y = noise_split_axial(WITHIN(1, -2 * (int32_t)cell), HASH_Y); vf dx, dy, dz;
+     OUT(0, noise_axial3(&x, &y, &z, splatu(cell *HASH_Z), &dx, &dy, &dz)); OUT(1, dx); OUT(2, dy);
+     OUT(3, dz);)
 CORE(noise_gradient3, vf g[3]; OUT(0, noise_gradient3(IN(0), IN(1), IN(2), (vu)BITS(3), g));
      OUT(1, g[0]); OUT(2, g[1]); OUT(3, g[2]);)
 CORE(noise_fractal3, vf g[3]; OUT(0, noise_fractal3(IN(0), IN(1), IN(2), CORE_SEED, CORE_OCTAVES,

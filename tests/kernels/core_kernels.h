@@ -71,6 +71,7 @@ enum {
   X(noise_axial1, 2, 2, DOMAIN_LATTICE, DOMAIN_BITS, 0, 0)                                         \
   X(noise_axial2, 3, 3, DOMAIN_LATTICE, DOMAIN_LATTICE, DOMAIN_BITS, 0)                            \
   X(noise_axial3, 4, 4, DOMAIN_LATTICE, DOMAIN_LATTICE, DOMAIN_LATTICE, DOMAIN_BITS)               \
+  X(noise_axial3_near, 3, 4, DOMAIN_BITS, DOMAIN_BITS, DOMAIN_BITS, 0)                             \
   X(noise_gradient3, 4, 4, DOMAIN_LATTICE, DOMAIN_LATTICE, DOMAIN_LATTICE, DOMAIN_BITS)            \
   X(noise_fractal3, 4, 4, DOMAIN_LATTICE, DOMAIN_LATTICE, DOMAIN_LATTICE, DOMAIN_EXTENT)           \
   X(filter_keep, 1, 1, DOMAIN_EXTENT, 0, 0, 0)                                                     \

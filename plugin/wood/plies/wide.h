@@ -41,7 +41,10 @@ static __attribute__((noinline)) void wide_rings_grid(const wood_constants *w, v
       q.pith = pith_at(w, own, y);
       q.lost = q.lost_slope = q.eye = zero;
       stem_about(x, z, &q);
-      for (int o = 0; o < 2; o++) undulation_add(w, own, o, y, part, &q, &u);
+      for (int o = 0; o < 2; o++) {
+        undulation_octave octave = undulation_octave_of(w, o);
+        undulation_add(&octave, own, y, part, &q, &u);
+      }
       figure_add(w, own, y, part, splat(share) * k->extent, &q, &u);
       stem_rho(w, y, &u, &q);
       vf row[3] = {q.rho_x, q.rho_y - q.rho_x * q.pith.dx - q.rho_z * q.pith.dz, q.rho_z};
