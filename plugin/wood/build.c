@@ -19,8 +19,9 @@
 #include "surface/build.h"
 
 #define SPALT_BLEACH 0.75 /* how bleached the bleached share is, measured */
-#define SPALT_SLOPE 0.255 /* variance of an octave's slope along an axis of its lattice, measured  \
-                           */
+#define SPALT_SLOPE                                                                                \
+  0.255 /* variance of an octave's slope along an axis of its lattice, measured                    \
+         */
 
 #define TWO_PI 6.28318530717958647692
 

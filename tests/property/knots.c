@@ -395,7 +395,7 @@ static void against_1024_samples(void **state) {
     }
   }
   points_free(&p);
- 
+
   CHECK(worst <= 0.01 && mean <= 0.002,
         "worst RMS %.4f (goal 0.01), worst mean %.4f (goal 0.002); "
         "without knots (-) %.4f and %.4f\n",
