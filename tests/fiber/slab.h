@@ -12,11 +12,10 @@ typedef struct {
   double packing;
   double squeeze;                      /* of heights: 1 every direction alike */
   float roughness, round, tilt, index; /* as the catalogue has them */
-  uint32_t rays;
-  /* what is allowed, of each colour: of the mean of all views and lights; of each beyond
-   * chance; and of one footprint from the mean of five */
-  double mean[3], each[3], apart;
 } aggregate;
+
+extern const aggregate aggregates[];
+extern const int aggregate_count;
 
 typedef struct {
   const aggregate *of;

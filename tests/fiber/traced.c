@@ -119,7 +119,8 @@ static void look_part(void *context, uint32_t part) {
   seen *out = &t->part[part];
   memset(out, 0, sizeof *out);
   vec absorption = fiber_lobe_absorption((vec){b->colour[0], b->colour[1], b->colour[2]}, b->round);
-  uint32_t seed = 77u + (uint32_t)((90 - e->elevation) / 45) + 1000u * (uint32_t)fabs(e->from);
+  uint32_t seed = 7919u * b->seed + 77u + (uint32_t)((90 - e->elevation) / 45) +
+                  1000u * (uint32_t)fabs(e->from);
   for (uint32_t i = part; i < t->rays; i += PARTS) {
     sample_stream d = {sample_hash(i * 2654435761u + seed)};
     float x = b->half[0] * (2 * sample_next(&d) - 1), y = b->half[1] * (2 * sample_next(&d) - 1);

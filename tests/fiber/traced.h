@@ -23,6 +23,7 @@ typedef struct {
   float round;         /* roughness around a fibre: colours' absorption goes by it */
   float colour[3];     /* of three kinds of strands, in bulk: they are followed as one */
   float half[2], high; /* of the tile; nothing is above or as far below */
+  uint32_t seed;       /* of the rays: others are as good */
 } traced;
 
 /* From where is looked: elevation; and azimuths, evenly, over a range. Degrees. */

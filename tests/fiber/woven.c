@@ -14,6 +14,8 @@
  * diameters its waves are long. */
 #define STRAY 0.13
 #define WAVES 33.0
+/* How much wider or narrower a yarn is where it has slubs. */
+#define SLUB 0.16
 
 /* ---- from the preset --------------------------------------------------- */
 
@@ -43,6 +45,7 @@ bool cloth_of(const sozai_texture_info *info, const sozai_preset *p, cloth *c) {
                .width = number_of(info, p, "yarn_width"),
                .flatness = number_of(info, p, "yarn_flatness"),
                .twist = number_of(info, p, "twist"),
+               .slub = number_of(info, p, "slub"),
                .diameter = number_of(info, p, "diameter"),
                .elevation_spread = number_of(info, p, "elevation_spread"),
                .flyaway = number_of(info, p, "flyaway"),
@@ -93,7 +96,8 @@ static plan plan_of(const cloth *c) {
   q.over = 0.9 * q.rise * (2.0 * q.p->over / q.p->repeat - 1);
   for (int i = 0; i < 2; i++) q.half[i] = 0.5 * c->spacing[i] * c->width;
   q.count = q.p->repeat << q.p->in_pairs;
-  if (q.count < 4) q.count *= 2;
+  /* as long as a thick place and a thin one, where there are such */
+  while (q.count < (c->slub > 0 ? 8 : 4)) q.count *= 2;
   return q;
 }
 
@@ -142,13 +146,15 @@ static void add_fibre(woven *b, const plan *q, int weft, int mine, int shown_at,
   double wide = fmax(q->half[weft] - r, r), high = fmax(q->height - r, r);
   double rate = tan(c->twist * PI / 180) / q->half[weft];
   double phase = 2 * PI * (double)sample_next(d), other = 2 * PI * (double)sample_next(d);
+  double waves = fmax(1, round(length / (9.1 * c->spacing[weft]))), at = 2.4 * mine + weft;
   int steps = (int)ceil(length / fmin(c->spacing[1 - weft] / 8, wave / 8));
   double off = (shown_at + 0.5 - 0.5 * q->count) * c->spacing[weft];
   begin_curve(b);
   for (int k = 0; k <= steps; k++) {
     double s = length * k / steps, a = angle - rate * s;
+    double thick = 1 + SLUB * c->slub * sin(2 * PI * waves * s / length + at);
     /* to the side that is left of the yarn's way */
-    double side = inside * wide * cos(a) + aside * sin(turn * s + phase);
+    double side = inside * wide * thick * cos(a) + aside * sin(turn * s + phase);
     double z =
         middle(q, weft, mine, s) + inside * high * sin(a) + lift * sin(1.1 * turn * s + other);
     double along = s - 0.5 * length;

@@ -70,8 +70,8 @@ static void energy(void **state) {
         least = fmin(least, far);
         apart = fmax(apart, fabs(near - far));
         if (far > 1 || near > 1)
-          print_message("%s, light at %d degrees: %.3f from afar, %.3f near\n",
-                        info->presets[k]->id, 10 * e, far, near);
+          print_message("%s%s, light at %d degrees: %.3f from afar, %.3f near\n",
+                        info->presets[k]->id, clear ? ", clear" : "", 10 * e, far, near);
       }
       textures->destroy(t);
     }

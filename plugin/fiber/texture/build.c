@@ -283,6 +283,19 @@ static void build_yarns(fibertex_constants *w, const settings *s) {
   w->hollow = (float)number_at(s, P_HOLLOW);
 }
 
+/* What is spread about 0 as two places, one on either side, and a variance about each: so that the
+ * second moment and the fourth are what they are. Plain weave's slopes are mostly the steepest;
+ * those of floats mostly none. */
+typedef struct {
+  double at, variance;
+} two_places;
+
+static two_places places_of(double second, double fourth) {
+  double of = 0.5 * (3.0 * second * second - fourth);
+  double at2 = of > 0.0 ? least(__builtin_sqrt(of), second) : 0.0;
+  return (two_places){__builtin_sqrt(at2), second - at2};
+}
+
 /* Two faces stand for a yarn's, as its ellipse has them, and two directions for what stands off. */
 static void look_at_yarns(fibertex_constants *w, const fibertex_kernel *kernel, double twist) {
   fibertex_means m;
@@ -295,13 +308,14 @@ static void look_at_yarns(fibertex_constants *w, const fibertex_kernel *kernel, 
   }
   w->gaps = (float)(gap > 0.0 ? (1.0 - least(all, 1.0)) / gap : 0.0);
   w->warp_share = (float)(m.yarn[0] / all);
+  w->lean_rms = (float)scalar_root((m.lean2[0] + m.lean2[1]) / all);
+  w->slope_rms = (float)scalar_root((m.slope2[0] + m.slope2[1]) / all);
   w->looks = FIBERTEX_LOOKS;
   w->below[0] = (float)co;
   w->below[1] = (float)si;
   for (int k = 0; k < w->looks; k++) {
     fibertex_look *o = &w->look[k];
     *o = (fibertex_look){.weft = k < FIBERTEX_FACES ? k / 2 : k - FIBERTEX_FACES};
-    const fibertex_yarn *y = &w->yarn[o->weft];
     double side[2] = {o->weft ? -1.0 : 0.0, o->weft ? 0.0 : 1.0};
     double way[2] = {o->weft ? 0.0 : 1.0, o->weft ? 1.0 : 0.0};
     if (k >= FIBERTEX_FACES) {
@@ -315,16 +329,12 @@ static void look_at_yarns(fibertex_constants *w, const fibertex_kernel *kernel, 
       o->up2 = w->scatter_up;
       continue;
     }
-    /* of Gauss's two places, for what of the width is seen */
-    double share = m.yarn[o->weft] / all;
-    double e = scalar_root(m.across2[o->weft] / most(m.yarn[o->weft], 1e-9)) * (k % 2 ? 1.0 : -1.0);
-    double f = e * (double)y->height * (double)y->inverse_half;
-    double top = __builtin_sqrt(1.0 - e * e), n = __builtin_sqrt(f * f + top * top);
-    f /= n;
-    top /= n;
+    double share = m.yarn[o->weft] / all, seen = most(m.yarn[o->weft], 1e-9);
+    two_places lean = places_of(m.lean2[o->weft] / seen, m.lean4[o->weft] / seen);
+    double f = k % 2 ? lean.at : -lean.at, top = __builtin_sqrt(1.0 - f * f);
     /* and as it goes up and down: one of the two as it rises, one as it falls */
-    double rise = scalar_root(m.slope2[o->weft] / most(m.yarn[o->weft], 1e-9));
-    double level = __builtin_sqrt(1.0 - rise * rise);
+    two_places slope = places_of(m.slope2[o->weft] / seen, m.slope4[o->weft] / seen);
+    double rise = slope.at, level = __builtin_sqrt(1.0 - rise * rise);
     if (k == 0 || k == 3) rise = -rise;
     for (int c = 0; c < 3; c++) {
       double sideways = c < 2 ? side[c] : 0.0, along = c < 2 ? way[c] * level : rise;
@@ -336,8 +346,9 @@ static void look_at_yarns(fibertex_constants *w, const fibertex_kernel *kernel, 
     for (int c = 0; c < 2; c++) o->tip[c] = o->up[c] / o->up[2];
     o->share = (float)(share * 0.5);
     o->lit = (float)(m.shaded[o->weft] / all * 0.5);
+    o->level = (float)(m.level[o->weft] / all * 0.5);
     o->across2 = w->scatter + 0.009f; /* layers on a yarn are turned a little */
-    o->up2 = w->scatter_up;
+    o->up2 = (float)((double)w->scatter_up + co * co * slope.variance + si * si * lean.variance);
   }
 }
 

@@ -8,25 +8,13 @@
 #include "cloth_light.h"
 
 #include "../../core/scalar.h"
+#include "fitted.h"
 #include "parameters.h"
 
 #define PI 3.14159265358979324
 #define RADIANS (PI / 180.0)
 #define YARN_PACKING 0.5 /* share of a yarn that is fibre: 0.4 to 0.6, Morton & Hearle 2008 */
 #define PLACES 16        /* over a crossing, either way */
-
-/* ---- fitted ------------------------------------------------------------ */
-
-#define SLAB 0.17    /* Kubelka and Munk's S, over the optical depth */
-#define ALBEDO 0.91  /* of light from all around, to an eye above: over what is beyond the first */
-#define NARROW 0.62  /* width of a lobe along the strand, over the roughness */
-#define BROAD 1.26   /* variance of what is scattered often, over twice the roughness squared */
-#define GLANCE 0.45  /* reflected */
-#define THROUGH 1.52 /* transmitted, of a yarn; and of single strands over it */
-#define FLOWN 2.17
-#define HAIR 6.4   /* single strands that stand off a yarn, over their slope's variance */
-#define SHADED 0.5 /* how far they shade one another, over what of the cloth they cover */
-#define OFTEN 1.19 /* scattered often */
 
 static double most(double a, double b) { return a > b ? a : b; }
 
@@ -42,6 +30,34 @@ static double thickness_at(const fibertex_yarn *y, double at) {
   return sum;
 }
 
+/* What of a fibre's depth is met of a crossing's yarns, the mean. */
+static double yarns_depth(const fibertex_constants *w, const settings *s) {
+  double sum = 0.0, per_mm = YARN_PACKING / (0.001 * number_at(s, P_DIAMETER) * PI / 4.0);
+  for (int i = 0; i < 2; i++) {
+    const fibertex_yarn *y = &w->yarn[i];
+    sum += per_mm * PI * (double)y->half * (double)y->height * (double)y->inverse_spacing;
+  }
+  return sum;
+}
+
+static double amount_of(const fibertex_constants *w, const settings *s, int which) {
+  const double feature[CLOTH_FEATURES] = {
+      [CLOTH_ONE] = 1.0,
+      [CLOTH_DEPTH] = scalar_log(most(yarns_depth(w, s), 1e-3)),
+      [CLOTH_DULL] = scalar_log(most(1.0 - number_at(s, P_TRANSMISSION), 0.05)),
+      [CLOTH_ROUGH] = scalar_log(number_at(s, P_ROUGHNESS) * RADIANS),
+      [CLOTH_RISE] = (double)w->rise,
+      [CLOTH_FLOWN] = (double)w->flown,
+      [CLOTH_LEAN] = (double)w->lean_rms,
+      [CLOTH_SLOPE] = (double)w->slope_rms,
+      [CLOTH_TWIST] = scalar_root(1.0 - (double)w->below[0] * (double)w->below[0]),
+      [CLOTH_SLUB] = number_at(s, P_SLUB),
+      [CLOTH_COARSE] = 0.0005 * number_at(s, P_DIAMETER) / (double)w->yarn[0].height};
+  const fibertex_fitted *fit = fibertex_fit(feature);
+  return scalar_exp(
+      fitted_sum(fit->amount[which], feature, fit->least, fit->most, fit->middle, CLOTH_FEATURES));
+}
+
 double fibertex_over_black(double slab, double c) {
   double k = (1.0 - c) * (1.0 - c) / (2.0 * c), a = 1.0 + k, b = scalar_root(k * (k + 2.0));
   if (b * slab < 1e-4) return slab / (1.0 + a * slab);
@@ -53,8 +69,10 @@ double fibertex_over_black(double slab, double c) {
  * strands turn light later. */
 double fibertex_cloth_back(const fibertex_constants *w, const settings *s, double c) {
   double dull = most(1.0 - number_at(s, P_TRANSMISSION), 0.15) / (1.0 - CLEAR);
-  double per_mm = SLAB * dull * YARN_PACKING / (0.001 * number_at(s, P_DIAMETER) * PI / 4.0);
+  double per_mm = amount_of(w, s, FIT_SLAB) * dull * YARN_PACKING /
+                  (0.001 * number_at(s, P_DIAMETER) * PI / 4.0);
   double thick[2][PLACES], sum = 0.0, covered = 0.0;
+  c = scalar_exp(amount_of(w, s, FIT_COLOUR) * scalar_log(most(c, 1e-8)));
   for (int i = 0; i < 2 * PLACES; i++) {
     thick[i / PLACES][i % PLACES] =
         thickness_at(&w->yarn[i / PLACES], (i % PLACES + 0.5) / PLACES - 0.5);
@@ -63,7 +81,7 @@ double fibertex_cloth_back(const fibertex_constants *w, const settings *s, doubl
     double slab = per_mm * (thick[0][i / PLACES] + thick[1][i % PLACES]);
     if (slab <= 0.0) continue;
     covered += 1.0;
-    sum += fibertex_over_black(slab, most(c, 1e-8));
+    sum += fibertex_over_black(slab, c);
   }
   return sum / most(covered, 1.0);
 }
@@ -96,20 +114,23 @@ void fibertex_cloth_amounts(fibertex_constants *w, const settings *s) {
          clear = fibertex_passed(number_at(s, P_TRANSMISSION));
   double beta = number_at(s, P_ROUGHNESS) * RADIANS;
   w->mirror = (float)(f * f);
-  w->beta2 = (float)(NARROW * NARROW * beta * beta);
-  w->even2 = (float)(BROAD * 4.0 * beta * beta + 0.02);
+  w->beta2 = (float)(amount_of(w, s, FIT_NARROW) * amount_of(w, s, FIT_NARROW) * beta * beta);
+  w->even2 = (float)(amount_of(w, s, FIT_BROAD) * 4.0 * beta * beta + 0.02);
   w->even = (float)(1.0 / bell_mean((double)w->even2 + (double)w->scatter + (double)w->scatter_up));
-  w->gloss[0] = (float)(GLANCE * PI / 4.0);
-  w->gloss[1] = (float)(THROUGH * clear);
-  w->flown_gloss = (float)(FLOWN * clear);
-  w->hair = (float)HAIR * w->rise2;
-  w->flown_deep = (float)SHADED * (w->flown + w->hair);
-  w->multiple = (float)(OFTEN / shade_of(w));
+  w->gloss[0] = (float)(amount_of(w, s, FIT_GLANCE) * PI / 4.0);
+  w->gloss[1] = (float)(amount_of(w, s, FIT_THROUGH) * clear);
+  w->flown_gloss = (float)(amount_of(w, s, FIT_FLOWN) * clear);
+  w->hair = (float)amount_of(w, s, FIT_HAIR) * w->rise2;
+  w->flown_deep = (float)amount_of(w, s, FIT_SHADED) * (w->flown + w->hair);
+  w->multiple = (float)(amount_of(w, s, FIT_OFTEN) / shade_of(w));
   double white = fibertex_cloth_back(w, s, 1.0);
-  w->slab_linear = (float)(1.0 / SLAB);
-  w->slab = (float)(0.5 * white / (1.0 - white) / SLAB);
+  double slab = amount_of(w, s, FIT_SLAB);
+  w->slab_linear = (float)(1.0 / slab);
+  w->slab = (float)(0.5 * white / (1.0 - white) / slab);
   w->opposition = 0.9f;
   w->opposition_sharp = 20.0f;
 }
 
-double fibertex_cloth_albedo(const fibertex_constants *w) { return ALBEDO / shade_of(w); }
+double fibertex_cloth_albedo(const fibertex_constants *w, const settings *s) {
+  return amount_of(w, s, FIT_ALBEDO) / shade_of(w);
+}

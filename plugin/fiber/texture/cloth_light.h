@@ -24,6 +24,6 @@ void fibertex_cloth_amounts(fibertex_constants *w, const settings *s);
  * that is scattered often, over white's. */
 double fibertex_cloth_back(const fibertex_constants *w, const settings *s, double colour);
 /* What that takes for the mean albedo to be the cloth's: a factor. */
-double fibertex_cloth_albedo(const fibertex_constants *w);
+double fibertex_cloth_albedo(const fibertex_constants *w, const settings *s);
 
 #endif

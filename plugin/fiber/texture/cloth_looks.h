@@ -15,7 +15,8 @@ INLINE void dots_of_both(const float axis[3], const vf v[3], vf out[2]) {
   out[1] = flat - rise;
 }
 
-INLINE void faces_angles(const fibertex_look *o, const hull_frame *f, strand_angles q[2]) {
+INLINE void faces_angles(const fibertex_constants *w, const fibertex_look *o, const hull_frame *f,
+                         strand_angles q[2]) {
   const float shrink = 1.0f - 0.5f * (o->across2 + o->up2);
   const float along[3] = {o->along[0] * shrink, o->along[1] * shrink, o->along[2] * shrink};
   vf sl[2], sv[2], la[2], va[2], lu[2], vu_[2];
@@ -30,7 +31,7 @@ INLINE void faces_angles(const fibertex_look *o, const hull_frame *f, strand_ang
     vf a = across2 * la[i], u = up2 * lu[i];
     vf sl2 = a * la[i] + u * lu[i], both = a * va[i] + u * vu_[i];
     vf sv2 = across2 * (va[i] * va[i]) + up2 * (vu_[i] * vu_[i]);
-    strand_angles_from(sl[i], sv[i], sl2, sv2, both, f->between, &q[i]);
+    strand_angles_from(w, 1, sl[i], sv[i], sl2, sv2, both, f->between, &q[i]);
   }
 }
 
@@ -46,7 +47,7 @@ INLINE void faces_add(const fibertex_constants *w, const fibertex_look *o, const
     face_light f;
     face_of(k, tip, &f);
     vf share = splat(o->share) * f.seen, lit = share * face_lit(&f);
-    q->around[yarn] = q->around[yarn] + splat(o->lit * o->up[2]) * f.seen * f.in * p.often;
+    q->around[yarn] = q->around[yarn] + splat(o->level) * f.seen * f.in * p.often;
     q->glow[yarn] = q->glow[yarn] + lit * p.through;
     q->white[yarn] = q->white[yarn] + lit * p.reflected;
     q->straight = q->straight + share;
@@ -64,7 +65,7 @@ INLINE void flown_add(const fibertex_constants *w, const fibertex_look *o, const
   vf sl2 = a * l[1 - i] + u * l[2], both = a * v[1 - i] + u * v[2];
   vf sv2 = across2 * (v[1 - i] * v[1 - i]) + up2 * (v[2] * v[2]);
   strand_angles angles;
-  strand_angles_from(l[i] * shrink, v[i] * shrink, sl2, sv2, both, k->f.between, &angles);
+  strand_angles_from(w, 1, l[i] * shrink, v[i] * shrink, sl2, sv2, both, k->f.between, &angles);
   yarn_parts p;
   yarn_parts_of(w, &angles, &p);
   q->flown = q->flown + splat(o->share) * widening(k->f.lean2[1 - i], FLOWN_WIDEST) * p.through;
@@ -85,8 +86,8 @@ INLINE void looks_of_yarns(const fibertex_constants *w, const block *k, looks *q
   q->straight = one / q->straight;
   vf yarn = splat(1.0f - w->flown) * q->straight, around = q->straight * k->ground.around;
   vf alone = off.onward * k->ground.flown;
-  q->flown = alone * splat(w->hair * (1.0f - w->flown));
-  vf over = alone * splat(w->flown) + q->flown;
+  q->flown = alone * splat(w->hair);
+  vf over = alone * splat(w->flown) + q->flown * splat(1.0f - w->flown);
   for (int i = 0; i < 2; i++) {
     q->around[i] = r[i].even * around;
     q->white[i] = r[i].white * yarn;
@@ -98,7 +99,7 @@ STAGE void looks_of_cloth_lit(const fibertex_constants *w, const block *k, uint3
                               looks *q) {
   ROLLED for (int m = 0; m < FIBERTEX_FACES; m += 2) {
     strand_angles a[BLOCKS_TOGETHER][2];
-    EACH(b, blocks) faces_angles(&w->look[m], &k[b].f, a[b]);
+    EACH(b, blocks) faces_angles(w, &w->look[m], &k[b].f, a[b]);
     EACH(b, blocks) faces_add(w, &w->look[m], &k[b], a[b], &q[b]);
   }
   if (w->flown + w->hair > 0.0f) {

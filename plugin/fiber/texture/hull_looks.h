@@ -20,8 +20,8 @@ INLINE look_flat look_flat_of(const fibertex_look *o, const vf v[3]) {
 }
 
 /* A look and its mirror image. level: the eye looks squarely; the same result in fewer steps. */
-INLINE void look_angles(const fibertex_look *o, int level, const hull_frame *f,
-                        strand_angles q[2]) {
+INLINE void look_angles(const fibertex_constants *w, const fibertex_look *o, int level,
+                        const hull_frame *f, strand_angles q[2]) {
   const float up = o->up[2], out = o->along[2];
   const float steep = up * (1.0f - 0.5f * (o->across2 + o->up2));
   const float rise = out * (1.0f - 0.5f * (o->across2 + o->up2));
@@ -39,7 +39,7 @@ INLINE void look_angles(const fibertex_look *o, int level, const hull_frame *f,
       sv2 = across2 * (v.across[i] * v.across[i]) + up2 * (out_of * out_of);
       both = a * v.across[i] + u * out_of;
     }
-    strand_angles_from(sl, sv, sl2, sv2, both, f->between, &q[i]);
+    strand_angles_from(w, 0, sl, sv, sl2, sv2, both, f->between, &q[i]);
   }
 }
 
@@ -79,7 +79,7 @@ INLINE void looks_of_hull_as(const fibertex_constants *w, int level, const block
   ROLLED for (int m = 0; m < w->looks / 2; m++) {
     const fibertex_look *o = &w->look[m];
     strand_angles a[BLOCKS_TOGETHER][2];
-    EACH(b, blocks) look_angles(o, level, &k[b].f, a[b]);
+    EACH(b, blocks) look_angles(w, o, level, &k[b].f, a[b]);
     EACH(b, blocks) look_add(w, o, level, &k[b].f, a[b], &sum[b], &straight[b]);
   }
   EACH(b, blocks) {

@@ -71,7 +71,7 @@ INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io 
     if (light) {
       strand_angles a[BLOCKS_TOGETHER];
       EACH(b, count) {
-        strand_angles_of(of[b].f.light, of[b].f.view, of[b].f.between, &t[b], &a[b]);
+        strand_angles_of(w, woven, of[b].f.light, of[b].f.view, of[b].f.between, &t[b], &a[b]);
       }
       EACH(b, count) {
         if (woven)

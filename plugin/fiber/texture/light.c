@@ -11,6 +11,7 @@
 #include "../../core/colour.h"
 #include "../../core/scalar.h"
 #include "cloth_light.h"
+#include "fitted.h"
 #include "parameters.h"
 
 #define PI 3.14159265358979324
@@ -43,19 +44,32 @@ static double slow_depth(double clear, double depth) {
 /* What part of TT goes on at each strand. */
 double fibertex_passed(double clear) { return clear / (clear + 0.25) * (CLEAR + 0.25) / CLEAR; }
 
+static double bulk_of(const fibertex_constants *w, const settings *s, double depth, int which) {
+  const double feature[BULK_FEATURES] = {
+      [BULK_ONE] = 1.0,
+      [BULK_THIN] = 1.0 / (1.0 + 0.25 * depth),
+      [BULK_DULL] = scalar_log(most(1.0 - number_at(s, P_TRANSMISSION), 0.05)),
+      [BULK_ROUGH] = scalar_log(number_at(s, P_ROUGHNESS) * RADIANS),
+      [BULK_RISE] = (double)w->rise};
+  const fibertex_fitted *fit = fibertex_fit(feature);
+  return scalar_exp(fitted_sum(fit->bulk[which], feature, fit->bulk_least, fit->bulk_most,
+                               fit->bulk_middle, BULK_FEATURES));
+}
+
 static void amounts_of_bulk(fibertex_constants *w, const settings *s, double depth) {
-  double clear = number_at(s, P_TRANSMISSION);
+  double clear = number_at(s, P_TRANSMISSION), passed = fibertex_passed(clear);
   double slow = slow_depth(clear, depth), ambient = fibertex_ambient(w);
-  w->gloss[0] *= 0.87f;
-  w->gloss[1] = (float)(0.8 * fibertex_passed(clear));
-  w->single = 0.12f;
-  w->multiple = (float)(1.183 / ambient);
-  w->chain = (float)(6.94 * fibertex_passed(clear) * depth / (depth + 0.92) / ambient);
+  w->gloss[0] *= (float)bulk_of(w, s, depth, BULK_GLANCE);
+  w->gloss[1] = (float)(bulk_of(w, s, depth, BULK_THROUGH) * passed);
+  w->single = (float)bulk_of(w, s, depth, BULK_SINGLE);
+  w->multiple = (float)(bulk_of(w, s, depth, BULK_OFTEN) / ambient);
+  double chain = bulk_of(w, s, depth, BULK_CHAIN) * passed;
+  w->chain = (float)(chain * depth / (depth + 0.92) / ambient);
   w->slab = (float)(0.5 * slow);
-  w->slab_linear = 5.53f;
-  w->slab_square = 14.7f;
-  w->graze = 0.816f;
-  w->graze_both = 1.174f;
+  w->slab_linear = (float)bulk_of(w, s, depth, BULK_LINEAR);
+  w->slab_square = (float)bulk_of(w, s, depth, BULK_SQUARE);
+  w->graze = (float)bulk_of(w, s, depth, BULK_GRAZE);
+  w->graze_both = (float)bulk_of(w, s, depth, BULK_GRAZE_BOTH);
   /* strands shade what is behind them within an angle of their thickness over the way
    * between two */
   double angle = most(4.0 / PI * number_at(s, P_PACKING), 0.05);
@@ -100,13 +114,14 @@ typedef struct {
   double slab; /* Kubelka and Munk's S X */
 } crossings;
 
-static crossings crossings_of(double clear, double depth) {
+static crossings crossings_of(const fibertex_constants *w, const settings *s, double depth) {
+  double clear = number_at(s, P_TRANSMISSION);
   /* how rough a fibre is around, as presets make their transmission of it */
   double b = least(most((1.0 - (clear - 0.08) / 0.55) / 0.8, 0.0), 1.0), b2 = b * b;
   return (crossings){.fit = 5.969 - 0.215 * b + 2.532 * b2 - 10.73 * b2 * b + 5.574 * b2 * b2 +
                             0.245 * b2 * b2 * b,
-                     .more = 4.2 * depth / (depth + 2.19),
-                     .slab = 0.297 * slow_depth(clear, depth)};
+                     .more = bulk_of(w, s, depth, BULK_MORE) * depth / (depth + 2.19),
+                     .slab = bulk_of(w, s, depth, BULK_SLAB) * slow_depth(clear, depth)};
 }
 
 /* A strand lets through T, by the absorption that Chiang et al. (2016) fitted to colours in
@@ -153,11 +168,11 @@ static int32_t colours(fibertex_constants *w, const sozai_host *host, const sett
   double to[3][3], from[3][3];
   for (int i = 0; i < 9; i++) to[i / 3][i % 3] = (double)primaries[i / 3][i % 3];
   if (!invert((const double(*)[3])to, from)) return SOZAI_OK;
-  crossings n = crossings_of(number_at(s, P_TRANSMISSION), depth);
+  crossings n = crossings_of(w, s, depth);
   int woven = w->structure == STRUCTURE_WOVEN;
   if (woven) n.more = 0.0; /* side by side: what went through one goes out */
   double white = back_of(w, s, &n, 1.0);
-  double to_albedo = woven ? fibertex_cloth_albedo(w) : 0.0;
+  double to_albedo = woven ? fibertex_cloth_albedo(w, s) : 0.0;
   for (int i = 0; i < FIBERTEX_COLOURS; i++) {
     double c[3], glow[3], bulk[3], albedo[3], out[3][3];
     for (int k = 0; k < 3; k++) c[k] = (double)w->colour[i][k];

@@ -28,22 +28,36 @@ static void measure_cloth(const fibertex_constants *w, uint32_t count, fibertex_
     cloth_hit q;
     cloth_at(w, measure_place(i, 0, MEASURED_EXTENT) * splat(w->yarn[1].spacing),
              measure_place(i, 1, MEASURED_EXTENT) * splat(w->yarn[0].spacing), zero, squarely, &q);
+    vf axes[3][3];
+    cloth_frame(w, &q, axes[0], axes[1], axes[2]);
     vf weft = sel(q.weft, q.solid, zero), warp = sel(q.weft, zero, q.solid);
     measure_add(&out->yarn[0], warp);
     measure_add(&out->yarn[1], weft);
     measure_add(&out->shaded[0], warp * q.ambient);
     measure_add(&out->shaded[1], weft * q.ambient);
-    vf across2 = q.across * q.across, slope2 = one - one / (one + q.slope * q.slope);
-    measure_add(&out->across2[0], warp * across2);
-    measure_add(&out->across2[1], weft * across2);
+    measure_add(&out->level[0], warp * q.ambient * axes[2][2]);
+    measure_add(&out->level[1], weft * q.ambient * axes[2][2]);
+    /* how far its face leans over to its side, and how steeply it rises: sines */
+    vf level = one / (one + q.slope * q.slope), slope2 = one - level,
+       out2 = axes[2][2] * axes[2][2];
+    vf lean2 = vmax(one - out2 / level, zero);
+    measure_add(&out->lean2[0], warp * lean2);
+    measure_add(&out->lean2[1], weft * lean2);
+    measure_add(&out->lean4[0], warp * (lean2 * lean2));
+    measure_add(&out->lean4[1], weft * (lean2 * lean2));
     measure_add(&out->slope2[0], warp * slope2);
     measure_add(&out->slope2[1], weft * slope2);
+    measure_add(&out->slope4[0], warp * (slope2 * slope2));
+    measure_add(&out->slope4[1], weft * (slope2 * slope2));
   }
   for (int i = 0; i < 2; i++) {
     out->yarn[i] /= count;
     out->shaded[i] /= count;
-    out->across2[i] /= count;
+    out->level[i] /= count;
+    out->lean2[i] /= count;
+    out->lean4[i] /= count;
     out->slope2[i] /= count;
+    out->slope4[i] /= count;
   }
 }
 

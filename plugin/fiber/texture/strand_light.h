@@ -48,35 +48,47 @@ typedef struct {
   vf reflected, through, back, within;
 } strand_parts;
 
-/* What of it does not wait for a root. */
+/* What of it does not wait for its last root. sharp: 1 over the width of R's bell. */
 typedef struct {
-  vf sum, spread, round, squares, cosine;
+  vf sum, spread, sharp, round, squares, cosine;
 } strand_angles;
 
 /* sl, sv: the sines of both inclinations; sl2, sv2: their variances, both: what they have in
- * common of them. */
-INLINE void strand_angles_from(vf sl, vf sv, vf sl2, vf sv2, vf both, vf between,
-                               strand_angles *q) {
+ * common of them. given_sum: of strands that scatter those give gloss whose sum is near 0, and it
+ * is their azimuths that count; then sines, variances and all are given that sum (a Gaussian's).
+ * Of yarns, whose strands lie in order. In bulk it is what all strands do on the mean that
+ * was fitted. */
+INLINE void strand_angles_from(const fibertex_constants *w, int given_sum, vf sl, vf sv, vf sl2,
+                               vf sv2, vf both, vf between, strand_angles *q) {
   const vf one = splat(1.0f), zero = splat(0.0f);
-  vf x = sl * sl, mean = x + sl2;
-  q->spread = sl2 + sv2 + both + both;
-  q->squares = vmax(one - mean, splat(0.01f)) * vmax(one - (sv * sv + sv2), splat(0.01f));
-  q->round = between - sl * sv - both;
+  vf x = sl * sl, mean = x + sl2, of_l = sl2 + both, of_v = sv2 + both;
+  q->spread = of_l + of_v;
   q->sum = sl + sv;
+  q->sharp = inverse_root(splat(w->beta2) + q->spread);
+  if (given_sum) {
+    vf inverse = q->sharp * q->sharp, given = q->sum * inverse;
+    vf gl = of_l * inverse, gv = of_v * inverse, l = sl - of_l * given, v = sv - of_v * given;
+    q->squares = vmax(one - (l * l + (sl2 - of_l * gl)), splat(0.01f)) *
+                 vmax(one - (v * v + (sv2 - of_v * gv)), splat(0.01f));
+    q->round = between - l * v - (both - of_l * gv);
+  } else {
+    q->squares = vmax(one - mean, splat(0.01f)) * vmax(one - (sv * sv + sv2), splat(0.01f));
+    q->round = between - sl * sv - both;
+  }
   /* the cosine of the inclination, as a polynomial of its sine: its mean is known */
   vf fourth = splat(1.1f) * sl2 * (x + mean);
   q->cosine = vmax(splat(0.985f) - mean * (splat(0.3f) + splat(0.55f) * mean) - fourth, zero);
 }
 
-INLINE void strand_angles_of(const vf light[3], const vf view[3], vf between, const strand_axes *t,
-                             strand_angles *q) {
+INLINE void strand_angles_of(const fibertex_constants *w, int given_sum, const vf light[3],
+                             const vf view[3], vf between, const strand_axes *t, strand_angles *q) {
   vf shrink = splat(1.0f) - splat(0.5f) * (t->across2 + t->up2);
   vf sl = strand_dot(t->along, light) * shrink, sv = strand_dot(t->along, view) * shrink;
   vf la = strand_dot(t->across, light), va = strand_dot(t->across, view);
   vf lu = strand_dot(t->up, light), vu_ = strand_dot(t->up, view);
   vf a = t->across2 * la, u = t->up2 * lu;
   vf sl2 = a * la + u * lu, sv2 = t->across2 * (va * va) + t->up2 * (vu_ * vu_);
-  strand_angles_from(sl, sv, sl2, sv2, a * va + u * vu_, between, q);
+  strand_angles_from(w, given_sum, sl, sv, sl2, sv2, a * va + u * vu_, between, q);
 }
 
 INLINE void strand_parts_of(const fibertex_constants *w, const strand_angles *q, strand_parts *r) {
@@ -84,7 +96,7 @@ INLINE void strand_parts_of(const fibertex_constants *w, const strand_angles *q,
   vf round = clamp(q->round * inverse_root(q->squares), splat(-1.0f), one);
   vf ahead = vmax(splat(0.25f) - splat(0.5f) * round, zero);
   /* one variance; the other lobes' bells are R's by a factor */
-  vf sharp = inverse_root(splat(w->beta2) + q->spread);
+  vf sharp = q->sharp;
   vf lobe[3];
   for (int i = 0; i < 3; i++) {
     lobe[i] = bell((q->sum - splat(w->tilt[i])) * (sharp * splat(0.25f * w->sharp[i])));
@@ -122,7 +134,7 @@ INLINE void yarn_parts_of(const fibertex_constants *w, const strand_angles *q, y
   const vf one = splat(1.0f), zero = splat(0.0f), half = splat(0.5f);
   vf round = clamp(q->round * inverse_root(q->squares), splat(-1.0f), one);
   vf ahead = vmax(splat(0.25f) - half * round, zero);
-  vf sharp = inverse_root(splat(w->beta2) + q->spread), narrow = sharp * splat(0.25f);
+  vf sharp = q->sharp, narrow = sharp * splat(0.25f);
   vf square = vsqrt(half + half * round), aside = one - square, aside2 = aside * aside;
   vf mirror = splat(w->mirror) + splat(1.0f - w->mirror) * (aside2 * aside2 * aside);
   vf height = sharp * q->cosine;

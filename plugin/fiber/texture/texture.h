@@ -64,6 +64,7 @@ typedef struct {
   float across2, up2;               /* variance of the angles to the directions it stands for */
   float share;
   float lit;    /* what of the light that comes from around reaches it, times share */
+  float level;  /* of a yarn's face: the same times the cosine of its lean */
   float tip[2]; /* of a yarn's face: how it leans, a tangent to either axis */
   int32_t weft;
 } fibertex_look;
@@ -108,10 +109,11 @@ typedef struct {
   float hollow, low, inverse_range; /* shade of furrows; their depth, and 1 over it */
   float solid, gaps;                /* share that is yarn; holes, over both widths' gaps */
   int32_t yarns_from;               /* the first layer that is on them */
-  float warp_share, flown;          /* of what is yarn; of what is seen, single strands over it */
-  float part[FIBERTEX_LAYERS];      /* of what is seen squarely, each layer's, */
-  float part_deep;                  /* and what lies deeper, */
-  float below[2];                   /* in which direction; of an aggregate in none */
+  float lean_rms, slope_rms;   /* of all faces: sines to the side and along, mean square's root */
+  float warp_share, flown;     /* of what is yarn; of what is seen, single strands over it */
+  float part[FIBERTEX_LAYERS]; /* of what is seen squarely, each layer's, */
+  float part_deep;             /* and what lies deeper, */
+  float below[2];              /* in which direction; of an aggregate in none */
 
   /* working space: the palette; of light that went on through strands; of light that is
    * scattered often */
@@ -154,12 +156,13 @@ enum {
 
 /* Means over `count` points: of each layer's coverage at a point, of its bundles'
  * formula, of what covers its brightness, and of its strands' nearness where they do not cover; and
- * of a cloth what share its warp and its weft show, those in the shade of furrows, and sums of the
- * squares of the place across the yarn and of the sine of its slope. */
+ * of a cloth what share its warp and its weft show, those in the shade of furrows, the same by how
+ * level they lie, and sums of the
+ * squares and fourth powers of the sines of its face's lean to the side and of its slope. */
 typedef struct {
   double point[FIBERTEX_LAYERS], formula[FIBERTEX_LAYERS], soft[FIBERTEX_LAYERS],
       bright[FIBERTEX_LAYERS];
-  double yarn[2], shaded[2], across2[2], slope2[2];
+  double yarn[2], shaded[2], level[2], lean2[2], lean4[2], slope2[2], slope4[2];
 } fibertex_means;
 typedef void fibertex_measure(const fibertex_constants *w, uint32_t count, fibertex_means *out);
 

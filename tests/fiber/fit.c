@@ -1,0 +1,70 @@
+/* SPDX-License-Identifier: Apache-2.0 */
+#include "fit.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Solves in place: symmetric, positive. */
+static void solve(double m[UNKNOWN_MAX][UNKNOWN_MAX], double x[UNKNOWN_MAX], int n) {
+  for (int i = 0; i < n; i++) {
+    for (int k = 0; k <= i; k++) {
+      double sum = m[i][k];
+      for (int j = 0; j < k; j++) sum -= m[i][j] * m[k][j];
+      m[i][k] = i == k ? sqrt(sum) : sum / m[k][k];
+    }
+  }
+  for (int i = 0; i < n; i++) {
+    for (int k = 0; k < i; k++) x[i] -= m[i][k] * x[k];
+    x[i] /= m[i][i];
+  }
+  for (int i = n - 1; i >= 0; i--) {
+    for (int k = i + 1; k < n; k++) x[i] -= m[k][i] * x[k];
+    x[i] /= m[i][i];
+  }
+}
+
+static void add_sample(const fit *f, int sample, double m[UNKNOWN_MAX][UNKNOWN_MAX], double *x,
+                       double *sum) {
+  static double slope[UNKNOWN_MAX][RESIDUALS_MAX], off[RESIDUALS_MAX], beside[RESIDUALS_MAX];
+  f->off(sample, off);
+  for (int r = 0; r < f->residuals; r++) *sum += off[r] * off[r];
+  for (int i = 0; i < f->unknowns; i++) {
+    const unknown *u = &f->list[i];
+    const double was = *u->value, h = 0.02 * u->reach;
+    *u->value = was + h;
+    f->off(sample, beside);
+    *u->value = was;
+    for (int r = 0; r < f->residuals; r++) {
+      slope[i][r] = (beside[r] - off[r]) / h;
+      x[i] -= slope[i][r] * off[r];
+    }
+    for (int k = 0; k <= i; k++) {
+      for (int r = 0; r < f->residuals; r++) m[i][k] += slope[i][r] * slope[k][r];
+    }
+  }
+}
+
+void fit_run(fit *f, int steps) {
+  static double m[UNKNOWN_MAX][UNKNOWN_MAX], x[UNKNOWN_MAX];
+  double most = 1;
+  for (int s = 0; s < steps && most > 0.01; s++) {
+    double sum = 0;
+    memset(m, 0, sizeof m);
+    memset(x, 0, sizeof x);
+    for (int i = 0; i < f->unknowns; i++) {
+      const unknown *u = &f->list[i];
+      double held = 1 / (u->reach * u->reach), off = *u->value - u->at;
+      m[i][i] = held;
+      x[i] = -held * off;
+      sum += held * off * off;
+    }
+    for (int i = 0; i < f->samples; i++) add_sample(f, i, m, x, &sum);
+    solve(m, x, f->unknowns);
+    most = 0;
+    for (int i = 0; i < f->unknowns; i++) most = fmax(most, fabs(x[i]) / f->list[i].reach);
+    double part = most > 2 ? 2 / most : 1; /* far off it is no plane */
+    for (int i = 0; i < f->unknowns; i++) *f->list[i].value += part * x[i];
+    fprintf(stderr, "step %d: from %.1f, by %.3f\n", s, sum, most);
+  }
+}

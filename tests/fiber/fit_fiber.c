@@ -1,0 +1,399 @@
+/* SPDX-License-Identifier: Apache-2.0
+ * Fits the amounts of light on cloth (plugin/fiber/texture/fitted.h) and prints fitted.c: woven
+ * presets and cloths between and beside them are followed by rays as fiber.cloth follows them, with
+ * other seeds, and the texture is brought to their means by Gauss and Newton's steps. What one
+ * cloth cannot say is held near what the last fit said.
+ *
+ *   fit-fiber-light [FILE]   FILE: of what was traced, read if it is there, else written */
+#include <dlfcn.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include "clothed.h"
+#include "fiber/texture/fitted.h"
+#include "fit.h"
+#include "samples.h"
+#include "slabbed.h"
+
+enum {
+  VARIANTS = 3, /* of each preset, beside itself */
+  CLOTHS_MAX = 60,
+  RAYS = 5000,
+  RAYS_OF_VARIANT = 1000,
+  SCALES = 3,
+  POINTS = 48, /* of each look */
+  STEPS = 5,
+  LOOKS = VIEWS * SIDES * LIGHTS,
+  BULK_VARIANTS = 2,
+  BULKS_MAX = 40,
+  ELEVATIONS = 3,
+  ENERGIES = 40 * 2 * ELEVATIONS
+};
+static const double footprints[SCALES] = {0, 0.03, 30}, weights[SCALES] = {0.25, 0.25, 0.5};
+
+/* What is asked of the fit: of means how near; of single looks, over the colour's mean. */
+/* Of light on white fibres, what may come back. */
+#define MOST_BACK 0.95
+static const double sure = 0.004, sure_of_look = 1.5;
+/* How far an amount's logarithm may go with each feature, over the feature's spread. */
+static const double steep = 0.4;
+
+/* Which amounts go by what, beside themselves. */
+#define ALL_BUT_(x) ((1u << CLOTH_FEATURES) - 1 - (x))
+static const uint32_t goes_by[FIT_AMOUNTS] = {
+    [FIT_SLAB] = 1 << CLOTH_DEPTH | 1 << CLOTH_DULL | 1 << CLOTH_ROUGH | 1 << CLOTH_SLOPE |
+                 1 << CLOTH_COARSE,
+    [FIT_COLOUR] = 1 << CLOTH_DEPTH | 1 << CLOTH_DULL | 1 << CLOTH_ROUGH | 1 << CLOTH_COARSE,
+    [FIT_ALBEDO] = ALL_BUT_(1 << CLOTH_TWIST),
+    [FIT_OFTEN] = ALL_BUT_(0),
+    [FIT_THROUGH] = ALL_BUT_(0),
+    [FIT_HAIR] = 1 << CLOTH_ROUGH | 1 << CLOTH_DEPTH,
+    [FIT_GLANCE] = 1 << CLOTH_ROUGH | 1 << CLOTH_LEAN};
+
+static const uint32_t bulk_goes_by[BULK_AMOUNTS] = {
+    [BULK_THROUGH] = 1 << BULK_THIN | 1 << BULK_RISE,
+    [BULK_SINGLE] = 1 << BULK_THIN,
+    [BULK_CHAIN] = 1 << BULK_THIN | 1 << BULK_DULL | 1 << BULK_RISE | 1 << BULK_ROUGH,
+    [BULK_MORE] = 1 << BULK_THIN | 1 << BULK_DULL,
+    [BULK_OFTEN] = 1 << BULK_THIN | 1 << BULK_DULL | 1 << BULK_RISE,
+    [BULK_SLAB] = 1 << BULK_THIN | 1 << BULK_DULL};
+
+static const char *const bulk_amounts[BULK_AMOUNTS] = {"GLANCE", "THROUGH", "SINGLE",    "CHAIN",
+                                                       "MORE",   "OFTEN",   "SLAB",      "LINEAR",
+                                                       "SQUARE", "GRAZE",   "GRAZE_BOTH"};
+static const char *const amounts[FIT_AMOUNTS] = {"SLAB",  "COLOUR", "ALBEDO", "OFTEN",
+                                                 "BROAD", "NARROW", "GLANCE", "THROUGH",
+                                                 "FLOWN", "HAIR",   "SHADED"};
+
+typedef struct {
+  cloth of;
+  clothed real;
+  int preset; /* as it is */
+} sample;
+
+typedef struct {
+  aggregate is;
+  slab of;
+  slabbed real;
+} bulk_sample;
+
+static bulk_sample bulks[BULKS_MAX];
+static int bulk_count;
+static sample samples[CLOTHS_MAX];
+static int sample_count;
+static fibertex_fitted *fitting;
+static const double *made_of; /* the last cloth */
+static const sozai_textures_1 *textures;
+
+/* ---- cloths ------------------------------------------------------------ */
+
+static double between(sample_stream *d, double least, double most) {
+  return least + (most - least) * (double)sample_next(d);
+}
+
+/* Beside a preset: what an artist may turn it to. */
+static cloth varied(cloth c, uint32_t which) {
+  sample_stream d = {sample_hash(which)};
+  c.slub = 0;
+  c.diameter *= exp(between(&d, -0.5, 0.5));
+  c.flatness = fmin(c.flatness * between(&d, 0.75, 1.3), 1);
+  c.width *= between(&d, 0.92, 1.08);
+  c.twist = between(&d, 0, 38);
+  c.elevation_spread *= between(&d, 0.4, 1.5);
+  c.flyaway = fmin(c.flyaway * between(&d, 0, 2), 0.45);
+  c.transmission = between(&d, 0.18, 0.56);
+  c.roughness *= exp(between(&d, -0.35, 0.35));
+  return c;
+}
+
+/* Deeper or thinner, steeper or flatter, clearer or duller. */
+static aggregate varied_aggregate(aggregate a, uint32_t which, int variant) {
+  sample_stream d = {sample_hash(7000u + which)};
+  if (!variant) return a;
+  a.thick *= exp(between(&d, -0.7, 0.3));
+  a.squeeze = between(&d, 0.2, 0.6);
+  a.round = (float)between(&d, 0.25, 0.65);
+  a.roughness *= (float)exp(between(&d, -0.35, 0.35));
+  return a;
+}
+
+static void gather(void) {
+  const sozai_texture_info *info = textures->find("fiber");
+  for (uint32_t i = 0; i < info->preset_count; i++) {
+    cloth c;
+    if (!cloth_of(info, info->presets[i], &c)) continue;
+    for (uint32_t k = 0; k <= VARIANTS; k++) {
+      assert_true(sample_count < CLOTHS_MAX);
+      samples[sample_count++] = (sample){.of = k ? varied(c, 100 * i + k) : c, .preset = k == 0};
+    }
+  }
+}
+
+static void trace_all(const char *path) {
+  FILE *file = path ? fopen(path, "rb") : NULL;
+  for (int i = 0; i < sample_count; i++) {
+    clothed *r = &samples[i].real;
+    if (file) {
+      assert_int_equal(fread(r, sizeof *r, 1, file), 1);
+      continue;
+    }
+    *r = cloth_as_curves(&samples[i].of, 1000u + (uint32_t)i,
+                         samples[i].preset ? RAYS : RAYS_OF_VARIANT);
+    fprintf(stderr, "%d of %d: %s\n", i + 1, sample_count, samples[i].of.preset);
+  }
+  if (file) fclose(file);
+  if (file || !path) return;
+  file = fopen(path, "wb");
+  assert_non_null(file);
+  for (int i = 0; i < sample_count; i++) fwrite(&samples[i].real, sizeof(clothed), 1, file);
+  fclose(file);
+}
+
+/* ---- energy ------------------------------------------------------------ */
+
+/* What a white fibre gives back of light that grazes is to stay below what comes in: of every
+ * preset of a kind, and as clear as can be; what is over, if anything. */
+static void add_over(const sozai_preset *p, bool clear, double *out) {
+  enum { ROUND = 16, RINGS = 12 };
+  const sozai_value white[] = {
+      {.id = "colour", .kind = SOZAI_KIND_COLOUR, .number = {1, 1, 1}, .text = "sRGB"},
+      {.id = "second_colour", .kind = SOZAI_KIND_COLOUR, .number = {1, 1, 1}, .text = "sRGB"},
+      {.id = "weft_colour", .kind = SOZAI_KIND_COLOUR, .number = {1, 1, 1}, .text = "sRGB"},
+      {.id = "transmission", .kind = SOZAI_KIND_FLOAT, .number = {1}}};
+  sozai_texture *t;
+  assert_int_equal(textures->create(NULL, "fiber", p->id, white, clear ? 4 : 3, &t), SOZAI_OK);
+  for (int e = 0; e < ELEVATIONS; e++) {
+    ground g = ground_of(ROUND * RINGS, 1);
+    for (int i = 0; i < ROUND * RINGS; i++) {
+      double rise = asin(sqrt((i % RINGS + 0.5) / RINGS)) * 180 / PI;
+      const vec of[2] = {aim(rise, 360.0 * (i / RINGS + 0.5) / ROUND), aim(10 + 10 * e, 40)};
+      float **to[2] = {g.view, g.light};
+      for (int q = 0; q < 2; q++) {
+        to[q][0][i] = of[q].x;
+        to[q][1][i] = of[q].y;
+        to[q][2][i] = of[q].z;
+      }
+    }
+    ground_ask(&g, textures, t, 100);
+    double back = ground_mean(&g, RADIANCE) / sin((10 + 10 * e) * PI / 180);
+    out[e] = fmax(back - MOST_BACK, 0) / 0.005;
+    ground_free(&g);
+  }
+  textures->destroy(t);
+}
+
+static void add_energy(bool woven_, double *out) {
+  const sozai_texture_info *info = textures->find("fiber");
+  int at = 0;
+  for (uint32_t i = 0; i < info->preset_count; i++) {
+    cloth c;
+    if (cloth_of(info, info->presets[i], &c) != woven_) continue;
+    for (int clear = 0; clear < 2; clear++, at += ELEVATIONS) {
+      assert_true(at + ELEVATIONS <= RESIDUALS_MAX);
+      add_over(info->presets[i], clear, out + at);
+    }
+  }
+}
+
+/* ---- what is seen ------------------------------------------------------ */
+
+/* How far off, over how sure: the chance of the rays, and what is asked. */
+static double off_by(double got, double real, double chance, double asked) {
+  return (got - real) / hypot(asked, chance);
+}
+
+static void cloth_off(int which, double *out) {
+  if (which == sample_count) {
+    memset(out, 0, RESIDUALS_MAX * sizeof *out);
+    add_energy(true, out);
+    return;
+  }
+  const sample *s = &samples[which];
+  const clothed *r = &s->real;
+  const double most = s->preset ? sure : 4 * sure;
+  double got[6] = {0}, looks[LOOKS][3] = {{0}};
+  sozai_texture *t = cloth_as_texture(&s->of, textures, colours);
+  for (int f = 0; f < SCALES; f++) {
+    clothed c = cloth_as_seen(t, textures, footprints[f], footprints[f] > 10 ? 6 : POINTS);
+    for (int k = 0; k < 3; k++) {
+      got[k] += weights[f] * c.albedo[k];
+      got[3 + k] += weights[f] * c.mean[k];
+      for (int l = 0; l < LOOKS; l++) looks[l][k] += weights[f] * (&c.radiance[0][0][0])[l][k];
+    }
+  }
+  textures->destroy(t);
+  for (int k = 0; k < 3; k++) {
+    *out++ = off_by(got[k], r->albedo[k], r->albedo_chance[k], most * r->albedo[k]);
+    *out++ = off_by(got[3 + k], r->mean[k], r->mean_chance[k], most * r->mean[k]);
+    for (int l = 0; l < LOOKS; l++) {
+      *out++ = off_by(looks[l][k], (&r->radiance[0][0][0])[l][k], (&r->chance[0][0][0])[l][k],
+                      sure_of_look * r->mean[k]);
+    }
+  }
+}
+
+static void bulk_off(int which, double *out) {
+  if (which == bulk_count) {
+    memset(out, 0, RESIDUALS_MAX * sizeof *out);
+    add_energy(false, out);
+    return;
+  }
+  memset(out, 0, ENERGIES * sizeof *out);
+  const bulk_sample *s = &bulks[which];
+  const slabbed *r = &s->real;
+  slabbed got = {0};
+  sozai_texture *t = slab_as_texture(&s->of, textures);
+  for (int f = 0; f < SCALES; f++) {
+    slabbed c = slab_as_seen(t, textures, footprints[f], footprints[f] > 10 ? 24 : 8 * POINTS);
+    for (int k = 0; k < 3; k++) {
+      got.mean[k] += weights[f] * c.mean[k];
+      for (int l = 0; l < SLAB_LOOKS; l++) got.radiance[l][k] += weights[f] * c.radiance[l][k];
+    }
+  }
+  textures->destroy(t);
+  for (int k = 0; k < 3; k++) {
+    *out++ = off_by(got.mean[k], r->mean[k], r->mean_chance[k], sure * r->mean[k]);
+    for (int l = 0; l < SLAB_LOOKS; l++) {
+      *out++ = off_by(got.radiance[l][k], r->radiance[l][k], r->chance[l][k],
+                      sure_of_look * 0.3 * r->mean[k]);
+    }
+  }
+}
+
+/* ---- unknowns ---------------------------------------------------------- */
+
+typedef struct {
+  int features;
+  double *least, *most, *middle;
+  double spread[CLOTH_FEATURES];
+} made;
+
+static void add_made(made *m, int sample) {
+  const double *x = made_of;
+  for (int f = 0; f < m->features; f++) {
+    if (!sample) m->least[f] = m->most[f] = x[f];
+    m->least[f] = fmin(m->least[f], x[f]);
+    m->most[f] = fmax(m->most[f], x[f]);
+    m->middle[f] = 0.5 * (m->least[f] + m->most[f]);
+    m->spread[f] = fmax(0.3 * (m->most[f] - m->least[f]), 1e-3);
+  }
+  m->middle[0] = 0; /* it is 1 */
+}
+
+/* A row's first is free; what it goes by is held near none. */
+static void add_row(fit *f, const made *m, double *row, uint32_t goes_by_, double reach) {
+  for (int k = 0; k < m->features; k++) {
+    if (k && !(goes_by_ >> k & 1)) continue;
+    assert_true(f->unknowns < UNKNOWN_MAX);
+    f->list[f->unknowns++] = (unknown){&row[k], row[k], k ? steep / m->spread[k] : reach};
+  }
+}
+
+static void fit_cloths(const char *path) {
+  static fit f;
+  made m = {CLOTH_FEATURES, fitting->least, fitting->most, fitting->middle, {0}};
+  gather();
+  for (int s = 0; s < sample_count; s++) {
+    textures->destroy(cloth_as_texture(&samples[s].of, textures, colours));
+    add_made(&m, s);
+  }
+  trace_all(path);
+  for (int a = 0; a < FIT_AMOUNTS; a++)
+    add_row(&f, &m, fitting->amount[a], goes_by[a], goes_by[a] ? 0.7 : 0.15);
+  f.samples = sample_count + 1;
+  f.residuals = 6 + 3 * LOOKS;
+  f.off = cloth_off;
+  fit_run(&f, STEPS);
+}
+
+static void fit_bulks(void) {
+  static fit f;
+  made m = {BULK_FEATURES, fitting->bulk_least, fitting->bulk_most, fitting->bulk_middle, {0}};
+  for (int i = 0; i < aggregate_count * BULK_VARIANTS; i++) {
+    bulk_sample *s = &bulks[bulk_count++];
+    s->is = varied_aggregate(aggregates[i / BULK_VARIANTS], (uint32_t)i, i % BULK_VARIANTS);
+    grow_slab(&s->of, &s->is);
+    s->real = slab_as_curves(&s->of, 1000u + (uint32_t)i, i % BULK_VARIANTS ? 6000 : 15000);
+    textures->destroy(slab_as_texture(&s->of, textures));
+    add_made(&m, i);
+    fprintf(stderr, "%s: %.3f %.3f %.3f\n", s->is.name, s->real.mean[0], s->real.mean[1],
+            s->real.mean[2]);
+  }
+  for (int a = 0; a < BULK_AMOUNTS; a++) add_row(&f, &m, fitting->bulk[a], bulk_goes_by[a], 0.7);
+  f.samples = bulk_count + 1;
+  f.residuals = ENERGIES;
+  f.off = bulk_off;
+  fit_run(&f, STEPS);
+}
+
+/* ---- result ------------------------------------------------------------ */
+
+static void print_row(const char *name, const double *row, int count) {
+  printf("      %s = {", name);
+  for (int f = 0; f < count; f++) printf(f ? ", %.4g" : "%.4g", row[f]);
+  printf("},\n");
+}
+
+static void print_fit(void) {
+  printf("/* SPDX-License-Identifier: Apache-2.0\n"
+         " * Printed by fit-fiber-light. */\n"
+         "#include \"fitted.h\"\n\n"
+         "const fibertex_fitted *fibertex_fit(const double *made_of) {\n"
+         "  (void)made_of;\n"
+         "  static const fibertex_fitted fitted = {\n");
+  print_row(".least", fitting->least, CLOTH_FEATURES);
+  print_row(".most", fitting->most, CLOTH_FEATURES);
+  print_row(".middle", fitting->middle, CLOTH_FEATURES);
+  printf("      .amount = {\n");
+  for (int a = 0; a < FIT_AMOUNTS; a++) {
+    char name[40];
+    snprintf(name, sizeof name, "    [FIT_%s]", amounts[a]);
+    print_row(name, fitting->amount[a], CLOTH_FEATURES);
+  }
+  printf("      },\n");
+  print_row(".bulk_least", fitting->bulk_least, BULK_FEATURES);
+  print_row(".bulk_most", fitting->bulk_most, BULK_FEATURES);
+  print_row(".bulk_middle", fitting->bulk_middle, BULK_FEATURES);
+  printf("      .bulk = {\n");
+  for (int a = 0; a < BULK_AMOUNTS; a++) {
+    char name[40];
+    snprintf(name, sizeof name, "    [BULK_%s]", bulk_amounts[a]);
+    print_row(name, fitting->bulk[a], BULK_FEATURES);
+  }
+  printf("      }};\n  return &fitted;\n}\n");
+}
+
+/* What is left, of the means. */
+static void print_rest(void) {
+  double off[RESIDUALS_MAX];
+  for (int s = 0; s < sample_count; s++) {
+    cloth_off(s, off);
+    fprintf(stderr, "%-10s%s over how sure: albedo", samples[s].of.preset,
+            samples[s].preset ? "*" : " ");
+    for (int k = 0; k < 3; k++) fprintf(stderr, " %+5.1f", off[k * (2 + LOOKS)]);
+    fprintf(stderr, ", radiance");
+    for (int k = 0; k < 3; k++) fprintf(stderr, " %+5.1f", off[k * (2 + LOOKS) + 1]);
+    fprintf(stderr, "\n");
+  }
+  for (int s = 0; s < bulk_count; s++) {
+    bulk_off(s, off);
+    fprintf(stderr, "%-10s over how sure:", bulks[s].is.name);
+    for (int k = 0; k < 3; k++) fprintf(stderr, " %+5.1f", off[k * (1 + SLAB_LOOKS)]);
+    fprintf(stderr, "\n");
+  }
+}
+
+int main(int count, char **arguments) {
+  void *library = dlopen(SOZAI_TEST_PLUGIN, RTLD_NOW | RTLD_LOCAL);
+  const sozai_entry_v1 *entry = library ? dlsym(library, SOZAI_ENTRY_SYMBOL) : NULL;
+  assert_true(entry && entry->init("/nonexistent/sozai.so") == SOZAI_OK);
+  textures = entry->get_factory(SOZAI_TEXTURES_1);
+  fitting = dlsym(library, "fiber_fitting");
+  made_of = dlsym(library, "fiber_made_of");
+  assert_true(fitting && made_of);
+  fit_bulks();
+  fit_cloths(count > 1 ? arguments[1] : NULL);
+  print_rest();
+  print_fit();
+  return 0;
+}
