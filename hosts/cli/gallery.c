@@ -153,9 +153,9 @@ static bool is_of(const shot *s, const sozai_preset *preset) {
   return !s->without || !gives(preset, s->without);
 }
 
-static bool has_seed(const sozai_texture_info *info) {
-  for (uint32_t i = 0; i < info->parameter_count; i++)
-    if (strcmp(info->parameters[i]->id, "seed") == 0) return true;
+static bool has_parameter(const sozai_texture_info *info, const char *id) {
+  for (uint32_t i = 0; info && i < info->parameter_count; i++)
+    if (strcmp(info->parameters[i]->id, id) == 0) return true;
   return false;
 }
 
@@ -171,7 +171,7 @@ static void add_param(shot *s, const char *param) {
  * another. */
 static bool make_of_each(gallery *g, const shot *shots, uint32_t count, failure *why) {
   const sozai_texture_info *info = g->session.plugin.textures->find(material_of(shots));
-  bool seeds = info && has_seed(info);
+  bool seeds = has_parameter(info, "seed"), offsets = has_parameter(info, "cut_offset");
   for (uint32_t i = 0; info && i < info->preset_count; i++)
     for (const shot *s = shots; s < shots + count; s++) {
       char name[128], title[256], seed[32], offset[48];
@@ -179,7 +179,7 @@ static bool make_of_each(gallery *g, const shot *shots, uint32_t count, failure 
       shot own = *s;
       snprintf(seed, sizeof seed, "seed=%u", i + 1);
       if (s->own_log && seeds) add_param(&own, seed);
-      if (s->aside > 0.0) {
+      if (s->aside > 0.0 && offsets) {
         /* as many to the left as to the right, and none after its like */
         double place = fmod(0.618034 * (i + 1), 1.0) * 2.0 - 1.0;
         snprintf(offset, sizeof offset, "cut_offset=%.1f 0 0", place * s->aside);

@@ -5,7 +5,7 @@
 #include <math.h>
 #include "clothed.h"
 
-enum { SCALES = 5, POINTS = 1200, RAYS = 6000 };
+enum { SCALES = 5, POINTS = 1200, RAYS = 4000 };
 static const double footprints[SCALES] = {0, 0.03, 0.3, 3, 30};
 static const char *const names[3] = {"white", "wool", "dark"};
 /* What is asked of every preset, colour and footprint; and beyond how often the chance of the
