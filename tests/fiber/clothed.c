@@ -102,13 +102,7 @@ clothed cloth_as_seen(const sozai_texture *t, const sozai_textures_1 *textures, 
     eye e = eye_of((int)(look / LIGHTS / SIDES), (int)(look / LIGHTS % SIDES));
     double turn = e.from + e.range * random_of(&r);
     for (int k = 0; k < 2; k++) g.at[k][i] = (float)(400 * random_of(&r));
-    const vec of[2] = {aim(e.elevation, turn), aim(lights[l][0], lights[l][1] + turn)};
-    float **to[2] = {g.view, g.light};
-    for (int q = 0; q < 2; q++) {
-      to[q][0][i] = of[q].x;
-      to[q][1][i] = of[q].y;
-      to[q][2][i] = of[q].z;
-    }
+    ground_look(&g, i, aim(e.elevation, turn), aim(lights[l][0], lights[l][1] + turn));
   }
   ground_ask(&g, textures, t, footprint);
   clothed o = {0};

@@ -31,10 +31,9 @@ enum {
 };
 static const double footprints[SCALES] = {0, 0.03, 30}, weights[SCALES] = {0.25, 0.25, 0.5};
 
-/* What is asked of the fit: of means how near; of single looks, over the colour's mean. */
-/* Of light on white fibres, what may come back. */
-#define MOST_BACK 0.95
-static const double sure = 0.004, sure_of_look = 1.5;
+/* What is asked of the fit: of means how near; of single looks, over the colour's mean; and of
+ * light on white fibres, what may come back. */
+static const double sure = 0.004, sure_of_look = 1.5, most_back = 0.95;
 /* How far an amount's logarithm may go with each feature, over the feature's spread. */
 static const double steep = 0.4;
 
@@ -164,19 +163,14 @@ static void add_over(const sozai_preset *p, bool clear, double *out) {
   assert_int_equal(textures->create(NULL, "fiber", p->id, white, clear ? 4 : 3, &t), SOZAI_OK);
   for (int e = 0; e < ELEVATIONS; e++) {
     ground g = ground_of(ROUND * RINGS, 1);
-    for (int i = 0; i < ROUND * RINGS; i++) {
+    for (uint32_t i = 0; i < ROUND * RINGS; i++) {
       double rise = asin(sqrt((i % RINGS + 0.5) / RINGS)) * 180 / PI;
-      const vec of[2] = {aim(rise, 360.0 * (i / RINGS + 0.5) / ROUND), aim(10 + 10 * e, 40)};
-      float **to[2] = {g.view, g.light};
-      for (int q = 0; q < 2; q++) {
-        to[q][0][i] = of[q].x;
-        to[q][1][i] = of[q].y;
-        to[q][2][i] = of[q].z;
-      }
+      double azimuth = 360.0 * (i / RINGS + 0.5) / ROUND;
+      ground_look(&g, i, aim(rise, azimuth), aim(10 + 10 * e, 40));
     }
     ground_ask(&g, textures, t, 100);
     double back = ground_mean(&g, RADIANCE) / sin((10 + 10 * e) * PI / 180);
-    out[e] = fmax(back - MOST_BACK, 0) / 0.005;
+    out[e] = fmax(back - most_back, 0) / 0.005;
     ground_free(&g);
   }
   textures->destroy(t);
@@ -334,6 +328,12 @@ static void print_row(const char *name, const double *row, int count) {
   printf("},\n");
 }
 
+static void print_amount(const char *of, const char *amount, const double *row, int count) {
+  char name[40];
+  snprintf(name, sizeof name, "    [%s_%s]", of, amount);
+  print_row(name, row, count);
+}
+
 static void print_fit(void) {
   printf("/* SPDX-License-Identifier: Apache-2.0\n"
          " * Printed by fit-fiber-light. */\n"
@@ -345,21 +345,15 @@ static void print_fit(void) {
   print_row(".most", fitting->most, CLOTH_FEATURES);
   print_row(".middle", fitting->middle, CLOTH_FEATURES);
   printf("      .amount = {\n");
-  for (int a = 0; a < FIT_AMOUNTS; a++) {
-    char name[40];
-    snprintf(name, sizeof name, "    [FIT_%s]", amounts[a]);
-    print_row(name, fitting->amount[a], CLOTH_FEATURES);
-  }
+  for (int a = 0; a < FIT_AMOUNTS; a++)
+    print_amount("FIT", amounts[a], fitting->amount[a], CLOTH_FEATURES);
   printf("      },\n");
   print_row(".bulk_least", fitting->bulk_least, BULK_FEATURES);
   print_row(".bulk_most", fitting->bulk_most, BULK_FEATURES);
   print_row(".bulk_middle", fitting->bulk_middle, BULK_FEATURES);
   printf("      .bulk = {\n");
-  for (int a = 0; a < BULK_AMOUNTS; a++) {
-    char name[40];
-    snprintf(name, sizeof name, "    [BULK_%s]", bulk_amounts[a]);
-    print_row(name, fitting->bulk[a], BULK_FEATURES);
-  }
+  for (int a = 0; a < BULK_AMOUNTS; a++)
+    print_amount("BULK", bulk_amounts[a], fitting->bulk[a], BULK_FEATURES);
   printf("      }};\n  return &fitted;\n}\n");
 }
 

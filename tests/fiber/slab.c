@@ -95,6 +95,13 @@ void free_slab(slab *b) {
 
 /* ---- what is looked at ------------------------------------------------- */
 
+/* Loose felt, of an optical depth of some 1 and 4. */
+#define THIN_FELT(words, mm)                                                                       \
+  {                                                                                                \
+    .name = words, .preset = "felt", .diameter = 20, .length = 1.2, .side = 5, .thick = mm,        \
+    .packing = 0.03, .squeeze = 0.5, .roughness = 10, .round = 0.4f, .tilt = 3, .index = 1.553f    \
+  }
+
 const aggregate aggregates[] = {
     {.name = "felt",
      .preset = "felt",
@@ -131,30 +138,8 @@ const aggregate aggregates[] = {
      .roughness = 14,
      .round = 0.55f,
      .index = 1.55f},
-    {.name = "thin",
-     .preset = "felt",
-     .diameter = 20,
-     .length = 1.2,
-     .side = 5,
-     .thick = 0.7,
-     .packing = 0.03,
-     .squeeze = 0.5,
-     .roughness = 10,
-     .round = 0.4f,
-     .tilt = 3,
-     .index = 1.553f},
-    {.name = "half-thick",
-     .preset = "felt",
-     .diameter = 20,
-     .length = 1.2,
-     .side = 5,
-     .thick = 2.7,
-     .packing = 0.03,
-     .squeeze = 0.5,
-     .roughness = 10,
-     .round = 0.4f,
-     .tilt = 3,
-     .index = 1.553f},
+    THIN_FELT("thin", 0.7),
+    THIN_FELT("half-thick", 2.7),
 };
 
 const int aggregate_count = sizeof aggregates / sizeof *aggregates;

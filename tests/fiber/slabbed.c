@@ -70,13 +70,7 @@ slabbed slab_as_seen(const sozai_texture *t, const sozai_textures_1 *textures, d
     double turn = 360 * random_of(&r);
     const double *light = lights[look % LIGHTS];
     for (int k = 0; k < 2; k++) g.at[k][i] = (float)(400 * random_of(&r));
-    const vec of[2] = {aim(slab_views[look / LIGHTS], turn), aim(light[0], light[1] + turn)};
-    float **to[2] = {g.view, g.light};
-    for (int q = 0; q < 2; q++) {
-      to[q][0][i] = of[q].x;
-      to[q][1][i] = of[q].y;
-      to[q][2][i] = of[q].z;
-    }
+    ground_look(&g, i, aim(slab_views[look / LIGHTS], turn), aim(light[0], light[1] + turn));
   }
   ground_ask(&g, textures, t, footprint);
   slabbed o = {0};

@@ -156,3 +156,13 @@ seen look_at_curves(const traced *b, eye e, uint32_t rays) {
   }
   return s;
 }
+
+void ground_look(ground *g, uint32_t i, vec view, vec light) {
+  const vec of[2] = {view, light};
+  float **to[2] = {g->view, g->light};
+  for (int q = 0; q < 2; q++) {
+    to[q][0][i] = of[q].x;
+    to[q][1][i] = of[q].y;
+    to[q][2][i] = of[q].z;
+  }
+}

@@ -8,6 +8,7 @@
 
 #include "fiber_lobe.h"
 #include "strands.h"
+#include "textured.h"
 
 #define PI 3.14159265358979
 enum { LIGHTS = 7 };
@@ -41,5 +42,8 @@ typedef struct {
 
 vec aim(double elevation, double azimuth);
 seen look_at_curves(const traced *b, eye e, uint32_t rays);
+
+/* Sets what the texture's point i is looked at and lit from, as rays were. */
+void ground_look(ground *g, uint32_t i, vec view, vec light);
 
 #endif
