@@ -56,20 +56,28 @@ INLINE void board_leans(float most, vu *h, vf *sine, vf *cosine) {
   *cosine = vsqrt(splat(1.0f) - *sine * *sine);
 }
 
+/* How a board was sawn from its log: all that does not depend on where on it a point is. */
+typedef struct {
+  int filled;
+  vu id; /* of the unit that it is of, */
+  vf length, width;
+  vu own;
+  vf shade;                                      /* three uniform numbers' sum: nearly normal */
+  vf flip, sa, ca;                               /* end for end; turned about the pith */
+  vf st, ct, sk, ck, across, along, over, under; /* of its lean, and products of those */
+  vf place[3];
+} board_sawn;
+
 /* A board's length out of the stem's direction, towards its face and within it. The
  * same turn as that of a board that is cut alone; see build.c. */
-INLINE void board_lean(const wood_boards *b, vu *h, vf row[3][3], vf q[3]) {
-  vf st, ct, sk, ck;
-  board_leans(b->lean, h, &st, &ct);
-  board_leans(b->skew, h, &sk, &ck);
-  vf across = sk * ct, along = ck * ct, over = sk * st, under = ck * st;
+INLINE void board_lean(const board_sawn *m, vf row[3][3], vf q[3]) {
   for (int c = 0; c < 4; c++) {
     vf *x = c < 3 ? &row[0][c] : &q[0], *y = c < 3 ? &row[1][c] : &q[1];
     vf *z = c < 3 ? &row[2][c] : &q[2];
     vf fx = *x, fy = *y, fz = *z;
-    *x = ck * fx + across * fy - over * fz;
-    *y = along * fy - sk * fx - under * fz;
-    *z = st * fy + ct * fz;
+    *x = m->ck * fx + m->across * fy - m->over * fz;
+    *y = m->along * fy - m->sk * fx - m->under * fz;
+    *z = m->st * fy + m->ct * fz;
   }
 }
 
@@ -95,12 +103,15 @@ INLINE void veneer_at(const wood_constants *w, const vf p[3], vf e, wood_board *
   log[2] = r * s + splat(w->shift[2]);
 }
 
+/* Three uniform numbers, of the board's own. */
+INLINE vf board_shade(vu own) {
+  vu h = own ^ splatu(HASH_Z);
+  return board_random(&h) + board_random(&h) + board_random(&h);
+}
+
 /* A board's shade: a factor of its albedo, of a standard deviation as asked for; of a
  * footprint that does not lie within it as a whole, that much less. */
-INLINE vf board_tone(const wood_boards *b, const layout_unit *unit, vu own) {
-  vu h = own ^ splatu(HASH_Z);
-  /* three uniform numbers: nearly normal, sd 1 */
-  vf sum = board_random(&h) + board_random(&h) + board_random(&h);
+INLINE vf board_tone(const wood_boards *b, const layout_unit *unit, vf sum) {
   vf shade = (sum + sum - splat(3.0f)) * splat(b->tone) * unit->own;
   return vmax(splat(1.0f) + shade, splat(0.2f));
 }
@@ -123,7 +134,7 @@ static __attribute__((noinline)) void board_by_parts(const wood_constants *w, vf
                                    y + part * splat((float)j - middle), part);
       vf share = one - unit.joint;
       open = open + share;
-      shade = shade + share * board_tone(b, &unit, board_own(w, &unit));
+      shade = shade + share * board_tone(b, &unit, board_shade(board_own(w, &unit)));
     }
   }
   *tone = shade / vmax(open, splat(1e-6f));
@@ -152,8 +163,61 @@ INLINE void board_wide(const wood_constants *w, const vf p[3], vf e, wood_board 
   }
 }
 
-/* p: object space, mm; log[3]: where that is in the board's log. */
-INLINE void board_at(const wood_constants *w, const vf p[3], vf e, wood_board *out, vf log[3]) {
+INLINE void board_saw(const wood_constants *w, const layout_unit *unit, board_sawn *m) {
+  const wood_boards *b = &w->boards;
+  vf one = splat(1.0f), zero = splat(0.0f), half = splat(0.5f);
+  vu h = board_own(w, unit);
+  m->filled = 1;
+  m->id = unit->id;
+  m->length = unit->length;
+  m->width = unit->width;
+  m->own = h;
+  if (b->tone > 0.0f) m->shade = board_shade(h);
+  vf sine, cosine;
+  vf which = board_random(&h), cut = board_cut(b, which, board_random(&h));
+  vf around = board_random(&h);
+  sine_cosine_turns(around, &m->sa, &m->ca);
+  vf height = board_random(&h) * splat(2.0f) - one;
+  vf distance = splat(b->distance) * (half + splat(2.0f) * board_random(&h));
+  vf side = board_random(&h); /* four ways: heart up or down, to the left or right */
+  vf up = sel(lt(side, half), one, zero - one);
+  vf right = sel(lt(vabs(side - half), splat(0.25f)), one, zero - one);
+  m->flip = one;
+  if (b->flip == FLIP_RANDOM) m->flip = sel(lt(board_random(&h), half), one, zero - one);
+  if (b->flip == FLIP_ALTERNATE) {
+    m->flip = one - to_float((vi)(unit->id & splatu(1u))) * splat(2.0f);
+  }
+  if (b->end) {
+    sine_cosine_turns(which, &sine, &cosine);
+    m->place[1] = height * splat(400.0f);
+  } else {
+    board_leans(b->lean, &h, &m->st, &m->ct);
+    board_leans(b->skew, &h, &m->sk, &m->ck);
+    m->across = m->sk * m->ct;
+    m->along = m->ck * m->ct;
+    m->over = m->sk * m->st;
+    m->under = m->ck * m->st;
+    sine_cosine_turns(cut, &sine, &cosine);
+    distance = vmax(distance, (half * unit->width + splat(10.0f)) * sine);
+    m->place[1] = height * vmax(splat(500.0f) - half * unit->length, splat(150.0f));
+  }
+  m->place[0] = distance * sine * right;
+  m->place[2] = distance * cosine * up;
+}
+
+/* Whether every lane's board is the one it was: so it is along a row of texels, and what
+ * has been made of it then need not be made again. */
+INLINE int board_is(const board_sawn *m, const layout_unit *unit) {
+  if (LANES == 1 || !m->filled) return 0;
+  vm same = and_(eqi((vi)m->id, (vi)unit->id),
+                 and_(eq(m->length, unit->length), eq(m->width, unit->width)));
+  return !any(not_(same));
+}
+
+/* p: object space, mm; log[3]: where that is in the board's log. last: of the points before
+ * these. */
+INLINE void board_at(const wood_constants *w, const vf p[3], vf e, board_sawn *last,
+                     wood_board *out, vf log[3]) {
   if (w->peeled) {
     veneer_at(w, p, e, out, log);
     return;
@@ -162,30 +226,15 @@ INLINE void board_at(const wood_constants *w, const vf p[3], vf e, wood_board *o
   vf one = splat(1.0f), zero = splat(0.0f), half = splat(0.5f);
   layout_unit *unit = &out->unit;
   *unit = layout_at(&b->layout, p[0], p[1], e);
-  vu h = board_own(w, unit);
-  out->own = h;
-  vf sine, cosine, ca, sa;
-  vf which = board_random(&h), cut = board_cut(b, which, board_random(&h));
-  vf around = board_random(&h);
-  sine_cosine_turns(around, &sa, &ca);
-  vf height = board_random(&h) * splat(2.0f) - one;
-  vf distance = splat(b->distance) * (half + splat(2.0f) * board_random(&h));
-  vf side = board_random(&h); /* four ways: heart up or down, to the left or right */
-  vf up = sel(lt(side, half), one, zero - one);
-  vf right = sel(lt(vabs(side - half), splat(0.25f)), one, zero - one);
-  vf flip = one;
-  if (b->flip == FLIP_RANDOM) flip = sel(lt(board_random(&h), half), one, zero - one);
-  if (b->flip == FLIP_ALTERNATE) {
-    flip = one - to_float((vi)(unit->id & splatu(1u))) * splat(2.0f);
-  }
-  out->tone = b->tone > 0.0f ? board_tone(b, unit, out->own) : one;
+  if (!board_is(last, unit)) board_saw(w, unit, last);
+  out->own = last->own;
+  out->tone = b->tone > 0.0f ? board_tone(b, unit, last->shade) : one;
   board_wide(w, p, e, out);
 
   vf u = unit->u - half * unit->length, v = unit->v - half * unit->width;
-  vf q[3], place[3];
-  vf row[3][3]; /* object to the board's cut: rows are the log's x, y, z before the turn */
+  vf q[3], row[3][3]; /* object to the board's cut: rows are the log's x, y, z before the turn */
   for (int c = 0; c < 3; c++) row[0][c] = row[1][c] = row[2][c] = zero;
-  vf cu = unit->c * flip, su = unit->s * flip;
+  vf cu = unit->c * last->flip, su = unit->s * last->flip;
   if (b->end) {
     /* x along the block, the face looks up the stem, z against its v */
     row[0][0] = cu;
@@ -193,11 +242,9 @@ INLINE void board_at(const wood_constants *w, const vf p[3], vf e, wood_board *o
     row[1][2] = one;
     row[2][0] = su;
     row[2][1] = zero - cu;
-    q[0] = u * flip;
+    q[0] = u * last->flip;
     q[1] = p[2];
-    q[2] = zero - v * flip;
-    sine_cosine_turns(which, &sine, &cosine);
-    place[1] = height * splat(400.0f);
+    q[2] = zero - v * last->flip;
   } else {
     /* y along the board, x against its v, z its face */
     row[0][0] = su;
@@ -205,18 +252,14 @@ INLINE void board_at(const wood_constants *w, const vf p[3], vf e, wood_board *o
     row[1][0] = cu;
     row[1][1] = su;
     row[2][2] = one;
-    q[0] = zero - v * flip;
-    q[1] = u * flip;
+    q[0] = zero - v * last->flip;
+    q[1] = u * last->flip;
     q[2] = p[2];
-    board_lean(b, &h, row, q);
-    sine_cosine_turns(cut, &sine, &cosine);
-    distance = vmax(distance, (half * unit->width + splat(10.0f)) * sine);
-    place[1] = height * vmax(splat(500.0f) - half * unit->length, splat(150.0f));
+    board_lean(last, row, q);
   }
-  place[0] = distance * sine * right;
-  place[2] = distance * cosine * up;
+  vf ca = last->ca, sa = last->sa;
   for (int c = 0; c < 3; c++) {
-    q[c] = q[c] + place[c];
+    q[c] = q[c] + last->place[c];
     out->turn[0][c] = ca * row[0][c] - sa * row[2][c];
     out->turn[1][c] = row[1][c];
     out->turn[2][c] = sa * row[0][c] + ca * row[2][c];

@@ -477,6 +477,12 @@ static void build_row_overlap(wood_constants *w, double row_density) {
   w->row.coverage *= 1.0f - w->row.overlap;
 }
 
+/* Parts may be longer than reach: what they cut off is tails of the largest pores, where a
+ * footprint's middle lies between the cells looked at and the next. The earlywood's vessels
+ * fill their place along the row, and their shape under longer parts is less exact. */
+#define PART_CLEAR 0.7  /* of a cell */
+#define PART_OF_ROW 2.2 /* of a vessel's radius */
+
 static void build_vessels(wood_constants *w, const settings *s) {
   int porosity = choice_at(s, P_POROSITY);
   w->has_pores = porosity != POROSITY_NONE;
@@ -491,6 +497,8 @@ static void build_vessels(wood_constants *w, const settings *s) {
   w->inverse_pore_cell = 1.0f / w->pore_cell;
   w->pore_step = w->pore_cell / 4294967296.0f;
   w->pores.reach = longest_footprint(0.5 * (double)w->pore_cell, largest);
+  double usual = (double)w->pores.radius * (1.0 + spread) * (late > 1.0 ? late : 1.0);
+  w->pores.part = longest_footprint(PART_CLEAR * (double)w->pore_cell, usual);
   w->pores.coverage =
       (float)(0.5 * TWO_PI * (double)w->pores.radius * (double)w->pores.radius * square * density);
   if (!w->has_pores) w->pores.coverage = 0.0f;
@@ -506,8 +514,8 @@ static void build_vessels(wood_constants *w, const settings *s) {
   double row_largest = row_radius * (1.0 + 2.5 * number_at(s, P_ROW_SPREAD));
   w->row.reach =
       longest_footprint((1.0 - 0.5 * number_at(s, P_ROW_JITTER)) / row_density, row_largest);
-  w->vessel_reach = w->has_pores ? w->pores.reach : w->row.reach;
-  if (w->rows && w->row.reach < w->vessel_reach) w->vessel_reach = w->row.reach;
+  w->row.part = (float)(PART_OF_ROW * row_radius);
+  if (w->row.part > w->row.reach) w->row.part = w->row.reach;
   w->row_density = (float)row_density;
   w->row_spacing = (float)row_spacing;
   w->row_start = (float)(0.55e-3 * row_d);
@@ -521,6 +529,7 @@ static void build_vessels(wood_constants *w, const settings *s) {
     double width = 1.0 / (double)w->inverse_width[j];
     if (width < least) least = width;
   }
+  w->rows_alone = (float)(0.999 * (double)WOOD_ROWS_ALONE * least);
   if ((double)w->band > 0.9 * least) w->band = (float)(0.9 * least);
   /* spread over the band so that a ring's sum is its vessels' area */
   w->row.coverage = 0.0f;

@@ -166,7 +166,7 @@ typedef struct {
   footprint2 f;   /* over (arc, rho) of the reference section */
   disc pore;
   vessel_cover_t vessels;
-  int parts; /* the vessels have been looked up in parts */
+  int pores_parted, rows_parted; /* these have been looked up in parts */
   fibre_sum bundle;
   vf front_rho, front_reach; /* of latewood where it strays */
   ring_place front_ring;     /* where that crosses a ring's end for any lane */
@@ -276,7 +276,7 @@ INLINE int as_before(const float *const direction[3], const block *k) {
 }
 
 INLINE void stage_load(const wood_constants *w, int boards, const wood_io *io,
-                       const wood_wants *want, block *k) {
+                       const wood_wants *want, board_sawn *sawn, block *k) {
   vf p[3];
   UNROLL(3)
   for (int c = 0; c < 3; c++) p[c] = finite_coordinate(load_lanes(io->in->point[c], k->i, k->n));
@@ -302,7 +302,7 @@ INLINE void stage_load(const wood_constants *w, int boards, const wood_io *io,
   if (boards && want->taps) {
     ply_at(w, want->taps, k->i, k->n, p, normal, !io->in->normal[0], k->s, &k->board, k->p);
   } else if (boards) {
-    board_at(w, p, k->s, &k->board, k->p);
+    board_at(w, p, k->s, sawn, &k->board, k->p);
   } else {
     to_log(w, boards, k, p, k->p);
     for (int c = 0; c < 3; c++) k->p[c] = k->p[c] + splat(w->shift[c]);
@@ -683,38 +683,42 @@ INLINE vessel_place vessel_place_of(int boards, const block *k) {
       k->x, k->z, k->c, k->sn, k->turn, k->stem.rho, k->ring, k->f, own_of(boards, k)};
 }
 
-/* Long footprints here; what is within one tap goes through the two stages
- * after this one. */
+/* Long footprints here; what is within one tap goes through the stages after this one. */
 INLINE void stage_vessel_parts(const wood_constants *w, int boards, block *k) {
   vf zero = splat(0.0f);
   k->vessels = (vessel_cover_t){zero, zero, zero, zero};
-  vm cut = vessels_cut(w, &k->f);
-  k->parts = (w->has_pores || w->rows) && any(cut);
-  if (k->parts) {
-    vessel_place place = vessel_place_of(boards, k);
-    k->vessels = vessels_in_parts(w, &place, cut);
-  }
+  k->pores_parted = k->rows_parted = 0;
+  vm none = lt(zero, zero), pores = w->has_pores ? pores_cut(w, &k->f) : none;
+  vm rows = w->rows ? rows_cut(w, &k->f) : none, meet = w->rows ? rows_meet(w, &k->f) : none;
+  if (!any(or_(pores, or_(rows, meet)))) return;
+  vessel_place place = vessel_place_of(boards, k);
+  k->pores_parted = any(pores);
+  k->rows_parted = any(or_(rows, meet));
+  if (k->pores_parted) pores_in_parts(w, &place, pores, &k->vessels);
+  if (k->rows_parted) rows_in_parts(w, &place, rows, &k->vessels);
 }
 
 INLINE void stage_turns(block *k) { k->turn = place_turn(k->c, k->sn); }
 
 INLINE void stage_disc(const wood_constants *w, int boards, block *k) {
-  if (k->parts || !w->has_pores) return;
+  if (k->pores_parted || !w->has_pores) return;
   vessel_place place = vessel_place_of(boards, k);
   k->pore = pores_disc(w, &place, k->f.aa, k->f.ab, k->f.bb);
 }
 
 INLINE void stage_pores(const wood_constants *w, int boards, block *k) {
-  if (k->parts || !w->has_pores) return;
+  if (k->pores_parted || !w->has_pores) return;
   k->vessels.pores = pores_cover(w, own_of(boards, k), k->x, k->z, &k->pore);
 }
 
 INLINE void stage_rows(const wood_constants *w, int boards, block *k) {
-  if (k->parts || !w->rows) return;
+  if (k->rows_parted || !w->rows) return;
   vessel_place place = vessel_place_of(boards, k);
   row_place row = row_of(w, &place);
+  if (!any(row.near)) return;
+  disc d = rows_disc(w, k->f.aa, k->f.ab, k->f.bb);
   vf zero = splat(0.0f);
-  k->vessels.rows = rows_tap(w, &place, &row, k->f.aa, k->f.ab, k->f.bb, zero, zero);
+  k->vessels.rows = rows_cover(w, &row, k->stem.rho, zero, zero, &d);
 }
 
 /* Where the vessels could not be looked up, what is to be expected. */
@@ -1102,7 +1106,9 @@ INLINE void stage_radiance(const wood_constants *w, const wood_io *io, block *k)
 INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood_io *restrict io,
                         const wood_wants *restrict want, block *blocks, surface_relief *reliefs,
                         wide_rings *wides, uint32_t count) {
-  EACH(stage_load(w, boards, io, want, &blocks[k]));
+  board_sawn sawn;
+  if (boards) memset(&sawn, 0, sizeof sawn);
+  EACH(stage_load(w, boards, io, want, &sawn, &blocks[k]));
   EACH(stage_pith(w, boards, &blocks[k]));
   undulation_octave octaves[2] = {undulation_octave_of(w, 0), undulation_octave_of(w, 1)};
   EACH({

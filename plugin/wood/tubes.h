@@ -87,7 +87,7 @@ INLINE trough_sum tubes_over(const wood_tubes *m, vu seed, const vessel_place *v
   vf zero = splat(0.0f), one = splat(1.0f), twelfth = splat(1.0f / 12.0f);
   vm cut = gt(v->f.aa + v->f.bb, splat(m->reach * m->reach));
   footprint_axes l = footprint_split(&v->f);
-  footprint_parts part = footprint_cut(&v->f, &l, cut, m->reach);
+  footprint_parts part = footprint_cut(&v->f, &l, cut, m->reach, 8);
   vf faded = sel(part.most, fade_beyond(part.aa + part.bb, m->reach), zero), keep = one - faded;
   trough_sum sum = {splat(m->mean) * faded, zero, zero, zero};
   *left = zero;
@@ -95,14 +95,9 @@ INLINE trough_sum tubes_over(const wood_tubes *m, vu seed, const vessel_place *v
   matrix2 c = to_section(part.aa * twelfth, part.ab * twelfth, part.bb * twelfth, v->c, v->s);
   disc d = disc_blurred(splat(m->radius * m->radius), c);
   for (int i = 0; i < part.taps; i++) {
-    vf at = splat((float)i + 0.5f) * part.along;
-    vm second = gt(at, one);
-    vf a = at - splat(0.5f) - sel(second, one, zero);
-    vf side = sel(lt(part.beside, one), sel(second, splat(0.25f), splat(-0.25f)), zero);
-    vf weight = sel(lt(at * part.beside, one), keep * part.along * part.beside, zero);
-    vf da = sel(cut, l.arc * a + l.rest_arc * side, zero);
-    vf dr = sel(cut, l.rho * a + l.rest_rho * side, zero);
-    vf x = v->x + (dr * v->c - da * v->s), z = v->z + (dr * v->s + da * v->c);
+    footprint_part q = footprint_part_of(&l, &part, cut, i);
+    vf weight = keep * q.weight;
+    vf x = v->x + (q.rho * v->c - q.arc * v->s), z = v->z + (q.rho * v->s + q.arc * v->c);
     tubes_tap(m, seed, x, y, z, &d, weight, &sum);
   }
   /* the parts' slopes are of either sign */

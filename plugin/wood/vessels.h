@@ -16,9 +16,9 @@
  * x = R^2 / sqrt(det M) is above 0.55 the vessel stays full in its middle, its
  * area is kept by moving the half level to q = x, and the ramp widens; below,
  * it is a cone in q whose height falls with x. The area is exact throughout,
- * the shape approximate. A footprint longer than the cells looked at is cut
- * into up to 8, along its longest direction and, where it is broad, once across
- * that; beyond, the expected coverage takes over. tests/property prints the errors.
+ * the shape approximate. A footprint longer than the cells looked at is cut into
+ * up to 4, and 8 for rows, along its longest direction and, where it is broad, once
+ * across that; beyond, the expected coverage takes over. tests/property prints the errors.
  */
 #ifndef SOZAI_WOOD_VESSELS_H
 #define SOZAI_WOOD_VESSELS_H
@@ -297,27 +297,34 @@ typedef struct {
 
 INLINE vf square_of(vf x) { return x * x; }
 
+/* most: how many parts there may be, 4 or 8. */
 INLINE footprint_parts footprint_cut(const footprint2 *f, const footprint_axes *l, vm cut,
-                                     float reach) {
+                                     float reach, int most) {
   footprint_parts p;
   vf one = splat(1.0f), half = splat(0.5f), reach2 = splat(reach * reach);
   vf long2 = square_of(l->arc) + square_of(l->rho);
   vf rest2 = square_of(l->rest_arc) + square_of(l->rest_rho);
-  vm wide = and_(cut, gt(rest2, splat(0.36f) * reach2));
+  vm wide = and_(cut, gt(rest2, splat(0.36f) * reach2)), narrow = not_(wide);
   p.beside = sel(wide, half, one);
   rest2 = rest2 * square_of(p.beside);
   vm two = gt(long2 + rest2, reach2), four = gt(long2 * splat(0.25f) + rest2, reach2);
-  vm eight = and_(not_(wide), gt(long2 * splat(0.0625f) + rest2, reach2));
-  p.most = and_(cut, or_(eight, and_(wide, four)));
+  vm all = and_(wide, two); /* as many as there may be */
   p.along = sel(two, half, one);
-  p.along = sel(four, splat(0.25f), p.along);
-  p.along = sel(eight, splat(0.125f), p.along);
+  if (most == 8) {
+    all = or_(and_(wide, four), and_(narrow, gt(long2 * splat(0.0625f) + rest2, reach2)));
+    p.along = sel(four, splat(0.25f), p.along);
+    p.along = sel(and_(narrow, all), splat(0.125f), p.along);
+  } else {
+    all = or_(all, and_(narrow, four));
+    p.along = sel(and_(narrow, four), splat(0.25f), p.along);
+  }
+  p.most = and_(cut, all);
   p.along = sel(cut, p.along, one);
   vf k = square_of(p.along), r = square_of(p.beside);
   p.aa = sel(cut, square_of(l->arc) * k + square_of(l->rest_arc) * r, f->aa);
   p.bb = sel(cut, square_of(l->rho) * k + square_of(l->rest_rho) * r, f->bb);
   p.ab = sel(cut, l->arc * l->rho * k, f->ab);
-  p.taps = any(p.most) ? 8 : any(and_(cut, or_(four, wide))) ? 4 : any(cut) ? 2 : 1;
+  p.taps = any(p.most) ? most : any(and_(cut, or_(four, wide))) ? 4 : any(cut) ? 2 : 1;
   return p;
 }
 
@@ -353,68 +360,91 @@ INLINE disc pores_disc(const wood_constants *w, const vessel_place *p, vf aa, vf
   return disc_blurred(radius2, m);
 }
 
-/* Cover by the rows under such a footprint, da along the arc and dr along rho off the place. */
-INLINE vf rows_tap(const wood_constants *w, const vessel_place *p, const row_place *row, vf aa,
-                   vf ab, vf bb, vf da, vf dr) {
-  if (!any(row->near)) return splat(0.0f);
+/* An earlywood vessel at its mean radius under such a footprint. */
+INLINE disc rows_disc(const wood_constants *w, vf aa, vf ab, vf bb) {
   vf twelfth = splat(1.0f / 12.0f);
   matrix2 m = {aa * twelfth, ab * twelfth, bb * twelfth};
-  disc d = disc_blurred(splat(w->row.radius * w->row.radius), m);
-  return rows_cover(w, row, p->rho, da, dr, &d);
+  return disc_blurred(splat(w->row.radius * w->row.radius), m);
 }
 
 INLINE row_place row_of(const wood_constants *w, const vessel_place *p) {
   return row_at(w, p->own, &p->ring, p->rho, p->turn, vsqrt(p->f.bb));
 }
 
-/* Which footprints are longer than what one tap answers. */
-INLINE vm vessels_cut(const wood_constants *w, const footprint2 *f) {
-  return gt(f->aa + f->bb, splat(w->vessel_reach * w->vessel_reach));
+/* Of a footprint in parts: where the i-th is, and its share of the whole. */
+typedef struct {
+  vf arc, rho, weight;
+} footprint_part;
+
+/* `along` runs first, then the other side. */
+INLINE footprint_part footprint_part_of(const footprint_axes *l, const footprint_parts *part,
+                                        vm cut, int i) {
+  footprint_part q;
+  vf zero = splat(0.0f), one = splat(1.0f);
+  vf at = splat((float)i + 0.5f) * part->along;
+  vm second = gt(at, one);
+  vf a = at - splat(0.5f) - sel(second, one, zero);
+  vf side = sel(lt(part->beside, one), sel(second, splat(0.25f), splat(-0.25f)), zero);
+  q.weight = sel(lt(at * part->beside, one), part->along * part->beside, zero);
+  q.arc = sel(cut, l->arc * a + l->rest_arc * side, zero);
+  q.rho = sel(cut, l->rho * a + l->rest_rho * side, zero);
+  return q;
 }
 
-/* The lanes that are not cut are whole, in one tap, as they would be alone. A
- * footprint longer than that is answered by up to 8; past the reach of those
- * the expected coverage fades in. */
-INLINE vessel_cover_t vessels_in_parts(const wood_constants *w, const vessel_place *p, vm cut) {
-  vf zero = splat(0.0f), one = splat(1.0f);
-  vessel_cover_t v = {zero, zero, zero, zero};
-  row_place row;
-  disc pore;
-  if (w->rows) row = row_of(w, p);
+/* Footprints longer than what one tap answers are answered by up to 4 or 8; past the part
+ * of those the expected coverage fades in. The lanes that are not cut are whole, in one
+ * tap, as they would be alone. Pores stand closer than the earlywood's vessels and reach
+ * less far, so that each have parts of their own. */
+INLINE vm pores_cut(const wood_constants *w, const footprint2 *f) {
+  return gt(f->aa + f->bb, splat(w->pores.part * w->pores.part));
+}
+
+INLINE void pores_in_parts(const wood_constants *w, const vessel_place *p, vm cut,
+                           vessel_cover_t *v) {
+  vf zero = splat(0.0f);
   footprint_axes l = footprint_split(&p->f);
-  footprint_parts part = footprint_cut(&p->f, &l, cut, w->vessel_reach);
-  v.pores_faded = sel(part.most, fade_beyond(part.aa + part.bb, w->pores.reach), zero);
+  footprint_parts part = footprint_cut(&p->f, &l, cut, w->pores.part, 4);
+  v->pores_faded = sel(part.most, fade_beyond(part.aa + part.bb, w->pores.part), zero);
+  vm left = lt(v->pores_faded, splat(1.0f));
+  if (!any(left)) return;
+  disc d = pores_disc(w, p, part.aa, part.ab, part.bb);
+  for (int i = 0; i < part.taps; i++) {
+    footprint_part q = footprint_part_of(&l, &part, cut, i);
+    vf x = p->x + (q.rho * p->c - q.arc * p->s), z = p->z + (q.rho * p->s + q.arc * p->c);
+    v->pores = v->pores + pores_cover(w, p->own, x, z, &d) * q.weight;
+  }
+  v->pores = sel(left, v->pores, zero);
+}
+
+INLINE vm rows_cut(const wood_constants *w, const footprint2 *f) {
+  return gt(f->aa + f->bb, splat(w->row.part * w->row.part));
+}
+
+/* Where a footprint may meet the bands of other rings. */
+INLINE vm rows_meet(const wood_constants *w, const footprint2 *f) {
+  return gt(f->bb, splat(w->rows_alone * w->rows_alone));
+}
+
+INLINE void rows_in_parts(const wood_constants *w, const vessel_place *p, vm cut,
+                          vessel_cover_t *v) {
+  vf zero = splat(0.0f);
+  row_place row = row_of(w, p);
+  footprint_axes l = footprint_split(&p->f);
+  footprint_parts part = footprint_cut(&p->f, &l, cut, w->row.part, 8);
   /* along the arc a row's looked-up neighbours run out; along rho a footprint
    * that is not short beside the ring meets the bands of others */
   vf rings = vsqrt(p->f.bb) * p->ring.inverse_width;
-  v.rows_faded = vmax(sel(part.most, fade_beyond(part.aa, w->row.reach), zero),
-                      sel(cut, smooth_step(splat(0.45f), splat(0.8f), rings), zero));
-  vm gone = cut;
-  if (w->has_pores) gone = and_(gone, le(one, v.pores_faded));
-  if (w->rows) gone = and_(gone, le(one, v.rows_faded));
-  if (!any(not_(gone))) return v;
-  if (w->has_pores) pore = pores_disc(w, p, part.aa, part.ab, part.bb);
+  vf others = smooth_step(splat(WOOD_ROWS_ALONE), splat(0.8f), rings);
+  v->rows_faded = vmax(sel(part.most, fade_beyond(part.aa, w->row.part), zero),
+                       sel(rows_meet(w, &p->f), others, zero));
+  vm left = lt(v->rows_faded, splat(1.0f));
+  if (!any(and_(left, row.near))) return;
+  disc d = rows_disc(w, part.aa, part.ab, part.bb);
   for (int i = 0; i < part.taps; i++) {
-    /* the i-th part: `along` runs first, then the other side */
-    vf at = splat((float)i + 0.5f) * part.along;
-    vm second = gt(at, one);
-    vf a = at - splat(0.5f) - sel(second, one, zero);
-    vf side = sel(lt(part.beside, one), sel(second, splat(0.25f), splat(-0.25f)), zero);
-    vf weight = part.along * part.beside;
-    weight = sel(lt(at * part.beside, one), weight, zero);
-    vf da = sel(cut, l.arc * a + l.rest_arc * side, zero);
-    vf dr = sel(cut, l.rho * a + l.rest_rho * side, zero);
-    if (w->has_pores) {
-      vf x = p->x + (dr * p->c - da * p->s), z = p->z + (dr * p->s + da * p->c);
-      v.pores = v.pores + pores_cover(w, p->own, x, z, &pore) * weight;
-    }
-    if (w->rows) {
-      v.rows = v.rows + rows_tap(w, p, &row, part.aa, part.ab, part.bb, da, dr) * weight;
-    }
+    footprint_part q = footprint_part_of(&l, &part, cut, i);
+    v->rows = v->rows + rows_cover(w, &row, p->rho, q.arc, q.rho, &d) * q.weight;
   }
-  v.pores = sel(gone, zero, v.pores);
-  v.rows = sel(gone, zero, v.rows);
-  return v;
+  v->rows = sel(left, v->rows, zero);
 }
 
 #endif

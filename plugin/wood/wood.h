@@ -86,11 +86,14 @@ enum {
   WOOD_SEEDS = SEED_SPALT_MORE + 4
 };
 
+#define WOOD_ROWS_ALONE 0.45f /* of a ring: past that a footprint meets the rows of others */
+
 /* A layer of vessels of normally distributed radius. inverse_square[i] is
  * (mean radius / radius)^2 for the i-th of WOOD_RADII equally likely radii. */
 typedef struct {
   float radius;   /* mm, the mean */
-  float reach;    /* mm: the longest footprint that one look-up answers */
+  float reach;    /* mm: the longest footprint that one look-up answers to its last tail */
+  float part;     /* mm: the longest that is not cut into parts */
   float farthest; /* q, in units of the mean radius, at which the largest vessel ends */
   float coverage; /* expected area fraction where the layer is at full size */
   float overlap;  /* share of the discs' areas that lies under another disc */
@@ -185,10 +188,10 @@ typedef struct {
   float pore_ring_mean;          /* mean over the ring of size^2 */
   wood_vessels row;              /* of the earlywood: rows at the ring's start */
   int32_t has_pores, rows;
-  float vessel_reach; /* mm: the lesser of the layers' reach */
-  float row_density;  /* 1/mm of arc */
-  float row_spacing;  /* mm, radially */
-  float row_start;    /* mm, of the first row's centres after the ring's start */
+  float rows_alone;  /* mm: a footprint along rho that meets the rows of one ring alone */
+  float row_density; /* 1/mm of arc */
+  float row_spacing; /* mm, radially */
+  float row_start;   /* mm, of the first row's centres after the ring's start */
   float row_jitter_arc, row_jitter_radial; /* of the spacing; mm */
   float row_step_arc, row_step_radial;     /* the same, / 2^32 */
   float band;                              /* mm: the rows' band for the expected coverage */
