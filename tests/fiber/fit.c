@@ -69,12 +69,15 @@ static double advance(const fit *f, double m[UNKNOWN_MAX][UNKNOWN_MAX], const do
     memcpy(by, x, sizeof by);
     for (int i = 0; i < f->unknowns; i++) left[i][i] *= 1 + *damped;
     solve(left, by, f->unknowns);
-    double most = 0;
-    for (int i = 0; i < f->unknowns; i++) most = fmax(most, fabs(by[i]) / f->list[i].reach);
-    double part = most > 1 ? 1 / most : 1; /* far off it is no plane */
-    for (int i = 0; i < f->unknowns; i++) *f->list[i].value = was[i] + part * by[i];
+    /* far off it is no plane */
+    *moved = 0;
+    for (int i = 0; i < f->unknowns; i++) {
+      double reach = f->list[i].reach;
+      by[i] = fmin(fmax(by[i], -reach), reach);
+      *moved = fmax(*moved, fabs(by[i]) / reach);
+      *f->list[i].value = was[i] + by[i];
+    }
     double now = sum_of(f);
-    *moved = part * most;
     if (now < sum) {
       *damped *= 0.25;
       return now;

@@ -17,16 +17,18 @@
 #include "slabbed.h"
 
 enum {
-  VARIANTS = 3, /* of each preset, beside itself; the last is not fitted, but looked at */
+  VARIANTS = 6, /* of each preset, beside itself; */
+  FITTED = 3,   /* the rest of them are not fitted, but looked at */
   CLOTHS_MAX = 80,
-  RAYS = 5000,
+  RAYS = 9000,
   RAYS_OF_VARIANT = 1000,
   SCALES = 4,
-  POINTS = 160, /* of each look */
+  POINTS = 128, /* of each look */
+  POINTS_OF_VARIANT = 40,
   LOOKS = VIEWS * SIDES * LIGHTS,
-  BULK_VARIANTS = 4, /* likewise, of each aggregate with itself */
+  BULK_VARIANTS = 6, /* likewise, of each aggregate with itself */
   BULKS_MAX = 40,
-  ELEVATIONS = 3,
+  ELEVATIONS = 4,
   ENERGIES = 40 * 2 * ELEVATIONS
 };
 static int steps_of_bulks = 10, steps_of_cloths = 10;
@@ -36,7 +38,8 @@ static const double weights[SCALES] = {0.25, 0.25, 0.25, 0.25};
 /* What is asked of the fit: of means how near; of single looks, over the colour's mean; and of
  * light on white fibres, what may come back. */
 static const double sure = 0.006, sure_of_look = 1.5, sure_of_look_in_bulk = 0.3,
-                    most_back = 0.96;
+                    most_back = 0.98;
+static const double grazing[ELEVATIONS] = {10, 20, 40, 85}; /* and not, degrees */
 /* How far an amount's logarithm may go with each feature, over the feature's spread. */
 static const double steep = 0.4;
 
@@ -48,9 +51,12 @@ static const uint32_t goes_by[FIT_AMOUNTS] = {
     [FIT_COLOUR] = 1 << CLOTH_DEPTH | 1 << CLOTH_DULL | 1 << CLOTH_ROUGH | 1 << CLOTH_COARSE,
     [FIT_ALBEDO] = ALL_BUT_(1 << CLOTH_TWIST),
     [FIT_OFTEN] = ALL_BUT_(0),
+    [FIT_NARROW] = 1 << CLOTH_ROUGH,
     [FIT_THROUGH] = ALL_BUT_(0),
-    [FIT_HAIR] = 1 << CLOTH_ROUGH | 1 << CLOTH_DEPTH,
-    [FIT_GLANCE] = 1 << CLOTH_ROUGH | 1 << CLOTH_LEAN};
+    [FIT_FLOWN] = 1 << CLOTH_DULL | 1 << CLOTH_ROUGH,
+    [FIT_HAIR] = 1 << CLOTH_ROUGH | 1 << CLOTH_DEPTH | 1 << CLOTH_RISE | 1 << CLOTH_FLOWN |
+                 1 << CLOTH_COARSE,
+    [FIT_GLANCE] = ALL_BUT_(0)};
 
 static const uint32_t bulk_goes_by[BULK_AMOUNTS] = {
     [BULK_GLANCE] = 1 << BULK_THIN | 1 << BULK_RISE | 1 << BULK_ROUGH,
@@ -78,7 +84,7 @@ typedef struct {
   aggregate is;
   slab of;
   slabbed real;
-  bool held_out;
+  bool variant, held_out;
 } bulk_sample;
 
 static bulk_sample bulks[BULKS_MAX];
@@ -99,7 +105,7 @@ static double between(sample_stream *d, double least, double most) {
 /* Beside a preset: what an artist may turn it to. */
 static cloth varied(cloth c, uint32_t which) {
   sample_stream d = {sample_hash(which)};
-  c.slub = 0;
+  if (which % 2) c.slub = 0;
   c.diameter *= exp(between(&d, -0.5, 0.5));
   c.flatness = fmin(c.flatness * between(&d, 0.75, 1.3), 1);
   c.width *= between(&d, 0.92, 1.08);
@@ -129,7 +135,7 @@ static void gather(void) {
     if (!cloth_of(info, info->presets[i], &c)) continue;
     for (uint32_t k = 0; k <= VARIANTS; k++) {
       assert_true(sample_count < CLOTHS_MAX);
-      samples[sample_count++] = (sample){.of = k ? varied(c, 100 * i + k) : c, .preset = k == 0, .held_out = k == VARIANTS};
+      samples[sample_count++] = (sample){.of = k ? varied(c, 100 * i + k) : c, .preset = k == 0, .held_out = k > FITTED};
     }
   }
 }
@@ -175,10 +181,10 @@ static void add_over(const sozai_preset *p, bool clear, double *out) {
     for (uint32_t i = 0; i < ROUND * RINGS; i++) {
       double rise = asin(sqrt((i % RINGS + 0.5) / RINGS)) * 180 / PI;
       double azimuth = 360.0 * (i / RINGS + 0.5) / ROUND;
-      ground_look(&g, i, aim(rise, azimuth), aim(10 + 10 * e, 40));
+      ground_look(&g, i, aim(rise, azimuth), aim(grazing[e], 40));
     }
     ground_ask(&g, textures, t, 100);
-    double back = ground_mean(&g, RADIANCE) / sin((10 + 10 * e) * PI / 180);
+    double back = ground_mean(&g, RADIANCE) / sin(grazing[e] * PI / 180);
     out[e] = fmax(back - most_back, 0) / 0.005;
     ground_free(&g);
   }
@@ -216,11 +222,12 @@ static void cloth_off(int which, double *out) {
   const sample *s = &samples[which];
   const clothed *r = &s->real;
   if (s->held_out && !looking) return;
-  const double asked = s->preset ? sure : 3 * sure;
+  const double asked = s->preset ? sure : 6 * sure;
   double looks[LOOKS][3] = {{0}};
   sozai_texture *t = cloth_as_texture(&s->of, textures, colours);
   for (int f = 0; f < SCALES; f++) {
-    clothed c = cloth_as_seen(t, textures, footprints[f], footprints[f] > 10 ? 6 : POINTS);
+    uint32_t points = footprints[f] > 10 ? 6 : s->preset ? POINTS : POINTS_OF_VARIANT;
+    clothed c = cloth_as_seen(t, textures, footprints[f], points);
     for (int k = 0; k < 3; k++) {
       *out++ = off_by(c.albedo[k], r->albedo[k], r->albedo_chance[k], asked * r->albedo[k]);
       *out++ = off_by(c.mean[k], r->mean[k], r->mean_chance[k], asked * r->mean[k]);
@@ -245,12 +252,13 @@ static void bulk_off(int which, double *out) {
   const bulk_sample *s = &bulks[which];
   const slabbed *r = &s->real;
   if (s->held_out && !looking) return;
+  const double asked = s->variant ? 2 * sure : sure;
   double looks[SLAB_LOOKS][3] = {{0}};
   sozai_texture *t = slab_as_texture(&s->of, textures);
   for (int f = 0; f < SCALES; f++) {
     slabbed c = slab_as_seen(t, textures, footprints[f], footprints[f] > 10 ? 24 : 8 * POINTS);
     for (int k = 0; k < 3; k++) {
-      *out++ = off_by(c.mean[k], r->mean[k], r->mean_chance[k], sure * r->mean[k]);
+      *out++ = off_by(c.mean[k], r->mean[k], r->mean_chance[k], asked * r->mean[k]);
       for (int l = 0; l < SLAB_LOOKS; l++) looks[l][k] += weights[f] * c.radiance[l][k];
     }
   }
@@ -316,12 +324,13 @@ static void fit_bulks(void) {
     bulk_sample *s = &bulks[bulk_count++];
     int variant = i % BULK_VARIANTS;
     s->is = varied_aggregate(aggregates[i / BULK_VARIANTS], (uint32_t)i, variant);
+    s->variant = variant > 0;
     s->held_out = variant == BULK_VARIANTS - 1;
     if (recalled(&s->real, sizeof s->real) && recalled(&s->of, sizeof s->of)) {
       s->of.of = &s->is;
     } else {
       grow_slab(&s->of, &s->is);
-      s->real = slab_as_curves(&s->of, 1000u + (uint32_t)i, variant ? 5000 : 12000);
+      s->real = slab_as_curves(&s->of, 1000u + (uint32_t)i, variant ? 6000 : s->is.thick < 3 ? 60000 : 30000);
       keep(&s->real, sizeof s->real);
       keep(&s->of, sizeof s->of);
     }
@@ -394,7 +403,7 @@ static void print_rest(void) {
     const sample *q = &samples[s];
     const clothed *r = &q->real;
     const char *kind = q->preset ? "*" : q->held_out ? "-" : " ";
-    double asked = q->preset ? sure : 3 * sure;
+    double asked = q->preset ? sure : 6 * sure;
     cloth_off(s, off);
     print_off(q->of.preset, kind, 0, 2, off, r->albedo, r->albedo_chance, asked);
     print_off("", " ", 1, 2, off, r->mean, r->mean_chance, asked);
@@ -402,8 +411,8 @@ static void print_rest(void) {
   for (int s = 0; s < bulk_count; s++) {
     const bulk_sample *q = &bulks[s];
     bulk_off(s, off);
-    print_off(q->is.name, q->held_out ? "-" : s % BULK_VARIANTS ? " " : "*", 0, 1, off,
-              q->real.mean, q->real.mean_chance, sure);
+    print_off(q->is.name, q->held_out ? "-" : q->variant ? " " : "*", 0, 1, off, q->real.mean,
+              q->real.mean_chance, q->variant ? 2 * sure : sure);
     double square[3] = {0};
     for (int k = 0; k < 3; k++)
       for (int l = 0; l < SLAB_LOOKS; l++) {

@@ -352,6 +352,17 @@ static void look_at_yarns(fibertex_constants *w, const fibertex_kernel *kernel, 
   }
 }
 
+/* From afar a cloth is as bright as its points: faces are given what of it goes by more than the
+ * moments they have. Amounts are known. */
+static void level_faces(fibertex_constants *w, const fibertex_kernel *kernel) {
+  fibertex_faces f;
+  kernel->measure_faces(w, MEASURED, &f);
+  for (int m = 0; m < FIBERTEX_FACES; m++) {
+    fibertex_look *o = &w->look[m];
+    if (f.far[o->weft] > 0.0) o->level *= (float)(f.near[o->weft] / f.far[o->weft]);
+  }
+}
+
 /* ---- directions -------------------------------------------------------- */
 
 /* The angle from the axis below which a share t of all lie, -1 to 1. */
@@ -418,5 +429,7 @@ int32_t fibertex_build(fibertex_constants *w, const sozai_host *host, const sett
   } else {
     build_directions(w, s);
   }
-  return fibertex_build_light(w, host, s, depth);
+  int32_t r = fibertex_build_light(w, host, s, depth);
+  if (r == SOZAI_OK && w->structure == STRUCTURE_WOVEN) level_faces(w, kernel);
+  return r;
 }

@@ -166,10 +166,19 @@ typedef struct {
 } fibertex_means;
 typedef void fibertex_measure(const fibertex_constants *w, uint32_t count, fibertex_means *out);
 
+/* What comes back of what is scattered often, of warp and weft, over `count` places, lights and
+ * views: of the places themselves, and from afar. Sums. */
+typedef struct {
+  double near[2], far[2];
+} fibertex_faces;
+typedef void fibertex_measure_faces(const fibertex_constants *w, uint32_t count,
+                                    fibertex_faces *out);
+
 /* One compilation of the kernel. */
 typedef struct {
   kernel kernel;
   fibertex_measure *measure;
+  fibertex_measure_faces *measure_faces;
 } fibertex_kernel;
 
 #endif
