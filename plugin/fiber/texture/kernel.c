@@ -5,7 +5,7 @@
 #include "cloth_looks.h"
 #include "hull_looks.h"
 #include "measure.h"
-#include "measure_faces.h"
+#include "measure_both.h"
 #include "output.h"
 
 extern const fibertex_kernel KERNEL_NAME(fibertex_kernel_);
@@ -104,4 +104,4 @@ static void evaluate(const void *constants, const kernel_io *io, uint32_t from, 
 }
 
 const fibertex_kernel KERNEL_NAME(fibertex_kernel_) = {KERNEL_OF(evaluate), measure,
-                                                                measure_faces};
+                                                                measure_both};
