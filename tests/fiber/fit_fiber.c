@@ -38,7 +38,7 @@ static const double weights[SCALES] = {0.25, 0.25, 0.25, 0.25};
 /* What is asked of the fit: of means how near; of single looks, over the colour's mean; and of
  * light on white fibres, what may come back. */
 static const double sure = 0.006, sure_of_look = 1.5, sure_of_look_in_bulk = 0.3,
-                    most_back = 0.98;
+                    most_back = 0.98, over_back = 0.002;
 static const double grazing[ELEVATIONS] = {10, 20, 40, 85}; /* and not, degrees */
 /* How far an amount's logarithm may go with each feature, over the feature's spread. */
 static const double steep = 0.4;
@@ -185,7 +185,7 @@ static void add_over(const sozai_preset *p, bool clear, double *out) {
     }
     ground_ask(&g, textures, t, 100);
     double back = ground_mean(&g, RADIANCE) / sin(grazing[e] * PI / 180);
-    out[e] = fmax(back - most_back, 0) / 0.005;
+    out[e] = fmax(back - most_back, 0) / over_back;
     ground_free(&g);
   }
   textures->destroy(t);
@@ -425,10 +425,10 @@ static void print_rest(void) {
   bulk_off(bulk_count, off);
   double over = 0;
   for (int i = 0; i < ENERGIES; i++) over = fmax(over, off[i]);
-  fprintf(stderr, "energy: over by %.4f\n", over * 0.005);
+  fprintf(stderr, "energy: over by %.4f\n", over * over_back);
   cloth_off(sample_count, off);
   for (int i = 0; i < ENERGIES; i++) over = fmax(over, off[i]);
-  fprintf(stderr, "energy: over by %.4f\n", over * 0.005);
+  fprintf(stderr, "energy: over by %.4f\n", over * over_back);
 }
 
 int main(int count, char **arguments) {
