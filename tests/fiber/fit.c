@@ -60,8 +60,8 @@ static double sum_of(const fit *f) {
 }
 
 /* From `was`, damped: as far as it is found to get better. Returns the sum it comes to. */
-static double advance(const fit *f, double m[UNKNOWN_MAX][UNKNOWN_MAX], const double *x,
-                      double sum, double *damped, double *moved) {
+static double advance(const fit *f, double m[UNKNOWN_MAX][UNKNOWN_MAX], const double *x, double sum,
+                      double *damped, double *moved) {
   static double left[UNKNOWN_MAX][UNKNOWN_MAX], by[UNKNOWN_MAX], was[UNKNOWN_MAX];
   for (int i = 0; i < f->unknowns; i++) was[i] = *f->list[i].value;
   for (int tried = 0; tried < 8; tried++) {

@@ -37,8 +37,8 @@ static const double weights[SCALES] = {0.25, 0.25, 0.25, 0.25};
 
 /* What is asked of the fit: of means how near; of single looks, over the colour's mean; and of
  * light on white fibres, what may come back. */
-static const double sure = 0.006, sure_of_look = 1.5, sure_of_look_in_bulk = 0.3,
-                    most_back = 0.98, over_back = 0.002;
+static const double sure = 0.006, sure_of_look = 1.5, sure_of_look_in_bulk = 0.3, most_back = 0.98,
+                    over_back = 0.002;
 static const double grazing[ELEVATIONS] = {10, 20, 40, 85}; /* and not, degrees */
 /* How far an amount's logarithm may go with each feature, over the feature's spread. */
 static const double steep = 0.4;
@@ -135,7 +135,8 @@ static void gather(void) {
     if (!cloth_of(info, info->presets[i], &c)) continue;
     for (uint32_t k = 0; k <= VARIANTS; k++) {
       assert_true(sample_count < CLOTHS_MAX);
-      samples[sample_count++] = (sample){.of = k ? varied(c, 100 * i + k) : c, .preset = k == 0, .held_out = k > FITTED};
+      samples[sample_count++] =
+          (sample){.of = k ? varied(c, 100 * i + k) : c, .preset = k == 0, .held_out = k > FITTED};
     }
   }
 }
@@ -330,7 +331,10 @@ static void fit_bulks(void) {
       s->of.of = &s->is;
     } else {
       grow_slab(&s->of, &s->is);
-      s->real = slab_as_curves(&s->of, 1000u + (uint32_t)i, variant ? 6000 : s->is.thick < 3 ? 60000 : 30000);
+      s->real = slab_as_curves(&s->of, 1000u + (uint32_t)i,
+                               variant           ? 6000
+                               : s->is.thick < 3 ? 60000
+                                                 : 30000);
       keep(&s->real, sizeof s->real);
       keep(&s->of, sizeof s->of);
     }
@@ -411,8 +415,11 @@ static void print_rest(void) {
   for (int s = 0; s < bulk_count; s++) {
     const bulk_sample *q = &bulks[s];
     bulk_off(s, off);
-    print_off(q->is.name, q->held_out ? "-" : q->variant ? " " : "*", 0, 1, off, q->real.mean,
-              q->real.mean_chance, q->variant ? 2 * sure : sure);
+    print_off(q->is.name,
+              q->held_out  ? "-"
+              : q->variant ? " "
+                           : "*",
+              0, 1, off, q->real.mean, q->real.mean_chance, q->variant ? 2 * sure : sure);
     double square[3] = {0};
     for (int k = 0; k < 3; k++)
       for (int l = 0; l < SLAB_LOOKS; l++) {

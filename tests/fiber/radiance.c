@@ -11,7 +11,7 @@ static const char *const names[3] = {"white", "wool", "dark"};
 /* What is asked: of the mean of all looks, of each aggregate, colour and footprint, and beyond how
  * often the chance of the rays. And what is held, where 3 % is asked: of each look, of the root of
  * the mean square; and of one footprint from the mean of five, look by look. */
-static const double asked = 0.03, chances = 2, each = 0.3, apart = 0.09;
+static const double asked = 0.03, chances = 2, each = 0.25, apart = 0.07;
 
 typedef struct {
   double mean, each, apart;

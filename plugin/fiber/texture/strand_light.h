@@ -91,8 +91,8 @@ INLINE void strand_angles_of(const fibertex_constants *w, int given_sum, const v
   strand_angles_from(w, given_sum, sl, sv, sl2, sv2, a * va + u * vu_, between, q);
 }
 
-/* What a strand's side reflects, seen that far round it from the light: what glances off is brighter
- * than what is met squarely (Schlick). */
+/* What a strand's side reflects, seen that far round it from the light: what glances off is
+ * brighter than what is met squarely (Schlick). */
 INLINE vf strand_mirror(const fibertex_constants *w, vf round) {
   const vf half = splat(0.5f);
   vf square = vsqrt(half + half * round), aside = splat(1.0f) - square, aside2 = aside * aside;

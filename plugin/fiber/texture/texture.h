@@ -124,7 +124,7 @@ typedef struct {
   /* light on a strand: docs/fiber-texture.md */
   float gloss[3], tilt[3], sharp[3]; /* of R, TT and TRT; the last over R's */
   float beta2;                       /* R's variance */
-  float from_afar[3]; /* of an aggregate's: what looks that stand for all lack */
+  float from_afar[3];                /* of an aggregate's: what looks that stand for all lack */
   float single, multiple;            /* diffuse: of light met once, and often */
   float chain;                       /* of what goes on through strand after strand */
   /* cloth: reflectance of a strand squarely; what strands that stand off its yarns let through, how
