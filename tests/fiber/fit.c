@@ -45,10 +45,54 @@ static void add_sample(const fit *f, int sample, double m[UNKNOWN_MAX][UNKNOWN_M
   }
 }
 
+static double sum_of(const fit *f) {
+  static double off[RESIDUALS_MAX];
+  double sum = 0;
+  for (int i = 0; i < f->unknowns; i++) {
+    double x = (*f->list[i].value - f->list[i].at) / f->list[i].reach;
+    sum += x * x;
+  }
+  for (int s = 0; s < f->samples; s++) {
+    f->off(s, off);
+    for (int r = 0; r < f->residuals; r++) sum += off[r] * off[r];
+  }
+  return sum;
+}
+
+/* From `was`, damped: as far as it is found to get better. Returns the sum it comes to. */
+static double advance(const fit *f, double m[UNKNOWN_MAX][UNKNOWN_MAX], const double *x, double sum,
+                      double *damped, double *moved) {
+  static double left[UNKNOWN_MAX][UNKNOWN_MAX], by[UNKNOWN_MAX], was[UNKNOWN_MAX];
+  for (int i = 0; i < f->unknowns; i++) was[i] = *f->list[i].value;
+  for (int tried = 0; tried < 8; tried++) {
+    memcpy(left, m, sizeof left);
+    memcpy(by, x, sizeof by);
+    for (int i = 0; i < f->unknowns; i++) left[i][i] *= 1 + *damped;
+    solve(left, by, f->unknowns);
+    /* far off it is no plane */
+    *moved = 0;
+    for (int i = 0; i < f->unknowns; i++) {
+      double reach = f->list[i].reach;
+      by[i] = fmin(fmax(by[i], -reach), reach);
+      *moved = fmax(*moved, fabs(by[i]) / reach);
+      *f->list[i].value = was[i] + by[i];
+    }
+    double now = sum_of(f);
+    if (now < sum) {
+      *damped *= 0.25;
+      return now;
+    }
+    *damped *= 6;
+  }
+  for (int i = 0; i < f->unknowns; i++) *f->list[i].value = was[i];
+  *moved = 0;
+  return sum;
+}
+
 void fit_run(fit *f, int steps) {
   static double m[UNKNOWN_MAX][UNKNOWN_MAX], x[UNKNOWN_MAX];
-  double most = 1;
-  for (int s = 0; s < steps && most > 0.01; s++) {
+  double moved = 1, damped = 0.01;
+  for (int s = 0; s < steps && moved > 0.01; s++) {
     double sum = 0;
     memset(m, 0, sizeof m);
     memset(x, 0, sizeof x);
@@ -60,11 +104,7 @@ void fit_run(fit *f, int steps) {
       sum += held * off * off;
     }
     for (int i = 0; i < f->samples; i++) add_sample(f, i, m, x, &sum);
-    solve(m, x, f->unknowns);
-    most = 0;
-    for (int i = 0; i < f->unknowns; i++) most = fmax(most, fabs(x[i]) / f->list[i].reach);
-    double part = most > 2 ? 2 / most : 1; /* far off it is no plane */
-    for (int i = 0; i < f->unknowns; i++) *f->list[i].value += part * x[i];
-    fprintf(stderr, "step %d: from %.1f, by %.3f\n", s, sum, most);
+    double now = advance(f, m, x, sum, &damped, &moved);
+    fprintf(stderr, "step %d: from %.1f to %.1f, by %.3f\n", s, sum, now, moved);
   }
 }

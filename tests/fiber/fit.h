@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0
- * Least squares by Gauss and Newton's steps, slopes by differences. */
+ * Least squares after Levenberg and Marquardt, slopes by differences. */
 #ifndef SOZAI_TESTS_FIT_H
 #define SOZAI_TESTS_FIT_H
 
-enum { UNKNOWN_MAX = 96, RESIDUALS_MAX = 512 };
+enum { UNKNOWN_MAX = 128, RESIDUALS_MAX = 512 };
 
 typedef struct {
   double *value, at; /* held near `at`, */

@@ -8,6 +8,7 @@
 #include <dlfcn.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include "clothed.h"
 #include "fiber/texture/fitted.h"
@@ -16,24 +17,29 @@
 #include "slabbed.h"
 
 enum {
-  VARIANTS = 3, /* of each preset, beside itself */
-  CLOTHS_MAX = 60,
-  RAYS = 5000,
+  VARIANTS = 6, /* of each preset, beside itself; */
+  FITTED = 3,   /* the rest of them are not fitted, but looked at */
+  CLOTHS_MAX = 80,
+  RAYS = 9000,
   RAYS_OF_VARIANT = 1000,
-  SCALES = 3,
-  POINTS = 48, /* of each look */
-  STEPS = 5,
+  SCALES = 4,
+  POINTS = 128, /* of each look */
+  POINTS_OF_VARIANT = 40,
   LOOKS = VIEWS * SIDES * LIGHTS,
-  BULK_VARIANTS = 2,
+  BULK_VARIANTS = 6, /* likewise, of each aggregate with itself */
   BULKS_MAX = 40,
-  ELEVATIONS = 3,
+  ELEVATIONS = 4,
   ENERGIES = 40 * 2 * ELEVATIONS
 };
-static const double footprints[SCALES] = {0, 0.03, 30}, weights[SCALES] = {0.25, 0.25, 0.5};
+static int steps_of_bulks = 10, steps_of_cloths = 10;
+static const double footprints[SCALES] = {0, 0.03, 0.3, 30};
+static const double weights[SCALES] = {0.25, 0.25, 0.25, 0.25};
 
 /* What is asked of the fit: of means how near; of single looks, over the colour's mean; and of
  * light on white fibres, what may come back. */
-static const double sure = 0.004, sure_of_look = 1.5, most_back = 0.95;
+static const double sure = 0.006, sure_of_look = 1.5, sure_of_look_in_bulk = 0.3, most_back = 0.98,
+                    over_back = 0.002;
+static const double grazing[ELEVATIONS] = {10, 20, 40, 85}; /* and not, degrees */
 /* How far an amount's logarithm may go with each feature, over the feature's spread. */
 static const double steep = 0.4;
 
@@ -45,13 +51,17 @@ static const uint32_t goes_by[FIT_AMOUNTS] = {
     [FIT_COLOUR] = 1 << CLOTH_DEPTH | 1 << CLOTH_DULL | 1 << CLOTH_ROUGH | 1 << CLOTH_COARSE,
     [FIT_ALBEDO] = ALL_BUT_(1 << CLOTH_TWIST),
     [FIT_OFTEN] = ALL_BUT_(0),
+    [FIT_NARROW] = 1 << CLOTH_ROUGH,
     [FIT_THROUGH] = ALL_BUT_(0),
-    [FIT_HAIR] = 1 << CLOTH_ROUGH | 1 << CLOTH_DEPTH,
-    [FIT_GLANCE] = 1 << CLOTH_ROUGH | 1 << CLOTH_LEAN};
+    [FIT_FLOWN] = 1 << CLOTH_DULL | 1 << CLOTH_ROUGH,
+    [FIT_HAIR] = 1 << CLOTH_ROUGH | 1 << CLOTH_DEPTH | 1 << CLOTH_RISE | 1 << CLOTH_FLOWN |
+                 1 << CLOTH_COARSE,
+    [FIT_GLANCE] = ALL_BUT_(0)};
 
 static const uint32_t bulk_goes_by[BULK_AMOUNTS] = {
-    [BULK_THROUGH] = 1 << BULK_THIN | 1 << BULK_RISE,
-    [BULK_SINGLE] = 1 << BULK_THIN,
+    [BULK_GLANCE] = 1 << BULK_THIN | 1 << BULK_RISE | 1 << BULK_ROUGH,
+    [BULK_THROUGH] = 1 << BULK_THIN | 1 << BULK_RISE | 1 << BULK_ROUGH,
+    [BULK_SINGLE] = 1 << BULK_THIN | 1 << BULK_DULL,
     [BULK_CHAIN] = 1 << BULK_THIN | 1 << BULK_DULL | 1 << BULK_RISE | 1 << BULK_ROUGH,
     [BULK_MORE] = 1 << BULK_THIN | 1 << BULK_DULL,
     [BULK_OFTEN] = 1 << BULK_THIN | 1 << BULK_DULL | 1 << BULK_RISE,
@@ -67,19 +77,21 @@ static const char *const amounts[FIT_AMOUNTS] = {"SLAB",  "COLOUR", "ALBEDO", "O
 typedef struct {
   cloth of;
   clothed real;
-  int preset; /* as it is */
+  bool preset, held_out; /* as it is; looked at, not fitted */
 } sample;
 
 typedef struct {
   aggregate is;
   slab of;
   slabbed real;
+  bool variant, held_out;
 } bulk_sample;
 
 static bulk_sample bulks[BULKS_MAX];
 static int bulk_count;
 static sample samples[CLOTHS_MAX];
 static int sample_count;
+static bool looking; /* at all, also what is not fitted */
 static fibertex_fitted *fitting;
 static const double *made_of; /* the last cloth */
 static const sozai_textures_1 *textures;
@@ -93,7 +105,7 @@ static double between(sample_stream *d, double least, double most) {
 /* Beside a preset: what an artist may turn it to. */
 static cloth varied(cloth c, uint32_t which) {
   sample_stream d = {sample_hash(which)};
-  c.slub = 0;
+  if (which % 2) c.slub = 0;
   c.diameter *= exp(between(&d, -0.5, 0.5));
   c.flatness = fmin(c.flatness * between(&d, 0.75, 1.3), 1);
   c.width *= between(&d, 0.92, 1.08);
@@ -109,7 +121,7 @@ static cloth varied(cloth c, uint32_t which) {
 static aggregate varied_aggregate(aggregate a, uint32_t which, int variant) {
   sample_stream d = {sample_hash(7000u + which)};
   if (!variant) return a;
-  a.thick *= exp(between(&d, -0.7, 0.3));
+  a.thick *= exp(between(&d, -1.2, 0.4));
   a.squeeze = between(&d, 0.2, 0.6);
   a.round = (float)between(&d, 0.25, 0.65);
   a.roughness *= (float)exp(between(&d, -0.35, 0.35));
@@ -123,29 +135,33 @@ static void gather(void) {
     if (!cloth_of(info, info->presets[i], &c)) continue;
     for (uint32_t k = 0; k <= VARIANTS; k++) {
       assert_true(sample_count < CLOTHS_MAX);
-      samples[sample_count++] = (sample){.of = k ? varied(c, 100 * i + k) : c, .preset = k == 0};
+      samples[sample_count++] =
+          (sample){.of = k ? varied(c, 100 * i + k) : c, .preset = k == 0, .held_out = k > FITTED};
     }
   }
 }
 
-static void trace_all(const char *path) {
-  FILE *file = path ? fopen(path, "rb") : NULL;
+/* What was traced: read as far as it goes, then written on. */
+static FILE *kept;
+
+static bool recalled(void *to, size_t size) { return kept && fread(to, size, 1, kept) == 1; }
+
+static void keep(const void *what, size_t size) {
+  if (!kept) return;
+  fseek(kept, 0, SEEK_END);
+  fwrite(what, size, 1, kept);
+  fflush(kept);
+}
+
+static void trace_all(void) {
   for (int i = 0; i < sample_count; i++) {
     clothed *r = &samples[i].real;
-    if (file) {
-      assert_int_equal(fread(r, sizeof *r, 1, file), 1);
-      continue;
-    }
+    if (recalled(r, sizeof *r)) continue;
     *r = cloth_as_curves(&samples[i].of, 1000u + (uint32_t)i,
                          samples[i].preset ? RAYS : RAYS_OF_VARIANT);
+    keep(r, sizeof *r);
     fprintf(stderr, "%d of %d: %s\n", i + 1, sample_count, samples[i].of.preset);
   }
-  if (file) fclose(file);
-  if (file || !path) return;
-  file = fopen(path, "wb");
-  assert_non_null(file);
-  for (int i = 0; i < sample_count; i++) fwrite(&samples[i].real, sizeof(clothed), 1, file);
-  fclose(file);
 }
 
 /* ---- energy ------------------------------------------------------------ */
@@ -166,11 +182,11 @@ static void add_over(const sozai_preset *p, bool clear, double *out) {
     for (uint32_t i = 0; i < ROUND * RINGS; i++) {
       double rise = asin(sqrt((i % RINGS + 0.5) / RINGS)) * 180 / PI;
       double azimuth = 360.0 * (i / RINGS + 0.5) / ROUND;
-      ground_look(&g, i, aim(rise, azimuth), aim(10 + 10 * e, 40));
+      ground_look(&g, i, aim(rise, azimuth), aim(grazing[e], 40));
     }
     ground_ask(&g, textures, t, 100);
-    double back = ground_mean(&g, RADIANCE) / sin((10 + 10 * e) * PI / 180);
-    out[e] = fmax(back - most_back, 0) / 0.005;
+    double back = ground_mean(&g, RADIANCE) / sin(grazing[e] * PI / 180);
+    out[e] = fmax(back - most_back, 0) / over_back;
     ground_free(&g);
   }
   textures->destroy(t);
@@ -196,29 +212,31 @@ static double off_by(double got, double real, double chance, double asked) {
   return (got - real) / hypot(asked, chance);
 }
 
+/* From it: the means of each footprint, and of what is seen one by one the mean of all
+ * footprints. */
 static void cloth_off(int which, double *out) {
+  memset(out, 0, RESIDUALS_MAX * sizeof *out);
   if (which == sample_count) {
-    memset(out, 0, RESIDUALS_MAX * sizeof *out);
     add_energy(true, out);
     return;
   }
   const sample *s = &samples[which];
   const clothed *r = &s->real;
-  const double most = s->preset ? sure : 4 * sure;
-  double got[6] = {0}, looks[LOOKS][3] = {{0}};
+  if (s->held_out && !looking) return;
+  const double asked = s->preset ? sure : 6 * sure;
+  double looks[LOOKS][3] = {{0}};
   sozai_texture *t = cloth_as_texture(&s->of, textures, colours);
   for (int f = 0; f < SCALES; f++) {
-    clothed c = cloth_as_seen(t, textures, footprints[f], footprints[f] > 10 ? 6 : POINTS);
+    uint32_t points = footprints[f] > 10 ? 6 : s->preset ? POINTS : POINTS_OF_VARIANT;
+    clothed c = cloth_as_seen(t, textures, footprints[f], points);
     for (int k = 0; k < 3; k++) {
-      got[k] += weights[f] * c.albedo[k];
-      got[3 + k] += weights[f] * c.mean[k];
+      *out++ = off_by(c.albedo[k], r->albedo[k], r->albedo_chance[k], asked * r->albedo[k]);
+      *out++ = off_by(c.mean[k], r->mean[k], r->mean_chance[k], asked * r->mean[k]);
       for (int l = 0; l < LOOKS; l++) looks[l][k] += weights[f] * (&c.radiance[0][0][0])[l][k];
     }
   }
   textures->destroy(t);
   for (int k = 0; k < 3; k++) {
-    *out++ = off_by(got[k], r->albedo[k], r->albedo_chance[k], most * r->albedo[k]);
-    *out++ = off_by(got[3 + k], r->mean[k], r->mean_chance[k], most * r->mean[k]);
     for (int l = 0; l < LOOKS; l++) {
       *out++ = off_by(looks[l][k], (&r->radiance[0][0][0])[l][k], (&r->chance[0][0][0])[l][k],
                       sure_of_look * r->mean[k]);
@@ -227,29 +245,29 @@ static void cloth_off(int which, double *out) {
 }
 
 static void bulk_off(int which, double *out) {
+  memset(out, 0, RESIDUALS_MAX * sizeof *out);
   if (which == bulk_count) {
-    memset(out, 0, RESIDUALS_MAX * sizeof *out);
     add_energy(false, out);
     return;
   }
-  memset(out, 0, ENERGIES * sizeof *out);
   const bulk_sample *s = &bulks[which];
   const slabbed *r = &s->real;
-  slabbed got = {0};
+  if (s->held_out && !looking) return;
+  const double asked = s->variant ? 2 * sure : sure;
+  double looks[SLAB_LOOKS][3] = {{0}};
   sozai_texture *t = slab_as_texture(&s->of, textures);
   for (int f = 0; f < SCALES; f++) {
     slabbed c = slab_as_seen(t, textures, footprints[f], footprints[f] > 10 ? 24 : 8 * POINTS);
     for (int k = 0; k < 3; k++) {
-      got.mean[k] += weights[f] * c.mean[k];
-      for (int l = 0; l < SLAB_LOOKS; l++) got.radiance[l][k] += weights[f] * c.radiance[l][k];
+      *out++ = off_by(c.mean[k], r->mean[k], r->mean_chance[k], asked * r->mean[k]);
+      for (int l = 0; l < SLAB_LOOKS; l++) looks[l][k] += weights[f] * c.radiance[l][k];
     }
   }
   textures->destroy(t);
   for (int k = 0; k < 3; k++) {
-    *out++ = off_by(got.mean[k], r->mean[k], r->mean_chance[k], sure * r->mean[k]);
     for (int l = 0; l < SLAB_LOOKS; l++) {
-      *out++ = off_by(got.radiance[l][k], r->radiance[l][k], r->chance[l][k],
-                      sure_of_look * 0.3 * r->mean[k]);
+      *out++ = off_by(looks[l][k], r->radiance[l][k], r->chance[l][k],
+                      sure_of_look_in_bulk * r->mean[k]);
     }
   }
 }
@@ -283,7 +301,7 @@ static void add_row(fit *f, const made *m, double *row, uint32_t goes_by_, doubl
   }
 }
 
-static void fit_cloths(const char *path) {
+static void fit_cloths(void) {
   static fit f;
   made m = {CLOTH_FEATURES, fitting->least, fitting->most, fitting->middle, {0}};
   gather();
@@ -291,13 +309,13 @@ static void fit_cloths(const char *path) {
     textures->destroy(cloth_as_texture(&samples[s].of, textures, colours));
     add_made(&m, s);
   }
-  trace_all(path);
+  trace_all();
   for (int a = 0; a < FIT_AMOUNTS; a++)
     add_row(&f, &m, fitting->amount[a], goes_by[a], goes_by[a] ? 0.7 : 0.15);
   f.samples = sample_count + 1;
-  f.residuals = 6 + 3 * LOOKS;
+  f.residuals = 6 * SCALES + 3 * LOOKS;
   f.off = cloth_off;
-  fit_run(&f, STEPS);
+  fit_run(&f, steps_of_cloths);
 }
 
 static void fit_bulks(void) {
@@ -305,9 +323,21 @@ static void fit_bulks(void) {
   made m = {BULK_FEATURES, fitting->bulk_least, fitting->bulk_most, fitting->bulk_middle, {0}};
   for (int i = 0; i < aggregate_count * BULK_VARIANTS; i++) {
     bulk_sample *s = &bulks[bulk_count++];
-    s->is = varied_aggregate(aggregates[i / BULK_VARIANTS], (uint32_t)i, i % BULK_VARIANTS);
-    grow_slab(&s->of, &s->is);
-    s->real = slab_as_curves(&s->of, 1000u + (uint32_t)i, i % BULK_VARIANTS ? 6000 : 15000);
+    int variant = i % BULK_VARIANTS;
+    s->is = varied_aggregate(aggregates[i / BULK_VARIANTS], (uint32_t)i, variant);
+    s->variant = variant > 0;
+    s->held_out = variant == BULK_VARIANTS - 1;
+    if (recalled(&s->real, sizeof s->real) && recalled(&s->of, sizeof s->of)) {
+      s->of.of = &s->is;
+    } else {
+      grow_slab(&s->of, &s->is);
+      s->real = slab_as_curves(&s->of, 1000u + (uint32_t)i,
+                               variant           ? 6000
+                               : s->is.thick < 3 ? 60000
+                                                 : 30000);
+      keep(&s->real, sizeof s->real);
+      keep(&s->of, sizeof s->of);
+    }
     textures->destroy(slab_as_texture(&s->of, textures));
     add_made(&m, i);
     fprintf(stderr, "%s: %.3f %.3f %.3f\n", s->is.name, s->real.mean[0], s->real.mean[1],
@@ -317,7 +347,7 @@ static void fit_bulks(void) {
   f.samples = bulk_count + 1;
   f.residuals = ENERGIES;
   f.off = bulk_off;
-  fit_run(&f, STEPS);
+  fit_run(&f, steps_of_bulks);
 }
 
 /* ---- result ------------------------------------------------------------ */
@@ -357,24 +387,55 @@ static void print_fit(void) {
   printf("      }};\n  return &fitted;\n}\n");
 }
 
-/* What is left, of the means. */
+/* What is left of the means, of each footprint: in percent. */
+static void print_off(const char *name, const char *kind, int from, int step, const double *off,
+                      const double *real, const double *chance, double asked) {
+  fprintf(stderr, "%-10s%s", name, kind);
+  for (int k = 0; k < 3; k++) {
+    double sure_ = hypot(asked, chance[k] / real[k]) * 100;
+    fprintf(stderr, "  (%.1f)", 100 * chance[k] / real[k]);
+    for (int f = 0; f < SCALES; f++)
+      fprintf(stderr, " %+5.1f", off[(f * 3 + k) * step + from] * sure_);
+  }
+  fprintf(stderr, "\n");
+}
+
 static void print_rest(void) {
   double off[RESIDUALS_MAX];
+  looking = true;
   for (int s = 0; s < sample_count; s++) {
+    const sample *q = &samples[s];
+    const clothed *r = &q->real;
+    const char *kind = q->preset ? "*" : q->held_out ? "-" : " ";
+    double asked = q->preset ? sure : 6 * sure;
     cloth_off(s, off);
-    fprintf(stderr, "%-10s%s over how sure: albedo", samples[s].of.preset,
-            samples[s].preset ? "*" : " ");
-    for (int k = 0; k < 3; k++) fprintf(stderr, " %+5.1f", off[k * (2 + LOOKS)]);
-    fprintf(stderr, ", radiance");
-    for (int k = 0; k < 3; k++) fprintf(stderr, " %+5.1f", off[k * (2 + LOOKS) + 1]);
-    fprintf(stderr, "\n");
+    print_off(q->of.preset, kind, 0, 2, off, r->albedo, r->albedo_chance, asked);
+    print_off("", " ", 1, 2, off, r->mean, r->mean_chance, asked);
   }
   for (int s = 0; s < bulk_count; s++) {
+    const bulk_sample *q = &bulks[s];
     bulk_off(s, off);
-    fprintf(stderr, "%-10s over how sure:", bulks[s].is.name);
-    for (int k = 0; k < 3; k++) fprintf(stderr, " %+5.1f", off[k * (1 + SLAB_LOOKS)]);
-    fprintf(stderr, "\n");
+    print_off(q->is.name,
+              q->held_out  ? "-"
+              : q->variant ? " "
+                           : "*",
+              0, 1, off, q->real.mean, q->real.mean_chance, q->variant ? 2 * sure : sure);
+    double square[3] = {0};
+    for (int k = 0; k < 3; k++)
+      for (int l = 0; l < SLAB_LOOKS; l++) {
+        double sure_ = hypot(sure_of_look_in_bulk, q->real.chance[l][k] / q->real.mean[k]) * 100;
+        square[k] += pow(off[3 * SCALES + k * SLAB_LOOKS + l] * sure_, 2) / SLAB_LOOKS;
+      }
+    fprintf(stderr, "          one by one %.0f %.0f %.0f\n", sqrt(square[0]), sqrt(square[1]),
+            sqrt(square[2]));
   }
+  bulk_off(bulk_count, off);
+  double over = 0;
+  for (int i = 0; i < ENERGIES; i++) over = fmax(over, off[i]);
+  fprintf(stderr, "energy: over by %.4f\n", over * over_back);
+  cloth_off(sample_count, off);
+  for (int i = 0; i < ENERGIES; i++) over = fmax(over, off[i]);
+  fprintf(stderr, "energy: over by %.4f\n", over * over_back);
 }
 
 int main(int count, char **arguments) {
@@ -385,8 +446,16 @@ int main(int count, char **arguments) {
   fitting = dlsym(library, "fiber_fitting");
   made_of = dlsym(library, "fiber_made_of");
   assert_true(fitting && made_of);
+  if (count > 1) {
+    kept = fopen(arguments[1], "a+b");
+    assert_non_null(kept);
+    rewind(kept);
+  }
+  if (count > 2) steps_of_bulks = atoi(arguments[2]);
+  if (count > 3) steps_of_cloths = atoi(arguments[3]);
   fit_bulks();
-  fit_cloths(count > 1 ? arguments[1] : NULL);
+  fit_cloths();
+  if (kept) fclose(kept);
   print_rest();
   print_fit();
   return 0;

@@ -5,13 +5,13 @@
 #include <math.h>
 #include "slabbed.h"
 
-enum { SCALES = 5, POINTS = 24000, RAYS = 12000 };
+enum { SCALES = 5, POINTS = 24000, RAYS = 18000 };
 static const double footprints[SCALES] = {0, 0.03, 0.3, 3, 30};
 static const char *const names[3] = {"white", "wool", "dark"};
-/* What is held, where 3 % is asked: of the mean of all looks, of each aggregate, colour and
- * footprint, and beyond how often the chance of the rays; of each look, of the root of the mean
- * square; and of one footprint from the mean of five, look by look. */
-static const double held = 0.055, chances = 2, each = 0.45, apart = 0.09;
+/* What is asked: of the mean of all looks, of each aggregate, colour and footprint, and beyond how
+ * often the chance of the rays. And what is held, where 3 % is asked: of each look, of the root of
+ * the mean square; and of one footprint from the mean of five, look by look. */
+static const double asked = 0.03, chances = 2, each = 0.25, apart = 0.07;
 
 typedef struct {
   double mean, each, apart;
@@ -76,7 +76,7 @@ static void all_of_them(void **unused) {
   for (int i = 0; i < aggregate_count; i++) compare(&aggregates[i], &most);
   print_message("the farthest: means %.1f %% beyond chance, one by one %.0f, scales apart %.1f\n",
                 100 * most.mean, 100 * most.each, 100 * most.apart);
-  assert_true(most.mean <= held);
+  assert_true(most.mean <= asked);
   assert_true(most.each <= each);
   assert_true(most.apart <= apart);
 }

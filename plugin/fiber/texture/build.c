@@ -390,6 +390,22 @@ static void build_directions(fibertex_constants *w, const settings *s) {
   }
 }
 
+/* From afar a texture is as bright as its points: looks that stand for all are given what of it
+ * goes by more than the moments they have. Amounts are known. */
+static void level_looks(fibertex_constants *w, const fibertex_kernel *kernel) {
+  fibertex_both f;
+  kernel->measure_both(w, w->structure == STRUCTURE_WOVEN ? MEASURED : MEASURED / 2, &f);
+  for (int m = 0; m < FIBERTEX_FACES; m++) {
+    fibertex_look *o = &w->look[m];
+    if (w->structure == STRUCTURE_WOVEN && f.far[o->weft] > 0.0)
+      o->level *= (float)(f.near[o->weft] / f.far[o->weft]);
+  }
+  if (w->structure == STRUCTURE_WOVEN) return;
+  for (int i = 0; i < 3; i++) {
+    w->from_afar[i] = f.far[i] > 0.0 ? (float)least(f.near[i] / f.far[i], 1.5) : 1.0f;
+  }
+}
+
 int32_t fibertex_build(fibertex_constants *w, const sozai_host *host, const settings *s,
                        const float (*colours)[3], const fibertex_kernel *kernel) {
   w->seed = seed_of(s);
@@ -418,5 +434,7 @@ int32_t fibertex_build(fibertex_constants *w, const sozai_host *host, const sett
   } else {
     build_directions(w, s);
   }
-  return fibertex_build_light(w, host, s, depth);
+  int32_t r = fibertex_build_light(w, host, s, depth);
+  if (r == SOZAI_OK) level_looks(w, kernel);
+  return r;
 }

@@ -110,10 +110,8 @@ static double shade_of(const fibertex_constants *w) {
 }
 
 void fibertex_cloth_amounts(fibertex_constants *w, const settings *s) {
-  double n = number_at(s, P_IOR), f = (n - 1.0) / (n + 1.0),
-         clear = fibertex_passed(number_at(s, P_TRANSMISSION));
+  double clear = fibertex_passed(number_at(s, P_TRANSMISSION));
   double beta = number_at(s, P_ROUGHNESS) * RADIANS, narrow = amount_of(w, s, FIT_NARROW);
-  w->mirror = (float)(f * f);
   w->beta2 = (float)(narrow * narrow * beta * beta);
   w->even2 = (float)(amount_of(w, s, FIT_BROAD) * 4.0 * beta * beta + 0.02);
   w->even = (float)(1.0 / bell_mean((double)w->even2 + (double)w->scatter + (double)w->scatter_up));

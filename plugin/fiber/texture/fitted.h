@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * What of the light on cloth is fitted, not derived: how amounts go by what a cloth is made of,
- * from rays followed through the fibres of woven presets and of cloths between and beside them. The
- * target `fit-fiber-light` prints fitted.c; fiber.cloth holds it against other rays. Of aggregates
- * the program finds amounts too, which are not used: they give back more than came in.
+ * What of the light on fibres is fitted, not derived: how amounts go by what a cloth or an
+ * aggregate is made of, from rays followed through the fibres of presets and of what lies between
+ * and beside them. The target `fit-fiber-light` prints fitted.c; fiber.cloth and fiber.radiance
+ * hold it against other rays.
  */
 #ifndef SOZAI_FIBERTEX_FITTED_H
 #define SOZAI_FIBERTEX_FITTED_H

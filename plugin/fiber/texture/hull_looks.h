@@ -67,6 +67,16 @@ INLINE void look_add(const fibertex_constants *w, const fibertex_look *o, int le
   }
 }
 
+/* All of them, of a block alone. */
+INLINE void looks_of_block(const fibertex_constants *w, const block *k, strand_parts *sum,
+                           vf *straight) {
+  for (int m = 0; m < w->looks / 2; m++) {
+    strand_angles a[2];
+    look_angles(w, &w->look[m], 0, &k->f, a);
+    look_add(w, &w->look[m], 0, &k->f, a, sum, straight);
+  }
+}
+
 INLINE void looks_of_hull_as(const fibertex_constants *w, int level, const block *k,
                              uint32_t blocks, looks *q) {
   const vf zero = splat(0.0f), one = splat(1.0f);
@@ -85,6 +95,9 @@ INLINE void looks_of_hull_as(const fibertex_constants *w, int level, const block
   EACH(b, blocks) {
     vf inverse = one / straight[b];
     strand_lit r;
+    sum[b].reflected = sum[b].reflected * splat(w->from_afar[0]);
+    sum[b].through = sum[b].through * splat(w->from_afar[1]);
+    sum[b].back = sum[b].back * splat(w->from_afar[2]);
     strand_amounts(w, &sum[b], &r);
     q[b].white[0] = r.white * inverse;
     q[b].glow[0] = r.glow * inverse;

@@ -5,6 +5,7 @@
 #include "cloth_looks.h"
 #include "hull_looks.h"
 #include "measure.h"
+#include "measure_both.h"
 #include "output.h"
 
 extern const fibertex_kernel KERNEL_NAME(fibertex_kernel_);
@@ -102,4 +103,4 @@ static void evaluate(const void *constants, const kernel_io *io, uint32_t from, 
     evaluate_hull(w, io, from, to);
 }
 
-const fibertex_kernel KERNEL_NAME(fibertex_kernel_) = {KERNEL_OF(evaluate), measure};
+const fibertex_kernel KERNEL_NAME(fibertex_kernel_) = {KERNEL_OF(evaluate), measure, measure_both};

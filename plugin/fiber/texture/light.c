@@ -59,7 +59,7 @@ static double bulk_of(const fibertex_constants *w, const settings *s, double dep
 static void amounts_of_bulk(fibertex_constants *w, const settings *s, double depth) {
   double clear = number_at(s, P_TRANSMISSION), passed = fibertex_passed(clear);
   double slow = slow_depth(clear, depth), ambient = fibertex_ambient(w);
-  w->gloss[0] *= (float)bulk_of(w, s, depth, BULK_GLANCE);
+  w->gloss[0] = (float)(bulk_of(w, s, depth, BULK_GLANCE) * PI / 4.0);
   w->gloss[1] = (float)(bulk_of(w, s, depth, BULK_THROUGH) * passed);
   w->single = (float)bulk_of(w, s, depth, BULK_SINGLE);
   w->multiple = (float)(bulk_of(w, s, depth, BULK_OFTEN) / ambient);
@@ -83,8 +83,7 @@ static void amounts(fibertex_constants *w, const settings *s, double depth) {
   double n = number_at(s, P_IOR), f = (n - 1.0) / (n + 1.0);
   double beta = 2.0 * number_at(s, P_ROUGHNESS) * RADIANS, tilt = number_at(s, P_TILT) * RADIANS;
   double clear = number_at(s, P_TRANSMISSION);
-  double reflected =
-      1.9 * f * f; /* a cylinder's mean over its width, about twice that at its crest */
+  double reflected = 1.9 * f * f; /* a cylinder's mean over its width, about twice its crest's */
   static const double width[3] = {1.0, 1.2, 1.7}, shift[3] = {-2.0, 1.0, 3.0};
   const double amount[3] = {reflected, 0.55 * clear * (1.0 - reflected),
                             0.12 * clear * (1.0 - reflected)};
@@ -97,6 +96,7 @@ static void amounts(fibertex_constants *w, const settings *s, double depth) {
   }
   w->single = (float)(0.52 * (1.0 - 0.45 * clear));
   w->multiple = (float)(0.42 + 0.1 * clear);
+  w->mirror = (float)(f * f);
   double alpha = least(most(2.0 * number_at(s, P_ROUGHNESS) * RADIANS, 0.08), 1.0);
   w->strand_alpha2 = (float)(alpha * alpha);
   if (w->structure == STRUCTURE_WOVEN)

@@ -86,10 +86,9 @@ STAGE void measure_blocks(const fibertex_constants *w, const fibertex_layer *c, 
   }
 }
 
-static void measure(const fibertex_constants *w, uint32_t count, fibertex_means *out) {
-  const vf zero = splat(0.0f), one = splat(1.0f);
-  /* any surface; this leans alike against every axis */
-  block k[BLOCKS_TOGETHER];
+/* On any surface; this leans alike against every axis. */
+static void measured_blocks(const fibertex_constants *w, block *k) {
+  const vf zero = splat(0.0f);
   const vf axis[3] = {splat(w->axis[0]), splat(w->axis[1]), splat(w->axis[2])};
   EACH(b, BLOCKS_TOGETHER) {
     hull_frame *f = &k[b].f;
@@ -99,6 +98,12 @@ static void measure(const fibertex_constants *w, uint32_t count, fibertex_means 
     k[b].filter = lane_filter_of(w->layer[0].radius, zero);
     k[b].s = zero;
   }
+}
+
+static void measure(const fibertex_constants *w, uint32_t count, fibertex_means *out) {
+  const vf one = splat(1.0f);
+  block k[BLOCKS_TOGETHER];
+  measured_blocks(w, k);
   memset(out, 0, sizeof *out);
   for (int l = 0; l < w->layers; l++) {
     const fibertex_layer *c = &w->layer[l];

@@ -91,6 +91,14 @@ INLINE void strand_angles_of(const fibertex_constants *w, int given_sum, const v
   strand_angles_from(w, given_sum, sl, sv, sl2, sv2, a * va + u * vu_, between, q);
 }
 
+/* What a strand's side reflects, seen that far round it from the light: what glances off is
+ * brighter than what is met squarely (Schlick). */
+INLINE vf strand_mirror(const fibertex_constants *w, vf round) {
+  const vf half = splat(0.5f);
+  vf square = vsqrt(half + half * round), aside = splat(1.0f) - square, aside2 = aside * aside;
+  return square * (splat(w->mirror) + splat(1.0f - w->mirror) * (aside2 * aside2 * aside));
+}
+
 INLINE void strand_parts_of(const fibertex_constants *w, const strand_angles *q, strand_parts *r) {
   const vf one = splat(1.0f), zero = splat(0.0f);
   vf round = clamp(q->round * inverse_root(q->squares), splat(-1.0f), one);
@@ -101,17 +109,17 @@ INLINE void strand_parts_of(const fibertex_constants *w, const strand_angles *q,
   for (int i = 0; i < 3; i++) {
     lobe[i] = bell((q->sum - splat(w->tilt[i])) * (sharp * splat(0.25f * w->sharp[i])));
   }
-  vf height = sharp * q->cosine, reflected = height + height * round;
-  r->reflected = lobe[0] * reflected;
+  vf height = sharp * q->cosine;
+  r->reflected = lobe[0] * height * strand_mirror(w, round);
   r->through = lobe[1] * (ahead * ahead) * height;
-  r->back = lobe[2] * reflected;
+  r->back = lobe[2] * (height + height * round);
   r->within = q->cosine;
 }
 
 /* Azimuthal parts: over all round each is 1 / 2 pi; times pi for the irradiance. */
 INLINE void strand_amounts(const fibertex_constants *w, const strand_parts *p, strand_lit *r) {
   r->onward = splat(w->sharp[1] * 2.82986f / BELL) * p->through;
-  r->white = splat(w->gloss[0] * w->sharp[0] * 0.5f / BELL) * p->reflected;
+  r->white = splat(w->gloss[0] * w->sharp[0] / BELL) * p->reflected;
   r->glow =
       splat(w->gloss[1]) * r->onward + splat(w->gloss[2] * w->sharp[2] * 0.5f / BELL) * p->back;
   r->bulk = splat(w->single) * p->within;
@@ -124,21 +132,19 @@ INLINE void strand_lobes(const fibertex_constants *w, const strand_angles *q, st
 }
 
 /* Of a yarn. Its strands lie side by side, so that what they do is not lost in what many of all
- * directions do together: what glances off is brighter than what is met squarely (Schlick), TT is
- * all that goes on, and what was scattered often keeps something of its inclination. */
+ * directions do together: TT is all that goes on, and what was scattered often keeps something of
+ * its inclination. */
 typedef struct {
   vf reflected, through, often;
 } yarn_parts;
 
 INLINE void yarn_parts_of(const fibertex_constants *w, const strand_angles *q, yarn_parts *r) {
-  const vf one = splat(1.0f), zero = splat(0.0f), half = splat(0.5f);
+  const vf one = splat(1.0f), zero = splat(0.0f);
   vf round = clamp(q->round * inverse_root(q->squares), splat(-1.0f), one);
-  vf ahead = vmax(splat(0.25f) - half * round, zero);
+  vf ahead = vmax(splat(0.25f) - splat(0.5f) * round, zero);
   vf sharp = q->sharp, narrow = sharp * splat(0.25f);
-  vf square = vsqrt(half + half * round), aside = one - square, aside2 = aside * aside;
-  vf mirror = splat(w->mirror) + splat(1.0f - w->mirror) * (aside2 * aside2 * aside);
   vf height = sharp * q->cosine;
-  r->reflected = bell((q->sum - splat(w->tilt[0])) * narrow) * height * (square * mirror);
+  r->reflected = bell((q->sum - splat(w->tilt[0])) * narrow) * height * strand_mirror(w, round);
   r->through = bell((q->sum - splat(w->tilt[1])) * narrow) * height * (ahead * ahead);
   vf even = inverse_root(splat(w->even2) + q->spread);
   r->often = bell(q->sum * (even * splat(0.25f))) * even;

@@ -124,6 +124,7 @@ typedef struct {
   /* light on a strand: docs/fiber-texture.md */
   float gloss[3], tilt[3], sharp[3]; /* of R, TT and TRT; the last over R's */
   float beta2;                       /* R's variance */
+  float from_afar[3];                /* of an aggregate's: what looks that stand for all lack */
   float single, multiple;            /* diffuse: of light met once, and often */
   float chain;                       /* of what goes on through strand after strand */
   /* cloth: reflectance of a strand squarely; what strands that stand off its yarns let through, how
@@ -166,10 +167,19 @@ typedef struct {
 } fibertex_means;
 typedef void fibertex_measure(const fibertex_constants *w, uint32_t count, fibertex_means *out);
 
+/* Over `count` places, lights and views, as the places themselves have it and as looks that stand
+ * for all have: of a cloth what comes back of what is scattered often, of warp and weft; of an
+ * aggregate R, TT and TRT. Sums. */
+typedef struct {
+  double near[3], far[3];
+} fibertex_both;
+typedef void fibertex_measure_both(const fibertex_constants *w, uint32_t count, fibertex_both *out);
+
 /* One compilation of the kernel. */
 typedef struct {
   kernel kernel;
   fibertex_measure *measure;
+  fibertex_measure_both *measure_both;
 } fibertex_kernel;
 
 #endif
