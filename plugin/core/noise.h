@@ -222,8 +222,7 @@ INLINE vf noise_gradient3_shared(vu base, const noise_axis *x, const noise_axis 
   UNROLL(3)
   for (int k = 0; k < 3; k++) {
     vf b[4];
-    for (int c = 0; c < 4; c++)
-      b[c] = splat(of[k].of[2 * c]) + splat(right[k].of[2 * c]) * x->w;
+    for (int c = 0; c < 4; c++) b[c] = splat(of[k].of[2 * c]) + splat(right[k].of[2 * c]) * x->w;
     r[k + 1] = mix(mix(b[0], b[1], y->w), mix(b[2], b[3], y->w), z->w);
   }
   out[0] = r[1] + mix(mix(dx[0], dx[1], y->w), mix(dx[2], dx[3], y->w), z->w) * x->dw;

@@ -33,9 +33,9 @@ STAGE vf hole_depth_at(const stone_constants *w, const vf p[3]) {
   const stone_cells *c = &w->layer[LAYER_HOLES];
   vf q[3];
   cells_place(c, p, q);
-  cells_near a, b;
-  cells_find(c, q, &a, &b);
-  return hole_depth_of(w, &a, &b);
+  cells_near near[2];
+  cells_find_as(c, 0, 2, 1, q, near);
+  return hole_depth_of(w, &near[0], &near[1]);
 }
 
 /* The cell as it lies from a place `by` cells away. */
@@ -81,17 +81,17 @@ STAGE field hole_relief(const stone_constants *w, const vf p[3], const vf t1[3],
   vm little = le(step, splat(0.06f * size));
   int all = !any(not_(little)), none = !any(little);
   vf q0[3];
-  cells_near a, b;
+  cells_near near[2];
   if (!none) {
     cells_place(c, p, q0);
-    cells_find(c, q0, &a, &b);
+    cells_find_as(c, 0, 2, 1, q0, near);
   }
   vf sum = zero, du = zero, dv = zero, inverse = splat(2.0f / HOLE_PLACES) / step * keep;
   for (int k = 0; k < HOLE_PLACES; k++) {
     vf at[3], d = zero;
     for (int i = 0; i < 3; i++)
       at[i] = p[i] + (t1[i] * splat(corner[k][0]) + t2[i] * splat(corner[k][1])) * step;
-    if (!none) d = hole_depth_by(w, at, q0, &a, &b);
+    if (!none) d = hole_depth_by(w, at, q0, &near[0], &near[1]);
     if (!all) d = sel(little, d, hole_depth_at(w, at));
     sum = sum + d;
     du = du - d * splat(corner[k][0]);

@@ -12,6 +12,7 @@
  * squares, which is 26/35 along an axis for the cubic and 181/231 for the quintic. */
 #define VALUE_SD_CUBIC 0.3697f
 #define VALUE_SD 0.4004f
+#define VALUE_SD_FLAT 0.4523f /* along two axes, quintic */
 
 INLINE vu value_corner(const noise_axis a[3], int c, vu seed) {
   vu x = c & 1 ? a[0].high : a[0].low, y = c & 2 ? a[1].high : a[1].low;
@@ -54,16 +55,18 @@ INLINE vf value_one_shared(vu base, const noise_axis a[3]) {
 
 /* Value noise of three numbers within +-HASH_ONE that know nothing of each other; and
  * gradient noise, of which they are the corners' gradients: little besides, and with
- * next to nothing in it that is wider than its lattice. */
-INLINE vf value_three(const vf p[3], vu seed, vf out[3]) {
+ * next to nothing in it that is wider than its lattice. together: whether it may well be
+ * that lanes share a cell, which changes nothing but the time. */
+INLINE vf value_three(const vf p[3], vu seed, int together, vf out[3]) {
   static const uint32_t prime[3] = {HASH_X, HASH_Y, HASH_Z};
   noise_axis a[3];
   vf v[3][8], s[3][2], ends[3];
   for (int k = 0; k < 3; k++) a[k] = noise_split_cubic(p[k], prime[k]);
 #ifdef SPREADS
   vu base = value_corner(a, 0, seed);
-  if (alike((vi)base)) return value_three_shared(base, a, out);
+  if (together && alike((vi)base)) return value_three_shared(base, a, out);
 #endif
+  (void)together;
   for (int c = 0; c < 8; c++) {
     vu h = hash_upper(value_corner(a, c, seed));
     v[0][c] = to_float((vi)h);
@@ -84,6 +87,15 @@ INLINE vf value_three(const vf p[3], vu seed, vf out[3]) {
   vf sum = splat(0.0f);
   for (int k = 0; k < 3; k++) sum = sum + (out[k] * a[k].f - ends[k] * a[k].w);
   return sum;
+}
+
+/* How far beds rise and fall: a height over the plane that they lay in. sd 0.224 of
+ * `wave`. p: bed space. */
+INLINE vf beds_wave(const vf p[3], float wave, float frequency, uint32_t seed) {
+  vf f = splat(frequency), dx, dz;
+  noise_axis x = noise_split(p[0] * f, HASH_X), z = noise_split(p[2] * f, HASH_Z);
+  return splat(wave * (0.224f / VALUE_SD_FLAT / HASH_ONE)) *
+         noise_value2(&x, &z, splatu(seed), &dx, &dz);
 }
 
 /* Value noise of one, within +-HASH_ONE. */
