@@ -185,9 +185,60 @@ INLINE void noise_corner(vu h, vf x, vf y, vf z, vf *value, vf *gx, vf *gy, vf *
   *value = *gx * x + *gy * y + *gz * z;
 }
 
+#ifdef SPREADS
+/* The hash terms of a cell's corners over its first one's, one to a lane: x fastest, then
+ * y. */
+INLINE vu noise_corners(void) {
+  return (vu){0,      HASH_X,          HASH_Y,          HASH_X + HASH_Y,
+              HASH_Z, HASH_Z + HASH_X, HASH_Z + HASH_Y, HASH_Z + HASH_X + HASH_Y};
+}
+
+/* Gradient noise of lanes that share a cell: its corners one to a lane. base: the hash
+ * term of the first. */
+INLINE vf noise_gradient3_shared(vu base, const noise_axis *x, const noise_axis *y,
+                                 const noise_axis *z, vf out[3]) {
+  vf gradient[3], zero = splat(0.0f), v[8], e[4], s[2], r[4];
+  noise_corner(base + noise_corners(), zero, zero, zero, &r[0], &gradient[0], &gradient[1],
+               &gradient[2]);
+  spread of[3], right[3];
+  for (int k = 0; k < 3; k++) {
+    of[k] = spread_of(gradient[k]);
+    right[k] = spread_of(next_lane(gradient[k]) - gradient[k]);
+  }
+  vf fx[2] = {x->f, x->f - splat(1.0f)}, fy[2] = {y->f, y->f - splat(1.0f)},
+     fz[2] = {z->f, z->f - splat(1.0f)};
+  UNROLL(8)
+  for (int c = 0; c < 8; c++) {
+    v[c] = splat(of[0].of[c]) * fx[c & 1] + splat(of[1].of[c]) * fy[c >> 1 & 1] +
+           splat(of[2].of[c]) * fz[c >> 2];
+  }
+  vf dx[4];
+  for (int c = 0; c < 4; c++) {
+    dx[c] = v[2 * c + 1] - v[2 * c];
+    e[c] = v[2 * c] + dx[c] * x->w;
+  }
+  vf dy[2] = {e[1] - e[0], e[3] - e[2]};
+  for (int c = 0; c < 2; c++) s[c] = e[2 * c] + dy[c] * y->w;
+  UNROLL(3)
+  for (int k = 0; k < 3; k++) {
+    vf b[4];
+    for (int c = 0; c < 4; c++) b[c] = splat(of[k].of[2 * c]) + splat(right[k].of[2 * c]) * x->w;
+    r[k + 1] = mix(mix(b[0], b[1], y->w), mix(b[2], b[3], y->w), z->w);
+  }
+  out[0] = r[1] + mix(mix(dx[0], dx[1], y->w), mix(dx[2], dx[3], y->w), z->w) * x->dw;
+  out[1] = r[2] + mix(dy[0], dy[1], z->w) * y->dw;
+  out[2] = r[3] + (s[1] - s[0]) * z->dw;
+  return mix(s[0], s[1], z->w);
+}
+#endif
+
 /* Gradient noise in three dimensions with its gradient (out[3]). */
 INLINE vf noise_gradient3(vf px, vf py, vf pz, vu seed, vf out[3]) {
   noise_axis x = noise_split(px, HASH_X), y = noise_split(py, HASH_Y), z = noise_split(pz, HASH_Z);
+#ifdef SPREADS
+  vu base = seed + x.low + y.low + z.low;
+  if (alike((vi)base)) return noise_gradient3_shared(base, &x, &y, &z, out);
+#endif
   vf v[8], g[8][3];
   for (int c = 0; c < 8; c++) {
     vu h = seed + (c & 1 ? x.high : x.low) + (c & 2 ? y.high : y.low) + (c & 4 ? z.high : z.low);

@@ -411,6 +411,8 @@ INLINE spread spread_of(vf x) {
 /* Every even lane's neighbour; and in each four the third lane in place of all. */
 INLINE vf next_lane(vf x) { return (vf)_mm512_movehdup_ps((__m512)x); }
 INLINE vf third_lane(vf x) { return (vf)_mm512_permute_ps((__m512)x, 0xaa); }
+/* In each four the upper two lanes in place of the lower. */
+INLINE vf upper_lanes(vf x) { return (vf)_mm512_permute_ps((__m512)x, 0xee); }
 #endif
 
 /* gather2 and gather4 where lanes mostly ask for the same row. */

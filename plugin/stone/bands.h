@@ -15,12 +15,9 @@
  * across the beds, at three sizes. flat2: how much of the footprint lies across. */
 STAGE vf bed_share(const stone_constants *w, const vf p[3], vf s, vf flat2) {
   static const float weight[3] = {0.4f, 0.36f, 0.24f}, finer[3] = {0.37f, 1.0f, 2.9f};
-  vf g[3], y = p[1];
-  if (w->bed_wave != 0.0f) {
-    vf f = splat(w->bed_wave_frequency);
-    y = y + splat(w->bed_wave) *
-                noise_gradient3(p[0] * f, p[1] * f, p[2] * f, splatu(w->seed_bed + 7u), g);
-  }
+  vf y = p[1];
+  if (w->bed_wave != 0.0f)
+    y = y + beds_wave(p, w->bed_wave, w->bed_wave_frequency, w->seed_bed + 7u);
   /* across the beds in four parts, each with what it is too wide for left out */
   vf e = splat(0.25f) * s * vsqrt(flat2), sum = splat(0.0f), unused;
   for (int i = 0; i < 4; i++) {

@@ -49,36 +49,53 @@ INLINE vf cells_flake(const stone_cells *c, const cells_near *n, const cells_squ
   return vmax(vmin(t + side, half) - vmax(t - side, splat(0.0f) - half), splat(0.0f)) / e;
 }
 
+/* How much of the square lies on a's side of the face between two cells, which is `erosion`
+ * nearer to its centre. Exact for a plane. */
+INLINE vf cells_side(const stone_cells *c, const cells_near *a, const cells_near *b, vf erosion,
+                     const cells_square *s) {
+  vf g[3], zero = splat(1e-12f);
+  for (int k = 0; k < 3; k++) g[k] = splat(2.0f) * (a->x[k] - b->x[k]);
+  vf length = vsqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2] + zero);
+  vf e = inverse_root(cells_extent2(s, g, c->blur));
+  return clamp01(splat(0.5f) + (b->d - a->d - length * erosion) * e);
+}
+
+/* How many of the nearest cells tell what is there. A flake's outline is mostly its own. */
+INLINE int cells_asked(const stone_cells *c) { return c->shaped && c->thick >= 1.0f ? 3 : 2; }
+
+/* How much of a square the bodies of its nearest two cells have. One ends at the faces to
+ * both of the others: the nearest face need not be that to the nearest cell, and without
+ * the third outlines would jump where the second changes. */
+INLINE void cells_bodies(const stone_cells *c, const cells_near near[3], const cells_square *s,
+                         vf share[2]) {
+  for (int n = 0; n < 2; n++) {
+    const cells_near *a = &near[n];
+    vf erosion = cells_erosion(c, a->h);
+    share[n] = cells_side(c, a, &near[1 - n], erosion, s);
+    if (cells_asked(c) > 2) share[n] = vmin(share[n], cells_side(c, a, &near[2], erosion, s));
+    if (c->radius < 4.0f) share[n] = vmin(share[n], cells_ball(c, a, s));
+    if (c->thick < 1.0f) share[n] = vmin(share[n], cells_flake(c, a, s));
+  }
+}
+
 /* A square no larger than about a cell: of the nearest two cells, how much each
  * has of it. Exact for a plane between two. */
-INLINE void cells_shares(const stone_cells *c, const cells_near *a, const cells_near *b,
-                         const cells_square *s, vf *first, vf *second) {
-  vf g[3];
-  for (int k = 0; k < 3; k++) g[k] = splat(2.0f) * (a->x[k] - b->x[k]);
-  vf length2 = g[0] * g[0] + g[1] * g[1] + g[2] * g[2] + splat(1e-12f);
-  vf e = inverse_root(cells_extent2(s, g, c->blur));
-  vf t = (b->d - a->d) * e;
-  if (!c->shaped) {
-    *first = clamp01(splat(0.5f) + t);
-    if (c->depth > 0.0f) {
-      /* light that has gone on behind the border */
-      vf far = inverse_root(cells_extent2(s, g, CELLS_REACH));
-      *first = mix(*first, clamp01(splat(0.5f) + (b->d - a->d) * far), splat(c->depth));
-    }
-    *second = splat(1.0f) - *first;
+INLINE void cells_shares(const stone_cells *c, const cells_near near[3], const cells_square *s,
+                         vf share[2]) {
+  if (c->shaped) {
+    cells_bodies(c, near, s, share);
     return;
   }
-  vf shift = length2 * inverse_root(length2) * e;
-  *first = clamp01(splat(0.5f) + t - shift * cells_erosion(c, a->h));
-  *second = clamp01(splat(0.5f) - t - shift * cells_erosion(c, b->h));
-  if (c->radius < 4.0f) {
-    *first = vmin(*first, cells_ball(c, a, s));
-    *second = vmin(*second, cells_ball(c, b, s));
+  const cells_near *a = &near[0], *b = &near[1];
+  vf g[3];
+  for (int k = 0; k < 3; k++) g[k] = splat(2.0f) * (a->x[k] - b->x[k]);
+  share[0] = clamp01(splat(0.5f) + (b->d - a->d) * inverse_root(cells_extent2(s, g, c->blur)));
+  if (c->depth > 0.0f) {
+    /* light that has gone on behind the border */
+    vf far = inverse_root(cells_extent2(s, g, CELLS_REACH));
+    share[0] = mix(share[0], clamp01(splat(0.5f) + (b->d - a->d) * far), splat(c->depth));
   }
-  if (c->thick < 1.0f) {
-    *first = vmin(*first, cells_flake(c, a, s));
-    *second = vmin(*second, cells_flake(c, b, s));
-  }
+  share[1] = splat(1.0f) - share[0];
 }
 
 #endif

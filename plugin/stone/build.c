@@ -52,6 +52,8 @@ static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped
   c->shaped = shaped;
   c->fade = 6.0f;
   c->looks = 3.0f;
+  c->spread = 0.34f; /* borders within a wide footprint are many, and err either way */
+  c->least = 1.55f;
   c->radius = 9.0f;
   c->thick = 1.0f;
   c->cluster = (float)b->cluster;
@@ -65,6 +67,8 @@ static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped
     /* of a ball of a cell's volume, down to a seventh of its thickness */
     if (b->flatness > 0.0) c->thick = (float)(0.62 * (1.0 - 0.85 * b->flatness));
     c->looks = 4.5f;
+    c->spread = 0.12f;
+    c->least = 1.4f;
     c->grading = 0.0f;
   }
 }
@@ -225,7 +229,7 @@ static void set_looks(stone_constants *w, const settings *s) {
       c->looks = (float)(share * (double)c->looks);
       c->fade = (float)(share * (double)c->fade);
     }
-    c->single = 0.599f / c->looks; /* rounded to one: footprint.h */
+    c->single = (1.999f - c->least) / c->looks; /* rounded to one: footprint.h */
     if (c->single > 0.6f * c->fade) c->single = 0.6f * c->fade;
     if (c->shaped && c->single > 0.5f) c->single = 0.5f;
   }

@@ -16,6 +16,7 @@
 #ifndef SOZAI_STONE_CELLS_H
 #define SOZAI_STONE_CELLS_H
 
+#include "../core/patch.h"
 #include "stone.h"
 #include "value.h"
 
@@ -44,19 +45,17 @@ INLINE vf cells_weight(const stone_cells *c, vu h) {
   return to_float((vi)(h << 5)) * splat(half / HASH_ONE) + splat(half + 1e-6f);
 }
 
-/* Cell n of the 27 about a point, 0 to 26: how many cells on it is. */
-INLINE void cells_step(vi n, vi d[3]) {
-  /* n / 9 and n / 3 of small numbers */
-  vi z = (n * splati(57)) >> 9, rest = n - z * splati(9);
-  vi y = (rest * splati(11)) >> 5, x = rest - y * splati(3);
-  d[0] = x - splati(1);
-  d[1] = y - splati(1);
-  d[2] = z - splati(1);
+/* A cell's number, of those about a point: its place on the lattice, two bits to an axis. */
+INLINE vi cells_number(vi at, int axis) { return (at & splati(3)) << (2 * axis); }
+
+/* How many cells on from the point's own, -1 to 1, that is along an axis. */
+INLINE vi cells_step(vi number, vi own, int axis) {
+  return (((number >> (2 * axis)) - own + splati(1)) & splati(3)) - splati(1);
 }
 
 /* Along each axis the point's own cell, its neighbour on the nearer side and that on
  * the further: from the point to their middles, their parts of the hash, and of the
- * number among the 27. */
+ * cell's number. */
 typedef struct {
   vf from[3][3];
   vu hash[3][3];
@@ -65,40 +64,44 @@ typedef struct {
 
 INLINE void cells_look_about(const stone_cells *c, const vf q[3], vi whole[3], cells_about *a) {
   static const uint32_t prime[3] = {HASH_X, HASH_Y, HASH_Z};
-  static const int32_t stride[3] = {1, 3, 9};
   for (int k = 0; k < 3; k++) {
     vf o = splat(0.5f) - (q[k] - vfloor(q[k], &whole[k]));
     vm up = lt(o, splat(0.0f));
     vf t = sel(up, splat(1.0f), splat(-1.0f));
     vu own = (vu)whole[k] * splatu(prime[k]) + splatu(k ? 0u : c->seed);
     vu step = (vu)seli(up, splati((int32_t)prime[k]), splati((int32_t)(0u - prime[k])));
-    vi on = seli(up, splati(stride[k]), splati(-stride[k])), none = splati(k ? 0 : 13);
+    vi on = seli(up, splati(1), splati(-1));
     a->from[k][0] = o;
     a->from[k][1] = o + t;
     a->from[k][2] = o - t;
     a->hash[k][0] = own;
     a->hash[k][1] = own + step;
     a->hash[k][2] = own - step;
-    a->number[k][0] = none;
-    a->number[k][1] = none + on;
-    a->number[k][2] = none - on;
+    a->number[k][0] = cells_number(whole[k], k);
+    a->number[k][1] = cells_number(whole[k] + on, k);
+    a->number[k][2] = cells_number(whole[k] - on, k);
   }
 }
 
-/* Cell x, y, z of those, 0 to 2 along each axis: its number stands in the lowest bits
- * of its distance, 4e-6 of it. Then two minima and a maximum keep the nearest two,
- * where cells' numbers and hashes would take a choice each. */
-INLINE void cells_try(const stone_cells *c, int graded, const cells_about *a, int x, int y, int z,
-                      vf *d1, vf *d2) {
+/* A cell at a squared distance. Its number stands in the lowest bits of that, 8e-6 of it:
+ * then minima and maxima keep the nearest two or three, where cells' numbers and hashes
+ * would take a choice each. */
+INLINE void cells_keep(vf d, vi number, int most, vf key[3]) {
+  vf own = float_of((bits_of(d) & splati(~63)) | number);
+  if (most > 2) key[2] = vmin(key[2], vmax(key[1], own));
+  key[1] = vmin(key[1], vmax(key[0], own));
+  key[0] = vmin(key[0], own);
+}
+
+/* Cell x, y, z of those, 0 to 2 along each axis. */
+INLINE void cells_try(const stone_cells *c, int graded, int most, const cells_about *a, int x,
+                      int y, int z, vf key[3]) {
   vu h = hash_upper(a->hash[0][x] + a->hash[1][y] + a->hash[2][z]);
   vf at[3];
   cells_centre(h, a->from[0][x], a->from[1][y], a->from[2][z], at);
   vf d =
       at[0] * at[0] + at[1] * at[1] + at[2] * at[2] + (graded ? cells_weight(c, h) : splat(1e-6f));
-  vi n = a->number[0][x] + a->number[1][y] + a->number[2][z];
-  vf key = float_of((bits_of(d) & splati(~31)) | n);
-  *d2 = vmin(*d2, vmax(*d1, key));
-  *d1 = vmin(*d1, key);
+  cells_keep(d, a->number[0][x] + a->number[1][y] + a->number[2][z], most, key);
 }
 
 INLINE int cells_further(int n) { return (n % 3 == 2) + (n / 3 % 3 == 2) + (n / 9 == 2); }
@@ -107,65 +110,69 @@ INLINE int cells_further(int n) { return (n % 3 == 2) + (n / 3 % 3 == 2) + (n / 
 #define CELLS_TRY_ALL(which)                                                                       \
   UNROLL(27)                                                                                       \
   for (int n = 0; n < 27; n++) {                                                                   \
-    if (which) cells_try(c, graded, a, n % 3, n / 3 % 3, n / 9, d1, d2);                           \
+    if (which) cells_try(c, graded, most, a, n % 3, n / 3 % 3, n / 9, key);                        \
   }
 
-INLINE void cells_nearest(const stone_cells *c, int graded, const cells_about *a, vf *d1, vf *d2) {
+/* The least `most` distances, two or three. */
+INLINE void cells_nearest(const stone_cells *c, int graded, int most, const cells_about *a,
+                          vf key[3]) {
   CELLS_TRY_ALL(cells_further(n) == 0)
   /* No cell on the further side is nearer than the square of the distance there; nor
    * one that is further along two axes than the sum of two, of which the least count. */
-  vf square[3], sum = splat(0.0f), most = sum;
+  vf square[3], sum = splat(0.0f), widest = sum;
   for (int k = 0; k < 3; k++) {
     vf far = vabs(a->from[k][0]) + splat(1.0f - 0.5f * CELLS_JITTER);
     square[k] = far * far * splat(0.9999f);
     sum = sum + square[k];
-    most = vmax(most, square[k]);
+    widest = vmax(widest, square[k]);
   }
-  if (any(gt(*d2, square[0]))) {
+  if (any(gt(key[most - 1], square[0]))) {
     CELLS_TRY_ALL(n % 3 == 2 && cells_further(n) == 1)
   }
-  if (any(gt(*d2, square[1]))) {
+  if (any(gt(key[most - 1], square[1]))) {
     CELLS_TRY_ALL(n / 3 % 3 == 2 && cells_further(n) == 1)
   }
-  if (any(gt(*d2, square[2]))) {
+  if (any(gt(key[most - 1], square[2]))) {
     CELLS_TRY_ALL(n / 9 == 2 && cells_further(n) == 1)
   }
-  if (any(gt(*d2, sum - most))) {
+  if (any(gt(key[most - 1], sum - widest))) {
     CELLS_TRY_ALL(cells_further(n) >= 2)
   }
 }
 
-/* The nearest two, by power distance, of the 27 cells about the point. */
-INLINE void cells_find_as(const stone_cells *c, int graded, const vf q[3], cells_near *first,
-                          cells_near *second) {
+#ifdef SPREADS
+#include "cells_shared.h"
+#endif
+
+/* The nearest `most`, by power distance, of the 27 cells about the point. together: whether
+ * lanes may well lie close to each other, which changes nothing but the time. */
+INLINE void cells_find_as(const stone_cells *c, int graded, int most, int together, const vf q[3],
+                          cells_near out[]) {
   vi whole[3];
   cells_about about;
   cells_look_about(c, q, whole, &about);
-  vf d1 = splat(1e30f), d2 = d1;
-  cells_nearest(c, graded, &about, &d1, &d2);
+  vf key[3] = {splat(1e30f), splat(1e30f), splat(1e30f)};
+#ifdef SPREADS
+  if (!together || !cells_nearest_shared(c, graded, most, whole, &about, key))
+#endif
+    cells_nearest(c, graded, most, &about, key);
+  (void)together;
   vu at = about.hash[0][0] + about.hash[1][0] + about.hash[2][0];
-  cells_near *out[2] = {first, second};
-  const vf key[2] = {d1, d2};
-  for (int k = 0; k < 2; k++) {
-    cells_near *o = out[k];
+  for (int k = 0; k < most; k++) {
+    cells_near *o = &out[k];
     vi d[3];
-    cells_step(bits_of(key[k]) & splati(31), d);
+    for (int i = 0; i < 3; i++) {
+      d[i] = cells_step(bits_of(key[k]), whole[i], i);
+      o->at[i] = whole[i] + d[i];
+    }
     vu h = hash_upper(at + (vu)d[0] * splatu(HASH_X) + (vu)d[1] * splatu(HASH_Y) +
                       (vu)d[2] * splatu(HASH_Z));
     cells_centre(h, about.from[0][0] + to_float(d[0]), about.from[1][0] + to_float(d[1]),
                  about.from[2][0] + to_float(d[2]), o->x);
-    for (int i = 0; i < 3; i++) o->at[i] = whole[i] + d[i];
     o->d = o->x[0] * o->x[0] + o->x[1] * o->x[1] + o->x[2] * o->x[2];
     if (graded) o->d = o->d + cells_weight(c, h);
     o->h = h;
   }
-}
-
-INLINE void cells_find(const stone_cells *c, const vf q[3], cells_near *first, cells_near *second) {
-  if (c->grading > 0.0f)
-    cells_find_as(c, 1, q, first, second);
-  else
-    cells_find_as(c, 0, q, first, second);
 }
 
 /* The hash of the block of 4^3 that a place on the lattice is in. */
@@ -175,10 +182,8 @@ INLINE vu cells_block(const stone_cells *c, vi x, vi y, vi z) {
 }
 
 /* Across the beds, which rise and fall. p: mm, bed space. */
-STAGE vf beds_across(const stone_bedding *b, const vf p[3]) {
-  vf unused[3], f = splat(b->wave_frequency);
-  return p[1] + splat(b->wave) *
-                    noise_gradient3(p[0] * f, p[1] * f, p[2] * f, splatu(b->seed_wave), unused);
+INLINE vf beds_across(const stone_bedding *b, const vf p[3]) {
+  return p[1] + beds_wave(p, b->wave, b->wave_frequency, b->seed_wave);
 }
 
 /* How rich in bodies the beds are at a place across them: mean 1. */
@@ -252,16 +257,16 @@ INLINE void cells_turn(const stone_cells *c, const vf v[3], vf out[3]) {
 /* Bends the cells' faces: moves a point, in cells, by two noises, of the finer of which
  * `finer` is left. Their sum is as good for what is uneven within a crystal: sd 0.22 of
  * each, mean 0. */
-INLINE vf cells_bend(const stone_cells *c, vf finer, vf q[3]) {
+INLINE vf cells_bend(const stone_cells *c, vf finer, int together, vf q[3]) {
   if (c->warp == 0.0f) return splat(0.0f);
   const vf coarse = splat(CELLS_BEND), fine = splat(CELLS_BEND_FINE);
   const float move = 0.45f / VALUE_SD_CUBIC / HASH_ONE;
   const vf at[3] = {q[0] * coarse, q[1] * coarse, q[2] * coarse},
            finely[3] = {q[0] * fine, q[1] * fine, q[2] * fine};
-  vf g[3], sum = value_three(at, splatu(c->seed_warp), g) * splat(1.0f / HASH_ONE);
+  vf g[3], sum = value_three(at, splatu(c->seed_warp), together, g) * splat(1.0f / HASH_ONE);
   for (int k = 0; k < 3; k++) q[k] = q[k] + splat(c->warp * move) * g[k];
   if (!any(gt(finer, splat(0.0f)))) return sum;
-  vf b = value_three(finely, splatu(c->seed_warp + 1u), g) * splat(1.0f / HASH_ONE);
+  vf b = value_three(finely, splatu(c->seed_warp + 1u), together, g) * splat(1.0f / HASH_ONE);
   for (int k = 0; k < 3; k++) q[k] = q[k] + finer * splat(c->warp_fine * move) * g[k];
   return sum + finer * b;
 }
@@ -269,7 +274,7 @@ INLINE vf cells_bend(const stone_cells *c, vf finer, vf q[3]) {
 /* A point in cells, their faces bent. */
 INLINE void cells_place(const stone_cells *c, const vf p[3], vf q[3]) {
   cells_turn(c, p, q);
-  (void)cells_bend(c, splat(1.0f), q);
+  (void)cells_bend(c, splat(1.0f), 1, q);
 }
 
 #endif

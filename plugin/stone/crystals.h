@@ -52,7 +52,7 @@ INLINE crystal_noise crystal_at(const stone_cells *c, const vf q[3], const cells
   n.keep = t * crystal_keep(wide, 0.4f / CRYSTAL_FINE, 1.4f / CRYSTAL_FINE);
   if (!any(gt(n.keep, zero))) return n;
   const vf at[3] = {q[0] * f, q[1] * f, q[2] * f};
-  n.fine = value_three(at, splatu(c->seed_warp + 2u), g) * splat(1.0f / HASH_ONE);
+  n.fine = value_three(at, splatu(c->seed_warp + 2u), 1, g) * splat(1.0f / HASH_ONE);
   /* the corners' gradients are not all of its slope, but of its square some half */
   vf a = g[0] * s->u[0] + g[1] * s->u[1] + g[2] * s->u[2];
   vf b = g[0] * s->v[0] + g[1] * s->v[1] + g[2] * s->v[2];
@@ -83,16 +83,21 @@ INLINE vf crystal_lamellae(vu h, const vf q[3], const cells_square *s) {
   vi first;
   vf from = t - splat(0.5f) * side, f = from - vfloor(from, &first);
   vf number[5], value[4], high[3];
-  for (int i = 0; i < 5; i++)
+  int pieces = 0;
+  for (int i = 0; i < 5; i++) {
+    /* the last of the three pieces below is not reached by a side of one */
+    if (i == 4 && !any(gt(side, one))) break;
     number[i] = hash_signed((vu)first * splatu(HASH_X) + hash + splatu((uint32_t)i * HASH_X));
-  for (int i = 0; i < 4; i++) value[i] = number[i] - number[i + 1];
+    if (i > 0) value[i - 1] = number[i - 1] - number[i];
+    pieces = i - 1;
+  }
   /* from f to f + side over three pieces of one each, of which the first begins at f */
   high[0] = vmin(f + side, one);
   high[1] = clamp01(f + side - one);
   high[2] = vmax(f + side - splat(2.0f), zero);
   vf sum = value[0] * (high[0] - f) +
            (value[1] - value[0]) * (crystal_blend(high[0]) - crystal_blend(f));
-  for (int i = 1; i < 3; i++)
+  for (int i = 1; i < pieces; i++)
     sum = sum + value[i] * high[i] + (value[i + 1] - value[i]) * crystal_blend(high[i]);
   return keep * sum / (side * splat(1.4142135f * HASH_ONE));
 }

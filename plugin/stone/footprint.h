@@ -9,14 +9,16 @@
 #include "bodies.h"
 #include "crystals.h"
 
-/* Shares of a footprint: kinds 1 and 2, and all kinds with their brightness. */
+/* Shares of a footprint: of kinds 1 and 2 with their brightness; and first, of crystals
+ * kind 0 with its own, of bodies what both of them cover. */
+#define CELLS_PARTS 3
 typedef struct {
-  vf cover[2], toned[3];
+  vf of[CELLS_PARTS];
 } cells_cover;
 
 INLINE cells_cover cells_none(void) {
   vf zero = splat(0.0f);
-  return (cells_cover){{zero, zero}, {zero, zero, zero}};
+  return (cells_cover){{zero, zero, zero}};
 }
 
 /* Whether a cell's mineral is of kind 1, or of kind 2. */
@@ -38,15 +40,12 @@ INLINE void cells_add(const stone_cells *c, vu h, const cells_kind *kind, vf sha
   vf own = splat(c->variation / HASH_ONE) * hash_signed(h + splatu(HASH_Y));
   vf tone = uneven[0] + own, tone1 = uneven[1] + own;
   vf a = sel(kind->first, share, zero), b = sel(kind->second, share, zero);
-  out->cover[0] = out->cover[0] + a;
-  out->cover[1] = out->cover[1] + b;
-  out->toned[0] = out->toned[0] + (share - a - b) * tone;
-  out->toned[1] = out->toned[1] + a * tone1;
-  out->toned[2] = out->toned[2] + b * tone;
+  out->of[0] = out->of[0] + (c->shaped ? a + b : (share - a - b) * tone);
+  out->of[1] = out->of[1] + a * tone1;
+  out->of[2] = out->of[2] + b * tone;
 }
 
 #define CELLS_STEPS 6        /* looks along a side of the footprint, at most */
-#define CELLS_STEPS_GRAINS 5 /* likewise, at crystals that fill it */
 #define CELLS_FINE 0.6f      /* cells: wider footprints do not tell the finer of the faces' bends */
 #define CELLS_LOOK_MOST 0.5f /* cells: a look at bodies sees past all of their faces but one */
 
@@ -72,28 +71,42 @@ typedef struct {
   cells_eye *eye;
   vm there;
   vf straight[3], q[3], cloud; /* where it is, before and after the faces' bends */
-  cells_near near[2];
+  cells_near near[3];          /* bodies' third; of it no one asks where it is */
 } cells_look;
 
-STAGE void looks_bend(const stone_cells *c, cells_look *looks, int count) {
+/* Whether lanes are likely near each other: neighbours are mostly about a footprint apart. */
+#define CELLS_TOGETHER 0.08f
+INLINE int looks_together(const cells_look *looks) {
+  return any(lt(looks[0].eye->most, splat(CELLS_TOGETHER)));
+}
+
+INLINE void looks_bend_as(const stone_cells *c, int together, cells_look *looks, int count) {
   for (int l = 0; l < count; l++) {
     cells_look *o = &looks[l];
     for (int k = 0; k < 3; k++) o->q[k] = o->straight[k];
-    o->cloud = cells_bend(c, o->eye->fine, o->q);
+    o->cloud = cells_bend(c, o->eye->fine, together, o->q);
   }
+}
+
+STAGE void looks_bend(const stone_cells *c, cells_look *looks, int count) {
+  if (looks_together(looks))
+    looks_bend_as(c, 1, looks, count);
+  else
+    looks_bend_as(c, 0, looks, count);
 }
 
 STAGE void looks_find(const stone_cells *c, cells_look *looks, int count) {
-  if (c->grading > 0.0f) {
-    for (int l = 0; l < count; l++)
-      cells_find_as(c, 1, looks[l].q, &looks[l].near[0], &looks[l].near[1]);
+  int together = looks_together(looks);
+  if (cells_asked(c) > 2) {
+    for (int l = 0; l < count; l++) cells_find_as(c, 0, 3, together, looks[l].q, looks[l].near);
+  } else if (c->grading > 0.0f) {
+    for (int l = 0; l < count; l++) cells_find_as(c, 1, 2, together, looks[l].q, looks[l].near);
   } else {
-    for (int l = 0; l < count; l++)
-      cells_find_as(c, 0, looks[l].q, &looks[l].near[0], &looks[l].near[1]);
+    for (int l = 0; l < count; l++) cells_find_as(c, 0, 2, together, looks[l].q, looks[l].near);
   }
 }
 
-/* Of bodies, those of kind 0 are not there, and nobody asks for toned[0]. */
+/* Of bodies, those of kind 0 are not there. */
 INLINE void look_add(const stone_cells *c, const cells_look *o) {
   vf share[2], zero = splat(0.0f), one = splat(1.0f);
   cells_eye *eye = o->eye;
@@ -104,7 +117,7 @@ INLINE void look_add(const stone_cells *c, const cells_look *o) {
     vm body = or_(or_(kind[0].first, kind[0].second), or_(kind[1].first, kind[1].second));
     if (!any(body)) return;
   }
-  cells_shares(c, &o->near[0], &o->near[1], &eye->part, &share[0], &share[1]);
+  cells_shares(c, o->near, &eye->part, share);
   vf uneven = o->cloud * splat(1.3f * c->variation) + one, common[2] = {uneven, uneven};
   int textured = crystal_textured(c);
   if (textured && c->turbidity > 0.0f) {
@@ -129,10 +142,8 @@ INLINE void look_add(const stone_cells *c, const cells_look *o) {
     cells_add(c, o->near[n].h, &kind[n], share[n], tone, &look);
   }
   cells_cover *sum = &eye->sum;
-  for (int k = 0; k < 2; k++)
-    sum->cover[k] = sel(o->there, sum->cover[k] + look.cover[k], sum->cover[k]);
-  for (int k = 0; k < 3; k++)
-    sum->toned[k] = sel(o->there, sum->toned[k] + look.toned[k], sum->toned[k]);
+  for (int k = 0; k < CELLS_PARTS; k++)
+    sum->of[k] = sel(o->there, sum->of[k] + look.of[k], sum->of[k]);
 }
 
 STAGE void looks_add(const stone_cells *c, const cells_look *looks, int count) {
@@ -158,9 +169,9 @@ STAGE void eye_divide(const stone_cells *c, cells_eye *e, const cells_square *al
   vf one = splat(1.0f), side[2];
   for (int k = 0; k < 2; k++) {
     vi whole;
-    vf dense = splat(c->looks) / (one + splat(0.12f) * wide[k]);
-    vf looks = vfloor(wide[k] * dense + splat(1.4f), &whole);
-    e->n[k] = clamp(looks, one, splat(c->shaped ? CELLS_STEPS : CELLS_STEPS_GRAINS));
+    vf dense = splat(c->looks) / (one + splat(c->spread) * wide[k]);
+    vf looks = vfloor(wide[k] * dense + splat(c->least), &whole);
+    e->n[k] = clamp(looks, one, splat(CELLS_STEPS));
     e->inverse[k] = side[k] = one / e->n[k];
     if (c->shaped) {
       side[k] = vmin(side[k], splat(CELLS_LOOK_MOST) / vmax(wide[k], splat(CELLS_LOOK_MOST)));
@@ -216,12 +227,10 @@ INLINE void eye_close(const stone_cells *c, const cells_eye *e, cells_cover *out
     rich = sel(lt(e->keep, one), rich, one); /* where no mean is asked for, none rounds */
     for (int k = 0; k < 2; k++) mean[k] = mean[k] * rich;
   }
-  for (int k = 0; k < 2; k++)
-    out->cover[k] = sel(e->seen, mix(mean[k], e->sum.cover[k] * each, e->keep), mean[k]);
-  for (int k = 0; k < 3; k++) {
-    vf expected = k ? mean[k - 1] : one - mean[0] - mean[1];
-    out->toned[k] = sel(e->seen, mix(expected, e->sum.toned[k] * each, e->keep), expected);
-  }
+  vf bodies = mean[0] + mean[1];
+  const vf expected[CELLS_PARTS] = {c->shaped ? bodies : one - bodies, mean[0], mean[1]};
+  for (int k = 0; k < CELLS_PARTS; k++)
+    out->of[k] = sel(e->seen, mix(expected[k], e->sum.of[k] * each, e->keep), expected[k]);
 }
 
 #define CELLS_LOOKS 8 /* that go through the stages side by side */
@@ -252,7 +261,7 @@ STAGE void eye_look_about(const stone_cells *c, cells_eye *e) {
       count = 0;
     }
   }
-  looks_run(c, looks, count);
+  if (count) looks_run(c, looks, count);
 }
 
 /* A layer of cells under a few footprints: as many looks as each takes. Their p, t1, t2

@@ -8,34 +8,50 @@
 #include "bodies.h"
 #include "field.h"
 
-/* How deep the nearer of two cells' bodies is below the face at a place: mm, 0 or
- * more. */
-INLINE vf hole_depth_of(const stone_constants *w, const cells_near *a, const cells_near *b) {
-  const stone_cells *c = &w->layer[LAYER_HOLES];
-  vf zero = splat(0.0f), one = splat(1.0f);
-  vf g2 = zero, r2 = splat(1e-12f);
+/* How far within the face to another cell: cells, less what the body is smaller by. */
+INLINE vf hole_within(const cells_near *a, const cells_near *b, vf erosion) {
+  vf g2 = splat(1e-12f);
   for (int k = 0; k < 3; k++) {
     vf g = a->x[k] - b->x[k];
     g2 = g2 + g * g;
-    r2 = r2 + a->x[k] * a->x[k];
   }
-  vf in = splat(0.5f) * (b->d - a->d) * inverse_root(g2 + splat(1e-12f)) - cells_erosion(c, a->h);
-  if (c->radius < 4.0f) in = vmin(in, cells_radius(c, a->h) - vsqrt(r2));
+  return splat(0.5f) * (b->d - a->d) * inverse_root(g2) - erosion;
+}
+
+/* How deep the body of cell a is below the face at a place, b and c the others that tell its
+ * outline, as they tell the colour's: mm, 0 or more. */
+INLINE vf hole_depth_of(const stone_constants *w, const cells_near *a, const cells_near *b,
+                        const cells_near *c) {
+  const stone_cells *l = &w->layer[LAYER_HOLES];
+  vf zero = splat(0.0f), one = splat(1.0f), erosion = cells_erosion(l, a->h);
+  vf in = hole_within(a, b, erosion), r2 = splat(1e-12f);
+  if (cells_asked(l) > 2) in = vmin(in, hole_within(a, c, erosion));
+  for (int k = 0; k < 3; k++) r2 = r2 + a->x[k] * a->x[k];
+  if (l->radius < 4.0f) in = vmin(in, cells_radius(l, a->h) - vsqrt(r2));
   in = vmax(in, zero);
-  vf rich, rank = cells_rank(c, a->at, &rich);
-  vm open = lt(rank, splat(c->chance[1]) * rich);
+  vf rich, rank = cells_rank(l, a->at, &rich);
+  vm open = lt(rank, splat(l->chance[1]) * rich);
   /* steep at the rim, flat at the bottom */
   vf depth = splat(2.0f * w->hole_depth) * in / (one + splat(4.0f) * in);
   return sel(open, depth, zero);
+}
+
+INLINE void hole_find(const stone_cells *c, const vf q[3], cells_near near[3]) {
+  if (cells_asked(c) > 2) {
+    cells_find_as(c, 0, 3, 1, q, near);
+    return;
+  }
+  cells_find_as(c, 0, 2, 1, q, near);
+  near[2] = near[1];
 }
 
 STAGE vf hole_depth_at(const stone_constants *w, const vf p[3]) {
   const stone_cells *c = &w->layer[LAYER_HOLES];
   vf q[3];
   cells_place(c, p, q);
-  cells_near a, b;
-  cells_find(c, q, &a, &b);
-  return hole_depth_of(w, &a, &b);
+  cells_near near[3];
+  hole_find(c, q, near);
+  return hole_depth_of(w, &near[0], &near[1], &near[2]);
 }
 
 /* The cell as it lies from a place `by` cells away. */
@@ -49,16 +65,16 @@ INLINE cells_near hole_moved(const cells_near *n, const vf by[3]) {
   return m;
 }
 
-/* The same near a place whose nearest two cells are known. Between them lie the
- * walls of stone that a third cell would be beyond. */
-STAGE vf hole_depth_by(const stone_constants *w, const vf p[3], const vf q0[3], const cells_near *a,
-                       const cells_near *b) {
+/* The same near a place whose nearest cells are known. Between them lie the walls of stone
+ * that a further cell would be beyond. */
+STAGE vf hole_depth_by(const stone_constants *w, const vf p[3], const vf q0[3],
+                       const cells_near near[3]) {
   vf q[3];
   cells_place(&w->layer[LAYER_HOLES], p, q);
   for (int k = 0; k < 3; k++) q[k] = q[k] - q0[k];
-  cells_near m = hole_moved(a, q), n = hole_moved(b, q);
-  vf own = hole_depth_of(w, &m, &n), other = hole_depth_of(w, &n, &m);
-  return sel(le(m.d, n.d), own, other);
+  cells_near a = hole_moved(&near[0], q), b = hole_moved(&near[1], q), c = hole_moved(&near[2], q);
+  vf own = hole_depth_of(w, &a, &b, &c), other = hole_depth_of(w, &b, &a, &c);
+  return sel(le(a.d, b.d), own, other);
 }
 
 #define HOLE_PLACES 3 /* about the point, at the corners of a triangle */
@@ -81,17 +97,17 @@ STAGE field hole_relief(const stone_constants *w, const vf p[3], const vf t1[3],
   vm little = le(step, splat(0.06f * size));
   int all = !any(not_(little)), none = !any(little);
   vf q0[3];
-  cells_near a, b;
+  cells_near near[3];
   if (!none) {
     cells_place(c, p, q0);
-    cells_find(c, q0, &a, &b);
+    hole_find(c, q0, near);
   }
   vf sum = zero, du = zero, dv = zero, inverse = splat(2.0f / HOLE_PLACES) / step * keep;
   for (int k = 0; k < HOLE_PLACES; k++) {
     vf at[3], d = zero;
     for (int i = 0; i < 3; i++)
       at[i] = p[i] + (t1[i] * splat(corner[k][0]) + t2[i] * splat(corner[k][1])) * step;
-    if (!none) d = hole_depth_by(w, at, q0, &a, &b);
+    if (!none) d = hole_depth_by(w, at, q0, near);
     if (!all) d = sel(little, d, hole_depth_at(w, at));
     sum = sum + d;
     du = du - d * splat(corner[k][0]);

@@ -78,7 +78,8 @@ INLINE void stage_load(const stone_constants *w, int paved, const kernel_io *io,
     k->face[c] = k->nrm[c];
   }
   if (paved) {
-    laid_at(w, k->at, io->in->normal[0] ? k->face : NULL, k->s, &k->laid);
+    square_sides(k->nrm, k->t1, k->t2);
+    laid_at(w, k->at, io->in->normal[0] ? k->face : NULL, k->t1, k->t2, k->s, &k->laid);
     laid_turn(&k->laid, k->p);
     laid_turn(&k->laid, k->nrm);
     for (int c = 0; c < 3; c++) k->p[c] = k->p[c] + k->laid.shift[c];
@@ -116,10 +117,10 @@ STAGE void stage_cells(const stone_constants *w, block *blocks, int count) {
 INLINE void lay_over(const stone_constants *w, const cells_cover *q, int first, int second,
                      block *k, vf *cover) {
   vf one = splat(1.0f);
-  *cover = vmin(q->cover[0] + q->cover[1], one);
+  *cover = vmin(q->of[0], one);
   for (int c = 0; c < 3; c++) {
-    k->albedo[c] = k->albedo[c] * (one - *cover) + q->toned[1] * splat(w->colour[first][c]) +
-                   q->toned[2] * splat(w->colour[second][c]);
+    k->albedo[c] = k->albedo[c] * (one - *cover) + q->of[1] * splat(w->colour[first][c]) +
+                   q->of[2] * splat(w->colour[second][c]);
   }
 }
 
@@ -136,7 +137,7 @@ STAGE void stage_fabric(const stone_constants *w, block *k) {
     vf base = splat(w->colour[COLOUR_BASE][c]);
     if (w->has_beds) base = mix(base, splat(w->colour[COLOUR_BED][c]), bed);
     if (w->layer[LAYER_GRAINS].on) {
-      const vf *toned = k->cover[LAYER_GRAINS].toned;
+      const vf *toned = k->cover[LAYER_GRAINS].of;
       base = toned[0] * base + toned[1] * splat(w->colour[COLOUR_SECOND][c]) +
              toned[2] * splat(w->colour[COLOUR_THIRD][c]);
     }
@@ -387,12 +388,15 @@ static void measure_layer(const stone_cells *c, uint32_t count, double *fill, do
   const cells_square look = {{side, zero, zero}, {zero, side, zero}};
   for (uint32_t i = 0; i < count; i += LANES) {
     vf q[3], share[2];
-    cells_near near[2];
+    cells_near near[3];
     for (uint32_t a = 0; a < 3; a++) q[a] = measure_place(i, a, MEASURED_EXTENT);
-    cells_find(c, q, &near[0], &near[1]);
-    cells_shares(c, &near[0], &near[1], &point, &share[0], &share[1]);
+    if (cells_asked(c) > 2)
+      cells_find_as(c, 0, 3, 0, q, near);
+    else
+      cells_find_as(c, 0, 2, 0, q, near);
+    cells_shares(c, near, &point, share);
     measure_add(fill, share[0] + share[1]);
-    cells_shares(c, &near[0], &near[1], &look, &share[0], &share[1]);
+    cells_shares(c, near, &look, share);
     measure_add(seen, share[0] + share[1]);
   }
   *fill /= count;
@@ -417,14 +421,15 @@ static void measure(const stone_constants *w, uint32_t count, stone_means *out) 
 
 /* Means over twenty metres of paving, of its edges and moss alone. */
 static void measure_laid(const stone_constants *w, uint32_t count, stone_laid_means *out) {
-  const vf zero = splat(0.0f), p2 = zero;
+  const vf zero = splat(0.0f), p2 = zero, one = splat(1.0f);
+  const vf x[3] = {one, zero, zero}, y[3] = {zero, one, zero};
   memset(out, 0, sizeof *out);
   if (w->paving.layout.kind == LAYOUT_NONE) return;
   for (uint32_t i = 0; i < count; i += LANES) {
     vf p[3] = {measure_place(i, 0, MEASURED_EXTENT) * splat(40.0f),
                measure_place(i, 1, MEASURED_EXTENT) * splat(40.0f), p2};
     laid q;
-    laid_at(w, p, NULL, zero, &q);
+    laid_at(w, p, NULL, x, y, zero, &q);
     surface f = surface_none();
     surface_lay(w, 1, &q, p, zero, field_of(zero), &f);
     vf lost, slope;

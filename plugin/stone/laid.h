@@ -66,37 +66,109 @@ INLINE void laid_corner(const stone_paving *v, const cover *c, vf *edge, vf *nx,
   *ny = sel(there, y * inverse, *ny);
 }
 
-/* p and n, the face's normal, or NULL for the plane's: object space. */
-STAGE void laid_at(const stone_constants *w, const vf p[3], const vf n[3], vf s, laid *q) {
+/* Which stone is at a place, and how much of the footprint is joint. p and n, the face's
+ * normal, or NULL for the plane's: object space. nx, ny: away from the stone's edge. */
+INLINE void laid_find(const stone_constants *w, const vf p[3], const vf n[3], vf s, laid *q, vf *nx,
+                      vf *ny) {
   const stone_paving *v = &w->paving;
-  const layout *l = &v->layout;
   vf one = splat(1.0f), zero = splat(0.0f), at[2] = {p[0], p[1]};
   q->row[0][0] = q->row[1][1] = one;
   q->row[0][1] = q->row[1][0] = zero;
   if (v->wander.amplitude > 0.0f) layout_wander_at(&v->wander, p[0], p[1], at, q->row);
   cover c;
-  q->unit = layout_find(l, at[0], at[1], n, s, &c);
-  layout_unit *u = &q->unit;
-  q->e = vmax(s, splat(LAID_LEAST));
-  vf edge = u->edge, nx = c.nx, ny = c.ny;
+  q->unit = layout_find(&v->layout, at[0], at[1], n, s, &c);
+  const layout_unit *u = &q->unit;
+  vf edge = u->edge;
+  *nx = c.nx;
+  *ny = c.ny;
   q->joint = u->joint;
   if (v->corner > 0.0f) {
-    laid_corner(v, &c, &edge, &nx, &ny);
-    vf e = cover_extent(&c, nx, ny, vmax(s, splat(COVER_LEAST)));
+    laid_corner(v, &c, &edge, nx, ny);
+    vf e = cover_extent(&c, *nx, *ny, vmax(s, splat(COVER_LEAST)));
     vf joint = cover_share(edge, e, splat(-2.0f * v->half), zero);
     vf size = vmin(u->length, u->width);
     vf far = smooth_step(splat(0.5f) * size, size, e);
     q->joint = vmax(q->joint, (one - far) * joint);
   }
   q->edge = edge;
-  q->m.v = vmax(edge + splat(v->half), zero);
+  q->own = hash_mix(u->id + splatu(w->seed ^ 0x68bc21ebu));
+}
+
+/* A stone's shade, of each component; it counts as much as the footprint lies on it. */
+INLINE void laid_tone(const stone_paving *v, const laid *q, vf tone[3]) {
+  vf one = splat(1.0f);
+  for (int k = 0; k < 3; k++) tone[k] = one;
+  if (!(v->tone > 0.0f || v->tint > 0.0f)) return;
+  vu h = q->own ^ splatu(0x5f356495u);
+  vf shade = vmax(one + laid_normal(&h) * splat(v->tone) * q->unit.own, splat(0.2f));
+  vf warm = clamp(laid_normal(&h) * splat(v->tint) * q->unit.own, splat(-0.4f), splat(0.4f));
+  tone[0] = shade * (one + warm);
+  tone[1] = shade;
+  tone[2] = shade * (one - warm);
+}
+
+/* Shade and joint of a footprint by side * side parts, each of which lies on stones of its
+ * own. t1, t2: the footprint's sides. */
+STAGE void laid_by_parts(const stone_constants *w, const vf p[3], const vf n[3], const vf t1[3],
+                         const vf t2[3], vf s, int side, vf tone[3], vf *joint) {
+  vf part = s * splat(1.0f / (float)side), open = splat(0.0f), one = splat(1.0f);
+  for (int k = 0; k < 3; k++) tone[k] = open;
+  for (int i = 0; i < side * side; i++) {
+    float middle = 0.5f * (float)(side - 1);
+    vf u = part * splat((float)(i % side) - middle), v = part * splat((float)(i / side) - middle);
+    vf at[3], own[3], nx, ny;
+    for (int k = 0; k < 3; k++) at[k] = p[k] + t1[k] * u + t2[k] * v;
+    laid q;
+    laid_find(w, at, n, part, &q, &nx, &ny);
+    laid_tone(&w->paving, &q, own);
+    vf share = one - q.joint;
+    open = open + share;
+    for (int k = 0; k < 3; k++) tone[k] = tone[k] + share * own[k];
+  }
+  vf each = one / vmax(open, splat(1e-6f));
+  for (int k = 0; k < 3; k++) tone[k] = tone[k] * each;
+  *joint = one - open * splat(1.0f / (float)(side * side));
+}
+
+#define LAID_TWO 0.3f  /* of a stone's smaller side, from which a footprint is seen in two */
+#define LAID_FOUR 0.8f /* parts to a side, and in four */
+#define LAID_MANY 12.0f /* from which the mean of all stones is as good */
+
+INLINE void laid_wide(const stone_constants *w, const vf p[3], const vf n[3], const vf t1[3],
+                      const vf t2[3], vf s, laid *q) {
+  /* sides of irregular polygons are told as lines without ends, which small parts bear */
+  int finer = w->paving.layout.kind == LAYOUT_CRAZY ? 2 : 1;
+  vf size = vmin(q->unit.length, q->unit.width) * splat(1.0f / (float)finer), tone[3], joint;
+  vm wide = and_(gt(s, splat(LAID_TWO) * size), lt(s, splat(LAID_MANY) * size)),
+     four = and_(wide, gt(s, splat(LAID_FOUR) * size));
+  for (int k = 0; k < 2; k++) {
+    vm mine = k ? four : and_(wide, not_(four));
+    if (!any(mine)) continue;
+    laid_by_parts(w, p, n, t1, t2, s, (k ? 4 : 2) * finer, tone, &joint);
+    for (int c = 0; c < 3; c++) q->tone[c] = sel(mine, tone[c], q->tone[c]);
+    q->joint = sel(mine, joint, q->joint);
+  }
+}
+
+/* p and n, the face's normal, or NULL for the plane's: object space. t1, t2: the
+ * footprint's sides there. */
+STAGE void laid_at(const stone_constants *w, const vf p[3], const vf n[3], const vf t1[3],
+                   const vf t2[3], vf s, laid *q) {
+  const stone_paving *v = &w->paving;
+  const layout *l = &v->layout;
+  vf one = splat(1.0f), zero = splat(0.0f), nx, ny;
+  laid_find(w, p, n, s, q, &nx, &ny);
+  laid_tone(v, q, q->tone);
+  laid_wide(w, p, n, t1, t2, s, q);
+  const layout_unit *u = &q->unit;
+  q->e = vmax(s, splat(LAID_LEAST));
+  q->m.v = vmax(q->edge + splat(v->half), zero);
   vf co = splat(l->cosine), si = splat(l->sine);
   laid_slope(q, nx * co - ny * si, nx * si + ny * co, q->m.g);
   vf size = vmin(u->length, u->width);
   q->near = one - smooth_step(splat(0.7f) * size, splat(1.6f) * size, q->e);
 
-  vu h = hash_mix(u->id + splatu(w->seed ^ 0x68bc21ebu));
-  q->own = h;
+  vu h = q->own;
   /* where rings bend the frame, any direction that does not */
   vf turn = laid_random(&h);
   vi quarter = to_int(turn * splat(4.0f));
@@ -110,15 +182,6 @@ STAGE void laid_at(const stone_constants *w, const vf p[3], const vf n[3], vf s,
   q->s = sel(back, zero - s1, s1);
   for (int k = 0; k < 3; k++) {
     q->shift[k] = laid_random(&h) * splat(8192.0f) - splat(4096.0f) + splat(w->offset[k]);
-  }
-  for (int k = 0; k < 3; k++) q->tone[k] = one;
-  if (v->tone > 0.0f || v->tint > 0.0f) {
-    /* the shade counts as much as the footprint lies on the stone */
-    vf shade = vmax(one + laid_normal(&h) * splat(v->tone) * u->own, splat(0.2f));
-    vf warm = clamp(laid_normal(&h) * splat(v->tint) * u->own, splat(-0.4f), splat(0.4f));
-    q->tone[0] = shade * (one + warm);
-    q->tone[1] = shade;
-    q->tone[2] = shade * (one - warm);
   }
 }
 

@@ -73,10 +73,11 @@ typedef struct {
   float swell;                 /* what the widest looks see of bodies in excess, a part of them */
   float size;                  /* mm */
   float fade;                  /* footprint, in cells, of which all but all is looked at */
-  float looks;                 /* parts to a cell that a footprint is looked at in */
-  float single;                /* footprint, in cells, up to which one look is all */
-  int32_t on, shaped;          /* shaped: eroded, or cut to a ball */
-  int32_t bedded;              /* bodies keep to certain beds */
+  float looks, spread; /* parts to a cell that a footprint is looked at in; fewer, by cells */
+  float least;         /* parts of a point, and what they are rounded by */
+  float single;        /* footprint, in cells, up to which one look is all */
+  int32_t on, shaped;  /* shaped: eroded, or cut to a ball */
+  int32_t bedded;      /* bodies keep to certain beds */
   stone_bedding beds;
   uint32_t seed, seed_warp;
 } stone_cells;

@@ -12,20 +12,61 @@
  * squares, which is 26/35 along an axis for the cubic and 181/231 for the quintic. */
 #define VALUE_SD_CUBIC 0.3697f
 #define VALUE_SD 0.4004f
+#define VALUE_SD_FLAT 0.4523f /* along two axes, quintic */
 
 INLINE vu value_corner(const noise_axis a[3], int c, vu seed) {
   vu x = c & 1 ? a[0].high : a[0].low, y = c & 2 ? a[1].high : a[1].low;
   return x + y + ((c & 4 ? a[2].high : a[2].low) + seed);
 }
 
+#ifdef SPREADS
+/* value_three of lanes that share a cell: its corners one to a lane. base: the hash term
+ * of the first. */
+INLINE vf value_three_shared(vu base, const noise_axis a[3], vf out[3]) {
+  vu h = hash_upper(base + noise_corners());
+  vf sum = splat(0.0f), end = sum;
+  UNROLL(3)
+  for (uint32_t k = 0; k < 3; k++) {
+    vf v = to_float((vi)(h << (10 * k))), e[4], s[2];
+    spread of = spread_of(v), right = spread_of(next_lane(v) - v);
+    for (int i = 0; i < 4; i++) e[i] = splat(of.of[2 * i]) + splat(right.of[2 * i]) * a[0].w;
+    for (int i = 0; i < 2; i++) s[i] = mix(e[2 * i], e[2 * i + 1], a[1].w);
+    out[k] = mix(s[0], s[1], a[2].w);
+    if (k == 0) {
+      /* of the upper ends along x */
+      spread up = spread_of(upper_lanes(v) - v);
+      end = mix(splat(of.of[1]) + splat(up.of[1]) * a[1].w,
+                splat(of.of[5]) + splat(up.of[5]) * a[1].w, a[2].w);
+    } else {
+      end = k == 1 ? mix(e[1], e[3], a[2].w) : s[1];
+    }
+    sum = sum + (out[k] * a[k].f - end * a[k].w);
+  }
+  return sum;
+}
+
+INLINE vf value_one_shared(vu base, const noise_axis a[3]) {
+  vf v = hash_signed(base + noise_corners()), e[4];
+  spread of = spread_of(v), right = spread_of(next_lane(v) - v);
+  for (int i = 0; i < 4; i++) e[i] = splat(of.of[2 * i]) + splat(right.of[2 * i]) * a[0].w;
+  return mix(mix(e[0], e[1], a[1].w), mix(e[2], e[3], a[1].w), a[2].w);
+}
+#endif
+
 /* Value noise of three numbers within +-HASH_ONE that know nothing of each other; and
  * gradient noise, of which they are the corners' gradients: little besides, and with
- * next to nothing in it that is wider than its lattice. */
-INLINE vf value_three(const vf p[3], vu seed, vf out[3]) {
+ * next to nothing in it that is wider than its lattice. together: whether it may well be
+ * that lanes share a cell, which changes nothing but the time. */
+INLINE vf value_three(const vf p[3], vu seed, int together, vf out[3]) {
   static const uint32_t prime[3] = {HASH_X, HASH_Y, HASH_Z};
   noise_axis a[3];
   vf v[3][8], s[3][2], ends[3];
   for (int k = 0; k < 3; k++) a[k] = noise_split_cubic(p[k], prime[k]);
+#ifdef SPREADS
+  vu base = value_corner(a, 0, seed);
+  if (together && alike((vi)base)) return value_three_shared(base, a, out);
+#endif
+  (void)together;
   for (int c = 0; c < 8; c++) {
     vu h = hash_upper(value_corner(a, c, seed));
     v[0][c] = to_float((vi)h);
@@ -48,12 +89,25 @@ INLINE vf value_three(const vf p[3], vu seed, vf out[3]) {
   return sum;
 }
 
+/* How far beds rise and fall: a height over the plane that they lay in. sd 0.224 of
+ * `wave`. p: bed space. */
+INLINE vf beds_wave(const vf p[3], float wave, float frequency, uint32_t seed) {
+  vf f = splat(frequency), dx, dz;
+  noise_axis x = noise_split(p[0] * f, HASH_X), z = noise_split(p[2] * f, HASH_Z);
+  return splat(wave * (0.224f / VALUE_SD_FLAT / HASH_ONE)) *
+         noise_value2(&x, &z, splatu(seed), &dx, &dz);
+}
+
 /* Value noise of one, within +-HASH_ONE. */
 INLINE vf value_one(const vf p[3], vu seed) {
   static const uint32_t prime[3] = {HASH_X, HASH_Y, HASH_Z};
   noise_axis a[3];
   vf v[8], e[4], s[2];
   for (int k = 0; k < 3; k++) a[k] = noise_split(p[k], prime[k]);
+#ifdef SPREADS
+  vu base = value_corner(a, 0, seed);
+  if (alike((vi)base)) return value_one_shared(base, a);
+#endif
   for (int c = 0; c < 8; c++) v[c] = hash_signed(value_corner(a, c, seed));
   for (int i = 0; i < 4; i++) e[i] = mix(v[2 * i], v[2 * i + 1], a[0].w);
   for (int i = 0; i < 2; i++) s[i] = mix(e[2 * i], e[2 * i + 1], a[1].w);

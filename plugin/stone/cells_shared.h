@@ -1,0 +1,110 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * The nearest cells of lanes that lie close together: what cells.h finds of each of them
+ * alone, to the bit. The cells that may be nearest to any are made once, one to a lane,
+ * and those that a bound leaves are tried on all lanes.
+ */
+#ifndef SOZAI_STONE_CELLS_SHARED_H
+#define SOZAI_STONE_CELLS_SHARED_H
+
+#define CELLS_SHARED 64   /* 4 along each axis, of which the inner two are the lanes' own */
+#define CELLS_NONE 1e15f  /* cells to one that is not among the lane's 27 */
+#define CELLS_ROUND 1e-4f /* more than rounding and a number's bits do to a distance */
+
+typedef struct {
+  float jitter[3][CELLS_SHARED] __attribute__((aligned(64)));
+  float weight[CELLS_SHARED] __attribute__((aligned(64)));
+  int32_t number[CELLS_SHARED] __attribute__((aligned(64)));
+  vf from[3][4];
+} cells_list;
+
+/* From the lanes to the middles of the four cells along an axis. o: to that of their own,
+ * which is the upper of the inner two or the lower. */
+INLINE void cells_list_from(vf o, vm upper, vf from[4]) {
+  vf below = o - splat(1.0f), above = o + splat(1.0f), none = splat(CELLS_NONE);
+  from[0] = sel(upper, none, below);
+  from[1] = sel(upper, below, o);
+  from[2] = sel(upper, o, above);
+  from[3] = sel(upper, above, none);
+}
+
+/* Those that are left, a bit to each; 0: the lanes are too far apart. */
+INLINE uint64_t cells_list_make(const stone_cells *c, int graded, int most, const vi whole[3],
+                                const cells_about *about, cells_list *list) {
+  static const uint32_t prime[3] = {HASH_X, HASH_Y, HASH_Z};
+  const float k = 0.5f * CELLS_JITTER / HASH_ONE;
+  vi base[3];
+  vm upper[3];
+  for (int i = 0; i < 3; i++) {
+    if (!one_apart(whole[i], &base[i], &upper[i])) return 0;
+  }
+  vi own = lane_numbers(), x = own & splati(3), y = own >> 2;
+  vf middle[3], reach[3], half = splat(0.5f);
+  for (int i = 0; i < 3; i++) {
+    vf o = about->from[i][0], low, high;
+    cells_list_from(o, upper[i], list->from[i]);
+    range_of(half - o + sel(upper[i], splat(1.0f), splat(0.0f)), &low, &high);
+    middle[i] = half * (low + high);
+    reach[i] = high - low; /* twice half of it */
+  }
+  vi from[3] = {base[0] + x - splati(1), base[1] + y - splati(1), base[2] - splati(1)};
+  vu hash = splatu(c->seed);
+  for (int i = 0; i < 3; i++) hash = hash + (vu)from[i] * splatu(prime[i]);
+  vi number = cells_number(from[0], 0) | cells_number(from[1], 1);
+  vf at[3] = {to_float(x) - half - middle[0], to_float(y) - half - middle[1],
+              splat(-0.5f) - middle[2]};
+  /* where no lane is in the upper cell the fourth is nobody's; and what all lanes have
+   * among their 27 are three, or the inner two */
+  uint32_t may = (upper[0] ? 0xffffu : 0x7777u) & (upper[1] ? 0xffffu : 0x0fffu);
+  uint32_t all = (upper[0] ? 0x6666u : 0x7777u) & (upper[1] ? 0x0ff0u : 0x0fffu);
+  const vf far = splat(1e30f);
+  vf least[4], bound[3] = {far, far, far};
+  UNROLL(4)
+  for (int v = 0; v < 4; v++) {
+    vu h = hash_upper(hash + splatu((uint32_t)v * HASH_Z));
+    vf f = splat(1e-6f), b = splat(0.0f);
+    if (graded) f = cells_weight(c, h);
+    store(list->weight + 16 * v, f);
+    for (int i = 0; i < 3; i++) {
+      vf j = to_float((vi)(h << (uint32_t)(10 * i))) * splat(k);
+      store(list->jitter[i] + 16 * v, j);
+      vf d = at[i] + j;
+      if (i == 2) d = d + splat((float)v);
+      f = f + d * d;
+      b = b + reach[i] * vabs(d);
+    }
+    vi n = number | cells_number(from[2] + splati(v), 2);
+    memcpy(list->number + 16 * v, &n, sizeof n);
+    least[v] = f - b;
+    uint32_t common = v == 0 ? (upper[2] ? 0 : all) : v == 3 ? 0 : all;
+    vf high = sel((vm)common, f + b, far);
+    if (most > 2) bound[2] = vmin(bound[2], vmax(bound[1], high));
+    bound[1] = vmin(bound[1], vmax(bound[0], high));
+    bound[0] = vmin(bound[0], high);
+  }
+  vf limit = (most > 2 ? third_of(bound) : second_of(bound)) + splat(CELLS_ROUND);
+  uint64_t left = 0;
+  for (int v = 0; v < 4; v++) {
+    uint64_t in = lanes_of(le(least[v], limit)) & (v == 3 && !upper[2] ? 0 : may);
+    left |= in << (16 * v);
+  }
+  return left;
+}
+
+/* Whether the lanes are near enough to each other, and then what cells_nearest says. */
+INLINE int cells_nearest_shared(const stone_cells *c, int graded, int most, const vi whole[3],
+                                const cells_about *about, vf key[3]) {
+  cells_list list;
+  uint64_t left = cells_list_make(c, graded, most, whole, about, &list);
+  if (!left) return 0;
+  for (; left; left &= left - 1) {
+    int n = __builtin_ctzll(left);
+    vf x = splat(list.jitter[0][n]) + list.from[0][n & 3];
+    vf y = splat(list.jitter[1][n]) + list.from[1][n >> 2 & 3];
+    vf z = splat(list.jitter[2][n]) + list.from[2][n >> 4];
+    cells_keep(x * x + y * y + z * z + splat(list.weight[n]), splati(list.number[n]), most, key);
+  }
+  return 1;
+}
+
+#endif
