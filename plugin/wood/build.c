@@ -481,7 +481,7 @@ static void build_row_overlap(wood_constants *w, double row_density) {
  * footprint's middle lies between the cells looked at and the next. The earlywood's vessels
  * fill their place along the row, and their shape under longer parts is less exact. */
 #define PART_CLEAR 0.7  /* of a cell */
-#define PART_OF_ROW 2.2 /* of a vessel's radius */
+#define PART_OF_ROW 1.5 /* of a vessel's radius */
 
 static void build_vessels(wood_constants *w, const settings *s) {
   int porosity = choice_at(s, P_POROSITY);
