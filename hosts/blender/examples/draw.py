@@ -11,7 +11,7 @@ sys.path.insert(0, os.environ["SOZAI_ADDON"])
 import sozai_addon  # noqa: E402
 
 # fewer for a look at the set-up
-SAMPLES = int(os.environ.get("SOZAI_SAMPLES", "256"))
+SAMPLES = int(os.environ.get("SOZAI_SAMPLES", "64"))
 
 
 def scene(name, width, height, sun, sky=0.07):
