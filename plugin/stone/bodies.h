@@ -63,6 +63,16 @@ INLINE vf cells_side(const stone_cells *c, const cells_near *a, const cells_near
 /* How many of the nearest cells tell what is there. A flake's outline is mostly its own. */
 INLINE int cells_asked(const stone_cells *c) { return c->shaped && c->thick >= 1.0f ? 3 : 2; }
 
+/* Those of the cells about a point. together: see cells_find_as. */
+INLINE void cells_find(const stone_cells *c, int together, const vf q[3], cells_near near[3]) {
+  if (cells_asked(c) > 2)
+    cells_find_as(c, 0, 3, together, q, near); /* bodies have no weights */
+  else if (c->grading > 0.0f)
+    cells_find_as(c, 1, 2, together, q, near);
+  else
+    cells_find_as(c, 0, 2, together, q, near);
+}
+
 /* How much of a square the bodies of its nearest two cells have. One ends at the faces to
  * both of the others: the nearest face need not be that to the nearest cell, and without
  * the third outlines would jump where the second changes. */

@@ -97,13 +97,7 @@ STAGE void looks_bend(const stone_cells *c, cells_look *looks, int count) {
 
 STAGE void looks_find(const stone_cells *c, cells_look *looks, int count) {
   int together = looks_together(looks);
-  if (cells_asked(c) > 2) {
-    for (int l = 0; l < count; l++) cells_find_as(c, 0, 3, together, looks[l].q, looks[l].near);
-  } else if (c->grading > 0.0f) {
-    for (int l = 0; l < count; l++) cells_find_as(c, 1, 2, together, looks[l].q, looks[l].near);
-  } else {
-    for (int l = 0; l < count; l++) cells_find_as(c, 0, 2, together, looks[l].q, looks[l].near);
-  }
+  for (int l = 0; l < count; l++) cells_find(c, together, looks[l].q, looks[l].near);
 }
 
 /* Of bodies, those of kind 0 are not there. */

@@ -36,21 +36,12 @@ INLINE vf hole_depth_of(const stone_constants *w, const cells_near *a, const cel
   return sel(open, depth, zero);
 }
 
-INLINE void hole_find(const stone_cells *c, const vf q[3], cells_near near[3]) {
-  if (cells_asked(c) > 2) {
-    cells_find_as(c, 0, 3, 1, q, near);
-    return;
-  }
-  cells_find_as(c, 0, 2, 1, q, near);
-  near[2] = near[1];
-}
-
 STAGE vf hole_depth_at(const stone_constants *w, const vf p[3]) {
   const stone_cells *c = &w->layer[LAYER_HOLES];
   vf q[3];
   cells_place(c, p, q);
   cells_near near[3];
-  hole_find(c, q, near);
+  cells_find(c, 1, q, near);
   return hole_depth_of(w, &near[0], &near[1], &near[2]);
 }
 
@@ -100,7 +91,7 @@ STAGE field hole_relief(const stone_constants *w, const vf p[3], const vf t1[3],
   cells_near near[3];
   if (!none) {
     cells_place(c, p, q0);
-    hole_find(c, q0, near);
+    cells_find(c, 1, q0, near);
   }
   vf sum = zero, du = zero, dv = zero, inverse = splat(2.0f / HOLE_PLACES) / step * keep;
   for (int k = 0; k < HOLE_PLACES; k++) {

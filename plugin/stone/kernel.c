@@ -390,10 +390,7 @@ static void measure_layer(const stone_cells *c, uint32_t count, double *fill, do
     vf q[3], share[2];
     cells_near near[3];
     for (uint32_t a = 0; a < 3; a++) q[a] = measure_place(i, a, MEASURED_EXTENT);
-    if (cells_asked(c) > 2)
-      cells_find_as(c, 0, 3, 0, q, near);
-    else
-      cells_find_as(c, 0, 2, 0, q, near);
+    cells_find(c, 0, q, near);
     cells_shares(c, near, &point, share);
     measure_add(fill, share[0] + share[1]);
     cells_shares(c, near, &look, share);

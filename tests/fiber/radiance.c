@@ -5,7 +5,7 @@
 #include <math.h>
 #include "slabbed.h"
 
-enum { SCALES = 5, POINTS = 24000, RAYS = 18000 };
+enum { SCALES = 5, POINTS = 24000, RAYS = 20000 };
 static const double footprints[SCALES] = {0, 0.03, 0.3, 3, 30};
 static const char *const names[3] = {"white", "wool", "dark"};
 /* What is asked: of the mean of all looks, of each aggregate, colour and footprint, and beyond how

@@ -394,14 +394,13 @@ static void build_directions(fibertex_constants *w, const settings *s) {
  * goes by more than the moments they have. Amounts are known. */
 static void level_looks(fibertex_constants *w, const fibertex_kernel *kernel) {
   fibertex_both f;
-  kernel->measure_both(w, w->structure == STRUCTURE_WOVEN ? MEASURED : MEASURED / 2, &f);
-  for (int m = 0; m < FIBERTEX_FACES; m++) {
+  int woven = w->structure == STRUCTURE_WOVEN;
+  kernel->measure_both(w, woven ? MEASURED : MEASURED / 2, &f);
+  for (int m = 0; woven && m < FIBERTEX_FACES; m++) {
     fibertex_look *o = &w->look[m];
-    if (w->structure == STRUCTURE_WOVEN && f.far[o->weft] > 0.0)
-      o->level *= (float)(f.near[o->weft] / f.far[o->weft]);
+    if (f.far[o->weft] > 0.0) o->level *= (float)(f.near[o->weft] / f.far[o->weft]);
   }
-  if (w->structure == STRUCTURE_WOVEN) return;
-  for (int i = 0; i < 3; i++) {
+  for (int i = 0; !woven && i < 3; i++) {
     w->from_afar[i] = f.far[i] > 0.0 ? (float)least(f.near[i] / f.far[i], 1.5) : 1.0f;
   }
 }
