@@ -75,25 +75,31 @@ INLINE void cells_find(const stone_cells *c, int together, const vf q[3], cells_
 
 /* How much of a square the bodies of its nearest two cells have. One ends at the faces to
  * both of the others: the nearest face need not be that to the nearest cell, and without
- * the third outlines would jump where the second changes. */
-INLINE void cells_bodies(const stone_cells *c, const cells_near near[3], const cells_square *s,
-                         vf share[2]) {
+ * the third outlines would jump where the second changes. A flake is thin: mostly it is
+ * elsewhere, and then its outline is nobody's. */
+INLINE void cells_bodies(const stone_cells *c, const cells_near near[3], const vm body[2],
+                         const cells_square *s, vf share[2]) {
+  vf zero = splat(0.0f);
   for (int n = 0; n < 2; n++) {
     const cells_near *a = &near[n];
+    vf flake = splat(1.0f);
+    if (c->thick < 1.0f) flake = cells_flake(c, a, s);
+    share[n] = zero;
+    if (!any(and_(body[n], gt(flake, zero)))) continue;
     vf erosion = cells_erosion(c, a->h);
-    share[n] = cells_side(c, a, &near[1 - n], erosion, s);
+    share[n] = vmin(flake, cells_side(c, a, &near[1 - n], erosion, s));
     if (cells_asked(c) > 2) share[n] = vmin(share[n], cells_side(c, a, &near[2], erosion, s));
     if (c->radius < 4.0f) share[n] = vmin(share[n], cells_ball(c, a, s));
-    if (c->thick < 1.0f) share[n] = vmin(share[n], cells_flake(c, a, s));
   }
 }
 
 /* A square no larger than about a cell: of the nearest two cells, how much each
- * has of it. Exact for a plane between two. */
-INLINE void cells_shares(const stone_cells *c, const cells_near near[3], const cells_square *s,
-                         vf share[2]) {
+ * has of it; where cells have bodies, of those alone that are `body`. Exact for a plane
+ * between two. */
+INLINE void cells_shares(const stone_cells *c, const cells_near near[3], const vm body[2],
+                         const cells_square *s, vf share[2]) {
   if (c->shaped) {
-    cells_bodies(c, near, s, share);
+    cells_bodies(c, near, body, s, share);
     return;
   }
   const cells_near *a = &near[0], *b = &near[1];

@@ -107,11 +107,10 @@ INLINE void look_add(const stone_cells *c, const cells_look *o) {
   eye->nearest = o->near[0].h;
   cells_kind kind[2];
   for (int n = 0; n < 2; n++) kind[n] = cells_kind_of(c, o->near[n].at);
-  if (c->shaped) {
-    vm body = or_(or_(kind[0].first, kind[0].second), or_(kind[1].first, kind[1].second));
-    if (!any(body)) return;
-  }
-  cells_shares(c, o->near, &eye->part, share);
+  vm body[2];
+  for (int n = 0; n < 2; n++) body[n] = or_(kind[n].first, kind[n].second);
+  if (c->shaped && !any(or_(body[0], body[1]))) return;
+  cells_shares(c, o->near, body, &eye->part, share);
   vf uneven = o->cloud * splat(1.3f * c->variation) + one, common[2] = {uneven, uneven};
   int textured = crystal_textured(c);
   if (textured && c->turbidity > 0.0f) {
@@ -123,6 +122,7 @@ INLINE void look_add(const stone_cells *c, const cells_look *o) {
   int lamellae = c->cleavage > 0.0f && any(lt(eye->most, splat(LAMELLAE_GONE)));
   cells_cover look = cells_none();
   for (int n = 0; n < 2; n++) {
+    if (!any(gt(share[n], zero))) continue;
     vf tone[2] = {common[0], common[1]};
     if (lamellae) {
       vf l = splat(c->cleavage) * crystal_lamellae(o->near[n].h, o->straight, &eye->part);

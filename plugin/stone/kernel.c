@@ -386,14 +386,15 @@ static void measure_layer(const stone_cells *c, uint32_t count, double *fill, do
   const vf zero = splat(0.0f), side = splat(CELLS_LOOK_MOST);
   const cells_square point = {{zero, zero, zero}, {zero, zero, zero}};
   const cells_square look = {{side, zero, zero}, {zero, side, zero}};
+  const vm all = le(zero, zero), body[2] = {all, all};
   for (uint32_t i = 0; i < count; i += LANES) {
     vf q[3], share[2];
     cells_near near[3];
     for (uint32_t a = 0; a < 3; a++) q[a] = measure_place(i, a, MEASURED_EXTENT);
     cells_find(c, 0, q, near);
-    cells_shares(c, near, &point, share);
+    cells_shares(c, near, body, &point, share);
     measure_add(fill, share[0] + share[1]);
-    cells_shares(c, near, &look, share);
+    cells_shares(c, near, body, &look, share);
     measure_add(seen, share[0] + share[1]);
   }
   *fill /= count;
