@@ -12,12 +12,8 @@ mkdir -p "$scratch"
 failures=0
 checks=0
 
-# Where the reader is built with a sanitizer, the distribution's programs need its runtime
-# before all else, and what they leak is their own.
-runtime=$(ldd "$SOZAI_PLUGIN" | awk '$1 ~ /^libasan/ { print $3 }')
-foreign() { # program argument...
-  LD_PRELOAD=$runtime ASAN_OPTIONS=${ASAN_OPTIONS-}:detect_leaks=0 command "$@"
-}
+# shellcheck source=tests/cli/foreign.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/foreign.sh" "$SOZAI_PLUGIN"
 for program in iinfo oiiotool maketx; do
   if [[ $runtime ]] && command -v $program >/dev/null; then
     eval "$program() { foreign $program \"\$@\"; }"
