@@ -132,7 +132,7 @@ STAGE void stage_fabric(const stone_constants *w, block *k) {
     vf flat2 = vmax(one - k->nrm[1] * k->nrm[1], zero);
     bed = splat(w->bed_contrast) * bed_share(w, k->p, k->s, flat2);
   }
-  if (w->has_mottle) shift = one + mottle_shift(w, k->p, k->s);
+  if (w->has_mottle) shift = one + mottle_shift(w, k->p, k->t1, k->t2, k->s);
   for (int c = 0; c < 3; c++) {
     vf base = splat(w->colour[COLOUR_BASE][c]);
     if (w->has_beds) base = mix(base, splat(w->colour[COLOUR_BED][c]), bed);
