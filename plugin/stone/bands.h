@@ -149,9 +149,8 @@ INLINE vf mottle_at(const stone_constants *w, const vf p[3], vf s) {
   return sum;
 }
 
-#define MOTTLE_STRONG                                                                              \
-  0.15f                  /* weaker clouds are told by a footprint's middle: errors go as they      \
-                          */
+/* Errors go as the clouds: of weaker ones a footprint's middle tells enough. */
+#define MOTTLE_STRONG 0.15f
 #define MOTTLE_WIDE 0.4f /* of the largest clouds: a wider footprint is seen in four parts */
 
 /* Relative shift of brightness, mean 0. t1, t2: the footprint's sides. */

@@ -19,13 +19,12 @@
 #include "stone.h"
 #include "value.h"
 
-#define LAMELLAE 13.0f     /* to a cell, of the finest direction's */
-#define LAMELLAE_GONE 0.4f /* cells: wider footprints see none */
-#define LAMELLAE_BOTH                                                                              \
-  0.29f /* cells: wider footprints see those of the nearer crystal alone, and of bodies none */
-#define CRYSTAL_FINE 7.3f  /* frequency of what is fine within crystals, 1/cell */
-#define CRACK_MEAN 0.1023f /* of max(0, 1 - |n| / 0.05), n gradient noise */
-#define FLECK_MEAN 0.0137f /* of clamp01((n - 0.36) 8) */
+#define LAMELLAE 13.0f      /* to a cell, of the finest direction's */
+#define LAMELLAE_GONE 0.4f  /* cells: wider footprints see none */
+#define LAMELLAE_BOTH 0.29f /* wider: those of the nearer crystal alone, and of bodies none */
+#define CRYSTAL_FINE 7.3f   /* frequency of what is fine within crystals, 1/cell */
+#define CRACK_MEAN 0.1023f  /* of max(0, 1 - |n| / 0.05), n gradient noise */
+#define FLECK_MEAN 0.0137f  /* of clamp01((n - 0.36) 8) */
 
 /* What clouds, cracks and flecks are cut from: a noise's mean over the footprint, as far as
  * its middle tells, and how much it changes there; and what the footprint leaves of them. */
