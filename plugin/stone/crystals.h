@@ -58,8 +58,7 @@ INLINE crystal_noise crystal_at(const stone_cells *c, const vf q[3], const cells
   vf wide2 = splat(CRYSTAL_FINE * CRYSTAL_FINE) * wide * wide;
   n.fine = n.fine / (splat(1.0f) + splat(0.3f) * wide2);
   /* the corners' gradients are not all of its slope, but of its square some half */
-  vf a = g[0] * s->u[0] + g[1] * s->u[1] + g[2] * s->u[2];
-  vf b = g[0] * s->v[0] + g[1] * s->v[1] + g[2] * s->v[2];
+  vf a = dot3(g, s->u), b = dot3(g, s->v);
   const float square = 0.5f * 1.8f * CRYSTAL_FINE * CRYSTAL_FINE / (HASH_ONE * HASH_ONE);
   /* a noise is no plane for long, and bends where it has no slope */
   n.extent2 = vmin(splat(square) * (a * a + b * b), splat(0.05f)) + splat(0.1f) * wide2 * wide2;

@@ -254,9 +254,9 @@ INLINE void stage_light(const stone_constants *w, int paved, const kernel_io *io
                         int radiance) {
   const surface *q = &k->surface;
   vf n[3], zero = splat(0.0f), one = splat(1.0f);
-  vf along = gloss_dot(q->height.g, k->face);
+  vf along = dot3(q->height.g, k->face);
   for (int c = 0; c < 3; c++) n[c] = k->face[c] - (q->height.g[c] - along * k->face[c]);
-  vf l = inverse_root(vmax(gloss_dot(n, n), splat(1e-12f)));
+  vf l = inverse_root(vmax(dot3(n, n), splat(1e-12f)));
   for (int c = 0; c < 3; c++) n[c] = n[c] * l;
   for (int c = 0; c < 3; c++) put(io, k, STONE_NORMAL + c, n[c]);
   vf alpha2 = splat(w->alpha2), specular = splat(w->specular) * (one - k->hole);
@@ -283,7 +283,7 @@ INLINE void stage_light(const stone_constants *w, int paved, const kernel_io *io
   direction_of(io->in->view, k->i, k->n, k->face, 1, view);
   vf lobe = gloss_lobe(n, light, view, alpha2, specular, &below);
   /* light from behind the sawn face lights no slope of it */
-  vf up = gloss_dot(light, k->face);
+  vf up = dot3(light, k->face);
   vm front = gt(up, zero);
   vf lit = surface_lit(w, paved, &k->laid, q, k->s, light, up);
   for (int c = 0; c < 3; c++) {

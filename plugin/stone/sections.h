@@ -12,6 +12,7 @@
 #ifndef SOZAI_STONE_SECTIONS_H
 #define SOZAI_STONE_SECTIONS_H
 
+#include "../core/vectors.h"
 #include "bodies.h"
 
 #define SECTIONS_FROM 7.0f    /* cells: under narrower footprints looks tell more */
@@ -22,11 +23,6 @@
 #define SECTIONS_CRYSTAL 0.5f /* cells^2: power distance from the face of what it does not cut */
 #define SECTIONS_BODY 0.65f   /* cells: radius of a body, before it is eroded */
 
-/* Of three, that which axis it is: 0 where `first`, 1 where `second`. */
-INLINE vf sections_pick(vm first, vm second, vf x, vf y, vf z) {
-  return sel(first, x, sel(second, y, z));
-}
-
 /* Which way the columns stand: along the axis nearest to the normal. */
 typedef struct {
   vm first, second;
@@ -35,20 +31,11 @@ typedef struct {
 /* The axis' own part of x to the front, the next two behind. */
 INLINE void sections_turn(const sections_axis *a, const vf x[3], vf out[3]) {
   for (int k = 0; k < 3; k++)
-    out[k] = sections_pick(a->first, a->second, x[k], x[(k + 1) % 3], x[(k + 2) % 3]);
+    out[k] = sel(a->first, x[k], sel(a->second, x[(k + 1) % 3], x[(k + 2) % 3]));
 }
 INLINE void sections_turn_back(const sections_axis *a, const vi x[3], vi out[3]) {
   for (int k = 0; k < 3; k++)
     out[k] = seli(a->first, x[k], seli(a->second, x[(k + 2) % 3], x[(k + 1) % 3]));
-}
-
-INLINE void sections_cross(const vf a[3], const vf b[3], vf out[3]) {
-  for (int k = 0; k < 3; k++)
-    out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
-}
-
-INLINE vf sections_dot(const vf a[3], const vf b[3]) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /* A footprint, as columns see it. Lengths in cells. */
@@ -71,7 +58,7 @@ INLINE vf sections_patch(const stone_cells *c, const sections_face *f, const vi 
   vu h = hash_upper((vu)at[0] * splatu(HASH_X) + (vu)at[1] * splatu(HASH_Y) +
                     (vu)at[2] * splatu(HASH_Z) + splatu(c->seed));
   cells_centre(h, mid[0], mid[1], mid[2], x);
-  vf height = sections_dot(x, f->up), reach = splat(SECTIONS_CRYSTAL + 0.5f * c->grading);
+  vf height = dot3(x, f->up), reach = splat(SECTIONS_CRYSTAL + 0.5f * c->grading);
   if (c->grading > 0.0f) reach = reach - cells_weight(c, h);
   if (c->shaped) {
     vf r = splat(SECTIONS_BODY) - cells_erosion(c, h);
@@ -80,8 +67,7 @@ INLINE vf sections_patch(const stone_cells *c, const sections_face *f, const vi 
     reach = r * r;
   }
   vf patch = vmax(reach - height * height, splat(0.0f));
-  for (int k = 0; k < 2; k++)
-    patch = patch * sections_within(sections_dot(x, f->along[k]), f->wide[k]);
+  for (int k = 0; k < 2; k++) patch = patch * sections_within(dot3(x, f->along[k]), f->wide[k]);
   *hash = h;
   return patch;
 }
@@ -90,14 +76,14 @@ INLINE sections_axis sections_open(const stone_cells *c, const vf p[3], const ce
                                    sections_face *f) {
   vf n[3], dual[3];
   cells_turn(c, p, f->q);
-  sections_cross(s->u, s->v, n);
-  vf k = inverse_root(sections_dot(n, n) + splat(1e-20f));
+  cross3(s->u, s->v, n);
+  vf k = inverse_root(dot3(n, n) + splat(1e-20f));
   for (int i = 0; i < 3; i++) f->up[i] = n[i] * k;
   for (int side = 0; side < 2; side++) {
-    sections_cross(side ? f->up : s->v, side ? s->u : f->up, dual);
-    vf own = splat(1.0f) / sections_dot(dual, side ? s->v : s->u);
+    cross3(side ? f->up : s->v, side ? s->u : f->up, dual);
+    vf own = splat(1.0f) / dot3(dual, side ? s->v : s->u);
     for (int i = 0; i < 3; i++) f->along[side][i] = dual[i] * own;
-    f->wide[side] = inverse_root(sections_dot(f->along[side], f->along[side]));
+    f->wide[side] = inverse_root(dot3(f->along[side], f->along[side]));
   }
   vf x = vabs(n[0]), y = vabs(n[1]), z = vabs(n[2]);
   sections_axis a;
