@@ -10,25 +10,42 @@
 #include "stone.h"
 #include "value.h"
 
-/* How far towards the other bed: 0..1, mean 1/2. A layer of sediment lies over
- * the last at the same height everywhere but for a slow wave: value noise
- * across the beds, at three sizes. flat2: how much of the footprint lies across. */
-STAGE vf bed_share(const stone_constants *w, const vf p[3], vf s, vf flat2) {
+/* How far towards the other bed at a height: 0..1, mean 1/2. e: mm, of what is wider is left out.
+ */
+INLINE vf bed_at(const stone_constants *w, vf y, vf e) {
   static const float weight[3] = {0.4f, 0.36f, 0.24f}, finer[3] = {0.37f, 1.0f, 2.9f};
-  vf y = p[1];
+  vf share = splat(0.5f), unused;
+  for (int o = 0; o < 3; o++) {
+    float f = w->bed_frequency * finer[o];
+    vf keep = filter_keep(e, 1.0f / f) * splat(0.9f * weight[o] / HASH_ONE);
+    noise_axis a = noise_split(y * splat(f), HASH_Y);
+    share = share + keep * noise_value1(&a, splatu(w->seed_bed + (uint32_t)o), &unused);
+  }
+  return clamp01(share); /* an even clamp keeps the mean */
+}
+
+#define BEDS_WIDE 4.0f /* beds: a footprint across more is seen in eight parts */
+
+/* The same over the footprint, in four parts across the beds, or eight. A layer of sediment lies
+ * over the last at the same height everywhere but for a slow wave: value noise across the
+ * beds, at three sizes. flat2: how much of the footprint lies across. */
+STAGE vf bed_share(const stone_constants *w, const vf p[3], vf s, vf flat2) {
+  vf y = p[1], zero = splat(0.0f), sum = zero, e = splat(0.25f) * s * vsqrt(flat2), side = e,
+     away = zero;
   if (w->bed_wave != 0.0f)
     y = y + beds_wave(p, w->bed_wave, w->bed_wave_frequency, w->seed_bed + 7u);
-  /* across the beds in four parts, each with what it is too wide for left out */
-  vf e = splat(0.25f) * s * vsqrt(flat2), sum = splat(0.0f), unused;
+  vm wide = gt(e * splat(w->bed_frequency), splat(0.25f * BEDS_WIDE));
+  int eight = any(wide);
+  if (eight) {
+    side = sel(wide, splat(0.5f) * e, e);
+    away = sel(wide, splat(0.25f) * e, zero);
+  }
   for (int i = 0; i < 4; i++) {
-    vf at = y + (splat((float)i) - splat(1.5f)) * e, one = splat(0.5f);
-    for (int o = 0; o < 3; o++) {
-      float f = w->bed_frequency * finer[o];
-      vf keep = filter_keep(e, 1.0f / f) * splat(0.9f * weight[o] / HASH_ONE);
-      noise_axis a = noise_split(at * splat(f), HASH_Y);
-      one = one + keep * noise_value1(&a, splatu(w->seed_bed + (uint32_t)o), &unused);
-    }
-    sum = sum + splat(0.25f) * clamp01(one); /* an even clamp keeps the mean */
+    vf at = y + (splat((float)i) - splat(1.5f)) * e;
+    if (eight)
+      sum = sum + splat(0.125f) * (bed_at(w, at - away, side) + bed_at(w, at + away, side));
+    else
+      sum = sum + splat(0.25f) * bed_at(w, at, e);
   }
   return sum;
 }

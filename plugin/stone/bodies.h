@@ -35,53 +35,61 @@ INLINE vf cells_radius(const stone_cells *c, vu h) {
   return splat(c->radius) * (splat(1.0f) - splat(c->radius_spread) * u);
 }
 
-/* How much of the ball about a cell's centre the square shows. */
-INLINE vf cells_ball(const stone_cells *c, const cells_near *n, const cells_square *s) {
-  vf radius = cells_radius(c, n->h);
-  vf r2 = n->x[0] * n->x[0] + n->x[1] * n->x[1] + n->x[2] * n->x[2] + splat(1e-12f);
-  vf k = inverse_root(r2);
-  vf e = vsqrt(cells_extent2(s, n->x, c->blur)) * k;
-  return clamp01(splat(0.5f) + (radius - r2 * k) / e);
+/* The ball about a cell's centre. */
+INLINE cells_edge edge_of_ball(const stone_cells *c, const cells_near *n, const cells_square *s,
+                               const cells_parts *p) {
+  vf r2 = dot3(n->x, n->x) + splat(1e-12f), k = inverse_root(r2), g[3];
+  for (int i = 0; i < 3; i++) g[i] = n->x[i] * k;
+  return edge_of(s, p, cells_radius(c, n->h) - r2 * k, g, c->blur);
 }
 
-/* How much of the flake about a cell's centre, which lies its own way, the square
- * shows. */
-INLINE vf cells_flake(const stone_cells *c, const cells_near *n, const cells_square *s) {
+/* The flake about a cell's centre, which lies its own way: how thick it is by half, and how far
+ * over its middle the square is, as an edge. */
+INLINE cells_edge edge_of_flake(const stone_cells *c, const cells_near *n, const cells_square *s,
+                                const cells_parts *p, vf *half) {
   const float o = 511.5f;
   vu h = hash_mix(n->h ^ splatu(0x1b873593u));
-  vf d[3] = {to_float((vi)(h >> 22)) - splat(o),
-             to_float((vi)((h >> 12) & splatu(1023u))) - splat(o),
-             to_float((vi)((h >> 2) & splatu(1023u))) - splat(o)};
-  vf k = inverse_root(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+  vf d[3] = {splat(o) - to_float((vi)(h >> 22)),
+             splat(o) - to_float((vi)((h >> 12) & splatu(1023u))),
+             splat(o) - to_float((vi)((h >> 2) & splatu(1023u)))};
+  vf k = inverse_root(dot3(d, d));
   for (int i = 0; i < 3; i++) d[i] = d[i] * k;
-  vf t = vabs(n->x[0] * d[0] + n->x[1] * d[1] + n->x[2] * d[2]);
-  vf e = vsqrt(cells_extent2(s, d, c->blur)), side = splat(0.5f) * e;
   vf u = to_float((vi)(h & splatu(1023u))) * splat(1.0f / 1023.0f);
-  vf half = splat(c->thick) * (splat(0.5f) + u);
-  return vmax(vmin(t + side, half) - vmax(t - side, splat(0.0f) - half), splat(0.0f)) / e;
+  *half = splat(c->thick) * (splat(0.5f) + u);
+  return edge_of(s, p, splat(0.0f) - dot3(n->x, d), d, c->blur);
+}
+
+/* How much of a part the flake shows, edges or not. */
+INLINE vf cells_flake(const cells_edge *e, vf half, const cells_parts *p, int part) {
+  vf at = vabs(cells_towards(p, part, e->in, e->u, e->v)) * e->inverse, one = splat(0.5f);
+  half = half * e->inverse;
+  return vmax(vmin(at + one, half) - vmax(at - one, splat(0.0f) - half), splat(0.0f));
 }
 
 /* How many of the nearest cells tell what is there. A flake's outline is mostly its own. */
 INLINE int cells_asked(const stone_cells *c) { return c->shaped && c->thick >= 1.0f ? 3 : 2; }
 
-/* How much of the square lies on a's side of the face between two cells, which is `erosion`
- * nearer to its centre. Exact for a plane. Where the third nearest cell is not asked for, what
- * is taken off goes by how much further the second is and not by the distance from the
- * face: then nothing jumps where the second changes. */
-INLINE vf cells_side(const stone_cells *c, const cells_near *a, const cells_near *b, vf erosion,
-                     const cells_square *s) {
+/* The face between two cells, `erosion` nearer to a's centre. Where the third nearest cell is
+ * not asked for, what is taken off goes by how much further the second is and not by the distance
+ * from the face: then nothing jumps where the second changes. */
+INLINE cells_edge edge_of_face(const stone_cells *c, const cells_near *a, const cells_near *b,
+                               vf erosion, const cells_square *s, const cells_parts *p) {
   vf g[3];
   for (int k = 0; k < 3; k++) g[k] = splat(2.0f) * (a->x[k] - b->x[k]);
   vf length = splat(CELLS_APART);
-  if (cells_asked(c) > 2) length = vsqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2] + splat(1e-12f));
-  vf e = inverse_root(cells_extent2(s, g, c->blur));
-  return clamp01(splat(0.5f) + (b->d - a->d - length * erosion) * e);
+  if (cells_asked(c) > 2) length = vsqrt(dot3(g, g) + splat(1e-12f));
+  return edge_of(s, p, b->d - a->d - length * erosion, g, c->blur);
 }
 
 /* Those of the cells about a point. together: see cells_find_as. */
-INLINE void cells_find(const stone_cells *c, int together, const vf q[3], cells_near near[3]) {
+INLINE void cells_find(const stone_cells *c, int together, int three, const vf q[3],
+                       cells_near near[3]) {
   if (cells_asked(c) > 2)
     cells_find_as(c, 0, 3, together, q, near); /* bodies have no weights */
+  else if (three && c->grading > 0.0f)
+    cells_find_as(c, 1, 3, together, q, near);
+  else if (three)
+    cells_find_as(c, 0, 3, together, q, near);
   else if (c->grading > 0.0f)
     cells_find_as(c, 1, 2, together, q, near);
   else
@@ -90,49 +98,89 @@ INLINE void cells_find(const stone_cells *c, int together, const vf q[3], cells_
 
 /* How much of a square the bodies of its nearest two cells have. One ends at the faces to
  * both of the others: the nearest face need not be that to the nearest cell, and without
- * the third outlines would jump where the second changes. Of two edges through the square
- * that know nothing of each other the product is left, of two along each other the lesser;
- * faces of a crystal are between. A flake is thin: mostly it is
+ * the third outlines would jump where the second changes. A flake is thin: mostly it is
  * elsewhere, and then its outline is nobody's. */
 INLINE void cells_bodies(const stone_cells *c, const cells_near near[3], const vm body[2],
-                         const cells_square *s, vf share[2]) {
-  vf zero = splat(0.0f);
+                         const cells_square *s, const cells_parts *p, vf share[2]) {
+  vf zero = splat(0.0f), one = splat(1.0f);
+  int third = cells_asked(c) > 2, flat = c->thick < 1.0f, round = c->radius < 4.0f;
   for (int n = 0; n < 2; n++) {
     const cells_near *a = &near[n];
-    vf flake = splat(1.0f);
-    if (c->thick < 1.0f) flake = cells_flake(c, a, s);
-    share[n] = zero;
-    if (!any(and_(body[n], gt(flake, zero)))) continue;
-    vf erosion = cells_erosion(c, a->h);
-    share[n] = cells_side(c, a, &near[1 - n], erosion, s);
-    if (cells_asked(c) > 2) {
-      vf third = cells_side(c, a, &near[2], erosion, s);
-      share[n] = splat(0.5f) * (vmin(share[n], third) + share[n] * third);
+    vf flake[4] = {one, one, one, one}, cover[4], half, some = one;
+    if (flat) {
+      cells_edge slab = edge_of_flake(c, a, s, p, &half);
+      some = zero;
+      for (int i = 0; i < p->count; i++) {
+        flake[i] = cells_flake(&slab, half, p, i);
+        some = vmax(some, flake[i]);
+      }
     }
-    if (c->radius < 4.0f) share[n] = vmin(share[n], cells_ball(c, a, s));
-    share[n] = share[n] * flake;
+    share[n] = zero;
+    if (!any(and_(body[n], gt(some, zero)))) continue;
+    vf erosion = cells_erosion(c, a->h);
+    cells_edge face = edge_of_face(c, a, &near[1 - n], erosion, s, p), other = face, ball = face;
+    if (third) other = edge_of_face(c, a, &near[2], erosion, s, p);
+    if (round) ball = edge_of_ball(c, a, s, p);
+    for (int i = 0; i < p->count; i++) {
+      cover[i] = edge_cover(&face, p, i);
+      if (third) cover[i] = edges_both(cover[i], edge_cover(&other, p, i));
+      if (round) cover[i] = vmin(cover[i], edge_cover(&ball, p, i));
+      cover[i] = cover[i] * flake[i];
+    }
+    share[n] = cells_mean(p, cover);
   }
 }
 
-/* A square no larger than about a cell: of the nearest two cells, how much each
- * has of it; where cells have bodies, of those alone that are `body`. Exact for a plane
- * between two. */
-INLINE void cells_shares(const stone_cells *c, const cells_near near[3], const vm body[2],
-                         const cells_square *s, vf share[2]) {
-  if (c->shaped) {
-    cells_bodies(c, near, body, s, share);
-    return;
-  }
+/* Of crystals, three of which may meet in the square. */
+INLINE void cells_crystals(const stone_cells *c, const cells_near near[3], const cells_square *s,
+                           const cells_parts *p, int three, vf third, vf share[3]) {
   const cells_near *a = &near[0], *b = &near[1];
-  vf g[3];
-  for (int k = 0; k < 3; k++) g[k] = splat(2.0f) * (a->x[k] - b->x[k]);
-  share[0] = clamp01(splat(0.5f) + (b->d - a->d) * inverse_root(cells_extent2(s, g, c->blur)));
+  vf one = splat(1.0f), none = splat(0.0f), cover[3][4];
+  cells_edge side[3];
+  side[0] = edge_of_face(c, a, b, none, s, p);
+  for (int i = 0; i < p->count; i++) cover[0][i] = edge_cover(&side[0], p, i);
+  share[0] = cells_mean(p, cover[0]);
+  share[1] = one - share[0];
+  share[2] = none;
+  if (three) {
+    side[1] = edge_of_face(c, b, &near[2], none, s, p);
+    side[2] = edge_of_face(c, &near[2], a, none, s, p);
+    for (int i = 0; i < p->count; i++) {
+      vf in[3], own[3], sum = splat(1e-6f);
+      for (int n = 0; n < 3; n++) in[n] = edge_cover(&side[n], p, i);
+      for (int n = 0; n < 3; n++) {
+        own[n] = edges_both(in[n], one - in[(n + 2) % 3]);
+        sum = sum + own[n];
+      }
+      vf each = one / sum;
+      for (int n = 0; n < 3; n++) cover[n][i] = own[n] * each;
+    }
+    for (int n = 0; n < 3; n++) share[n] = mix(share[n], cells_mean(p, cover[n]), third);
+  }
   if (c->depth > 0.0f) {
     /* light that has gone on behind the border */
-    vf far = inverse_root(cells_extent2(s, g, CELLS_REACH));
-    share[0] = mix(share[0], clamp01(splat(0.5f) + (b->d - a->d) * far), splat(c->depth));
+    cells_parts whole = cells_whole();
+    vf g[3];
+    for (int k = 0; k < 3; k++) g[k] = splat(2.0f) * (a->x[k] - b->x[k]);
+    cells_edge far = edge_of(s, &whole, b->d - a->d, g, CELLS_REACH);
+    vf back = edge_cover(&far, &whole, 0), depth = splat(c->depth);
+    share[0] = mix(share[0], back, depth);
+    share[1] = mix(share[1], one - back, depth);
+    share[2] = mix(share[2], none, depth);
   }
-  share[1] = splat(1.0f) - share[0];
+}
+
+/* A square no larger than about a cell: of the nearest cells, how much each has of it;
+ * where cells have bodies, of those alone that are `body`. third: how much the third
+ * crystal counts, three: whether it does to any. */
+INLINE void cells_shares(const stone_cells *c, const cells_near near[3], const vm body[2],
+                         const cells_square *s, const cells_parts *p, int three, vf third,
+                         vf share[3]) {
+  share[2] = splat(0.0f);
+  if (c->shaped)
+    cells_bodies(c, near, body, s, p, share);
+  else
+    cells_crystals(c, near, s, p, three, third, share);
 }
 
 #endif

@@ -11,7 +11,9 @@
 #include "paper_table.h"
 #include "parameters.h"
 
-#define MEASURED 8192u /* points, for means that have no formula; whole blocks of every width */
+#define MEASURED 8192u     /* points, for means that have no formula; whole blocks of every width */
+#define CELLS_WHOLE 0.05f  /* cells: wider looks at that contrast are seen in quarters */
+#define CLOUDS_WHOLE 0.04f /* the same over the turbidity of what is seen */
 
 static uint32_t seed_of(const settings *s) {
   uint32_t h = hash1((uint32_t)number_at(s, P_SEED) + 0x7f4a7c15u);
@@ -51,8 +53,9 @@ static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped
   c->size = (float)b->size;
   c->shaped = shaped;
   c->fade = 6.0f;
-  c->looks = 3.0f;
-  c->spread = 0.34f; /* borders within a wide footprint are many, and err either way */
+  c->whole = CELLS_WHOLE;
+  c->looks = 3.5f;
+  c->spread = 0.28f; /* borders within a wide footprint are many, and err either way */
   c->least = 1.55f;
   c->radius = 9.0f;
   c->thick = 1.0f;
@@ -178,6 +181,10 @@ static body holes_of(const settings *s) {
  * cells on, were chosen for: that of white granite's feldspar and quartz. */
 #define CONTRAST 0.19
 
+/* Relative sd of what is seen within a crystal, of turbidity 1 and of cleavage 1. */
+#define CLOUDS_SD 0.06
+#define LAMELLAE_SD 0.05
+
 /* Light of a palette's colour, near enough, and the same in whatever space the
  * host renders: from the numbers as they were given, which are encoded. */
 static double light_of(const settings *s, int colour, int component) {
@@ -197,7 +204,9 @@ static double layer_contrast(const settings *s, const stone_cells *c, int first,
       mean += (double)c->mean[i] * (light[i] - below[k]);
       square += (double)c->mean[i] * (light[i] * light[i] - below[k] * below[k]);
     }
-    square += (double)(c->variation * c->variation) * mean * mean;
+    double clouds = CLOUDS_SD * (double)c->turbidity, lamellae = LAMELLAE_SD * (double)c->cleavage;
+    square += ((double)(c->variation * c->variation) + clouds * clouds + lamellae * lamellae) *
+              mean * mean;
     double variance = square - mean * mean;
     double sd = variance > 0.0 ? __builtin_sqrt(variance / (mean + 0.01)) : 0.0;
     if (sd > most) most = sd;
@@ -226,9 +235,14 @@ static void set_looks(stone_constants *w, const settings *s) {
     if (!c->on) continue;
     if (share < 0.01) share = 0.01;
     if (share < 1.0) {
+      /* three crystals to a look err less for each */
+      if (!c->shaped) c->looks = (float)(__builtin_sqrt(share) * (double)c->looks);
+      c->whole = (float)((double)c->whole / (share * share));
       c->looks = (float)(share * (double)c->looks);
       c->fade = (float)(share * (double)c->fade);
     }
+    /* nor do clouds within crystals go by how much crystals differ */
+    if (c->turbidity * c->whole > CLOUDS_WHOLE) c->whole = CLOUDS_WHOLE / c->turbidity;
     c->single = (1.999f - c->least) / c->looks; /* rounded to one: footprint.h */
     if (c->single > 0.6f * c->fade) c->single = 0.6f * c->fade;
     if (c->shaped && c->single > 0.5f) c->single = 0.5f;
@@ -242,6 +256,7 @@ static void build_layers(stone_constants *w, const settings *s, stone_measure *m
     if (l != LAYER_GRAINS && b->share[0] + b->share[1] <= 0.0) continue;
     build_cells(&w->layer[l], w->seed + 0x9e3779b9u * (uint32_t)(l + 1), b, l != LAYER_GRAINS);
   }
+  w->layer[LAYER_HOLES].least = 1.55f; /* of those the slope is seen, too */
   stone_means m;
   measure(w, MEASURED, &m);
   m.fill[LAYER_GRAINS] = 1.0;

@@ -19,17 +19,18 @@
 #include "stone.h"
 #include "value.h"
 
-#define LAMELLAE 13.0f      /* to a cell, of the finest direction's */
-#define LAMELLAE_GONE 0.4f  /* cells: wider footprints see none */
-#define LAMELLAE_BOTH 0.29f /* wider: those of the nearer crystal alone, and of bodies none */
-#define CRYSTAL_FINE 7.3f   /* frequency of what is fine within crystals, 1/cell */
-#define CRACK_MEAN 0.1023f  /* of max(0, 1 - |n| / 0.05), n gradient noise */
-#define FLECK_MEAN 0.0137f  /* of clamp01((n - 0.36) 8) */
+#define LAMELLAE 13.0f         /* to a cell, of the finest direction's */
+#define LAMELLAE_GONE 0.4f     /* cells: wider footprints see none */
+#define LAMELLAE_BOTH 0.29f    /* wider: those of the nearer crystal alone, and of bodies none */
+#define CRYSTAL_FINE 7.3f      /* frequency of what is fine within crystals, 1/cell */
+#define CRYSTAL_QUARTERS 0.88f /* of the width of a square in quarters: for this it is taken */
+#define CRACK_MEAN 0.1023f     /* of max(0, 1 - |n| / 0.05), n gradient noise */
+#define FLECK_MEAN 0.0137f     /* of clamp01((n - 0.36) 8) */
 
-/* What clouds, cracks and flecks are cut from: a noise's mean over the footprint, as far as
- * its middle tells, and how much it changes there; and what the footprint leaves of them. */
+/* What cracks and flecks are cut from: a noise's mean over the footprint, as far as its middle
+ * tells, and how much it changes there. */
 typedef struct {
-  vf fine, extent2, keep, cloud;
+  vf fine, extent2;
 } crystal_noise;
 
 /* Whether there is anything to be seen. */
@@ -43,16 +44,12 @@ INLINE vf crystal_keep(vf wide, float low, float high) {
   return t * t * (splat(3.0f) - t - t);
 }
 
-/* q: cells, before their faces are bent. wide: the square's longer side. cloud: of a
- * size of a third of a cell. */
-INLINE crystal_noise crystal_at(const stone_cells *c, const vf q[3], const cells_square *s, vf wide,
-                                vf cloud) {
-  vf zero = splat(0.0f), g[3], f = splat(CRYSTAL_FINE), t = splat(c->turbidity);
-  crystal_noise n = {zero, zero, zero, zero};
-  n.cloud = cloud * t * crystal_keep(wide, 0.16f, 0.48f);
-  n.keep = t * crystal_keep(wide, 0.4f / CRYSTAL_FINE, 1.4f / CRYSTAL_FINE);
-  if (!any(gt(n.keep, zero))) return n;
-  const vf at[3] = {q[0] * f, q[1] * f, q[2] * f};
+/* q: cells, before their faces are bent. wide: the square's longer side. */
+INLINE crystal_noise crystal_at(const stone_cells *c, const vf q[3], const cells_square *s,
+                                vf wide) {
+  const vf f = splat(CRYSTAL_FINE), at[3] = {q[0] * f, q[1] * f, q[2] * f};
+  crystal_noise n;
+  vf g[3];
   n.fine = value_three(at, splatu(c->seed_warp + 2u), 1, g) * splat(1.0f / HASH_ONE);
   /* of a middle's number less is left the less the noise about it knows of it */
   vf wide2 = splat(CRYSTAL_FINE * CRYSTAL_FINE) * wide * wide;
@@ -82,9 +79,8 @@ INLINE vf crystal_lamellae(vu h, const vf q[3], const cells_square *s) {
   vu hash = hash_upper(h ^ splatu(0x3c6ef35fu));
   vf d[3] = {to_float((vi)hash) * k, to_float((vi)(hash << 10)) * k,
              to_float((vi)(hash << 20)) * k};
-  vf t = d[0] * q[0] + d[1] * q[1] + d[2] * q[2];
-  vf a = d[0] * s->u[0] + d[1] * s->u[1] + d[2] * s->u[2];
-  vf b = d[0] * s->v[0] + d[1] * s->v[1] + d[2] * s->v[2];
+  vf t = dot3(d, q);
+  vf a = dot3(d, s->u), b = dot3(d, s->v);
   vf one = splat(1.0f), zero = splat(0.0f), square = a * a + b * b + splat(1e-4f);
   vf inverse = inverse_root(square), side = square * inverse;
   vf least = vmin(vabs(a), vabs(b));
@@ -115,18 +111,46 @@ INLINE vf crystal_lamellae(vu h, const vf q[3], const cells_square *s) {
   return keep * (sum[1] - sum[0]) * (inverse * splat(0.70710678f / HASH_ONE));
 }
 
-/* What of it does not differ from crystal to crystal: of the base's and the third
- * mineral (feldspars), and of the second (quartz). Cracks and flecks are blurred as if the
- * noise were a plane over the footprint. */
-INLINE void crystal_tones(const crystal_noise *n, vf tone[2]) {
+/* What is cut from the noise, of the base's and the third mineral (feldspars), and of the second
+ * (quartz). Cracks and flecks are blurred as if the noise were a plane over the footprint. */
+INLINE void crystal_cut(const crystal_noise *n, vf tone[2]) {
   vf zero = splat(0.0f), wide = vsqrt(n->extent2 + splat(0.015625f)),
      broad = splat(0.5f) * wide - splat(0.0125f), inverse = splat(1.0f) / (broad * wide);
   vf per = inverse * wide; /* 1 / broad */
   vf crack = splat(0.05f) * vmax(broad - vabs(n->fine), zero) * per * per - splat(CRACK_MEAN);
   vf fleck =
       clamp01(splat(0.5f) + (n->fine - splat(0.4225f)) * (inverse * broad)) - splat(FLECK_MEAN);
-  tone[0] = splat(0.1f) * n->cloud + n->keep * (splat(0.16f) * n->fine - splat(0.6f) * fleck);
-  tone[1] = splat(0.3f) * n->cloud + n->keep * (splat(0.3f) * n->fine + splat(0.16f) * crack);
+  tone[0] = splat(0.16f) * n->fine - splat(0.6f) * fleck;
+  tone[1] = splat(0.3f) * n->fine + splat(0.16f) * crack;
+}
+
+/* What of it does not differ from crystal to crystal, of those minerals. cloud: of a size of a
+ * third of a cell. Of a square in quarters the noise is seen in each, and for longer. */
+INLINE void crystal_tones(const stone_cells *c, const vf q[3], const cells_square *s,
+                          const cells_parts *p, vf wide, vf cloud, vf tone[2]) {
+  vf zero = splat(0.0f), t = splat(c->turbidity), seen = wide;
+  if (p->count > 1) seen = sel(lt(p->side, splat(1.0f)), splat(CRYSTAL_QUARTERS) * wide, wide);
+  cloud = cloud * t * crystal_keep(seen, 0.16f, 0.48f);
+  tone[0] = splat(0.1f) * cloud;
+  tone[1] = splat(0.3f) * cloud;
+  vf keep = t * crystal_keep(seen, 0.4f / CRYSTAL_FINE, 1.4f / CRYSTAL_FINE), cut[2][4];
+  if (!any(gt(keep, zero))) return;
+  cells_square part;
+  vf u[3], v[3];
+  for (int k = 0; k < 3; k++) {
+    part.u[k] = s->u[k] * p->side;
+    part.v[k] = s->v[k] * p->side;
+    u[k] = s->u[k] * p->away;
+    v[k] = s->v[k] * p->away;
+  }
+  for (int i = 0; i < p->count; i++) {
+    vf at[3], here[2];
+    for (int k = 0; k < 3; k++) at[k] = cells_towards(p, i, q[k], u[k], v[k]);
+    crystal_noise n = crystal_at(c, at, &part, wide * p->side);
+    crystal_cut(&n, here);
+    for (int k = 0; k < 2; k++) cut[k][i] = here[k];
+  }
+  for (int k = 0; k < 2; k++) tone[k] = tone[k] + keep * cells_mean(p, cut[k]);
 }
 
 #endif

@@ -36,8 +36,18 @@ INLINE void cells_add(const stone_cells *c, vu h, const cells_kind *kind, vf sha
 }
 
 #define CELLS_STEPS 6        /* looks along a side of the footprint, at most */
-#define CELLS_FINE 0.6f      /* cells: wider footprints do not tell the finer of the faces' bends */
+#define CELLS_FEW 5          /* the same of footprints that are not wider than */
+#define CELLS_MANY 4.0f      /* cells */
+#define CELLS_FINE 1.0f      /* cells: wider footprints do not tell the finer of the faces' bends */
 #define CELLS_LOOK_MOST 0.5f /* cells: a look at bodies sees past all of their faces but one */
+
+/* What looks have seen of a layer, each by itself: the shares of which a body's first is what it
+ * covers. */
+typedef struct {
+  vf of[CELLS_PARTS][CELLS_STEPS * CELLS_STEPS];
+  vf n[2];   /* looks along each side */
+  vf weight; /* what the footprint's shares have of theirs; 0 where there is one look, or none */
+} cells_seen;
 
 /* A footprint on a layer, and what has been seen of it. Its looks are parts side by
  * side, each well below a cell's size. Lengths in cells but for s. */
@@ -50,7 +60,9 @@ typedef struct {
   vf keep, fine;      /* how much the looks count beside the mean; of the faces' finer bends */
   vm seen, counted;   /* by looks; cell by cell */
   cells_square all;
-  int once; /* one look at the middle is all, to every lane */
+  cells_seen *looks; /* to be kept there, or NULL */
+  int once;          /* one look at the middle is all, to every lane */
+  int idle;          /* no look is any use */
   vu nearest;
   cells_cover sum;
 } cells_eye;
@@ -60,6 +72,7 @@ typedef struct {
  * operations fill the waits of the next one's. */
 typedef struct {
   cells_eye *eye;
+  int slot; /* of looks that are kept */
   vm there;
   vf straight[3], q[3], cloud; /* where it is, before and after the faces' bends */
   cells_near near[3];          /* bodies' third; of it no one asks where it is */
@@ -86,38 +99,55 @@ STAGE void looks_bend(const stone_cells *c, cells_look *looks, int count) {
     looks_bend_as(c, 0, looks, count);
 }
 
-STAGE void looks_find(const stone_cells *c, cells_look *looks, int count) {
-  int together = looks_together(looks);
-  for (int l = 0; l < count; l++) cells_find(c, together, looks[l].q, looks[l].near);
+/* Whether no lane's parts are seen in quarters, nor their third crystal. */
+INLINE int eye_whole(const stone_cells *c, const cells_eye *e) {
+  return !any(gt(e->part_wide, splat(c->whole)));
 }
 
-/* Of bodies, those of kind 0 are not there. */
-INLINE void look_add(const stone_cells *c, const cells_look *o) {
-  vf share[2], zero = splat(0.0f), one = splat(1.0f);
+STAGE void looks_find(const stone_cells *c, cells_look *looks, int count) {
+  int together = looks_together(looks);
+  for (int l = 0; l < count; l++)
+    cells_find(c, together, !eye_whole(c, looks[l].eye), looks[l].q, looks[l].near);
+}
+
+/* Of bodies, those of kind 0 are not there. whole: that no lane's part is seen in quarters. */
+INLINE void look_add_as(const stone_cells *c, int whole, const cells_look *o) {
+  vf share[3], zero = splat(0.0f), one = splat(1.0f), third = zero;
   cells_eye *eye = o->eye;
-  eye->nearest = o->near[0].h;
-  cells_kind kind[2];
-  for (int n = 0; n < 2; n++) kind[n] = cells_kind_of(c, o->near[n].at);
+  const int count = whole || c->shaped ? 2 : 3;
+  cells_kind kind[3];
   vm body[2];
-  for (int n = 0; n < 2; n++) body[n] = or_(kind[n].first, kind[n].second);
-  if (c->shaped && !any(or_(body[0], body[1]))) return;
-  cells_shares(c, o->near, body, &eye->part, share);
+  eye->nearest = o->near[0].h;
+  for (int n = 0; n < 2; n++) {
+    kind[n] = cells_kind_of(c, o->near[n].at);
+    body[n] = or_(kind[n].first, kind[n].second);
+  }
+  if (c->shaped && !any(or_(body[0], body[1]))) {
+    for (int k = 0; k < CELLS_PARTS && eye->looks; k++) eye->looks->of[k][o->slot] = zero;
+    return;
+  }
+  cells_parts parts = cells_whole();
+  if (!whole) {
+    parts = cells_part(eye->part_wide, c->whole);
+    third = one - crystal_keep(eye->part_wide, c->whole, 2.0f * c->whole);
+  }
+  cells_shares(c, o->near, body, &eye->part, &parts, count > 2, third, share);
   vf uneven = o->cloud * splat(1.3f * c->variation) + one, common[2] = {uneven, uneven};
   int textured = crystal_textured(c);
   if (textured && c->turbidity > 0.0f) {
-    crystal_noise inner = crystal_at(c, o->straight, &eye->part, eye->part_wide, o->cloud);
     vf tone[2];
-    crystal_tones(&inner, tone);
+    crystal_tones(c, o->straight, &eye->part, &parts, eye->part_wide, o->cloud, tone);
     for (int k = 0; k < 2; k++) common[k] = uneven + tone[k];
   }
   const float gone = c->shaped ? LAMELLAE_BOTH : LAMELLAE_GONE;
   vf lamellae[2] = {crystal_keep(eye->most, 0.4f * gone, gone),
                     crystal_keep(eye->most, 0.3f * LAMELLAE_BOTH, LAMELLAE_BOTH)};
   cells_cover look = cells_none();
-  for (int n = 0; n < 2; n++) {
+  for (int n = 0; n < count; n++) {
     if (!any(gt(share[n], zero))) continue;
+    if (n > 1) kind[n] = cells_kind_of(c, o->near[n].at);
     vf tone[2] = {common[0], common[1]};
-    if (c->cleavage > 0.0f && any(gt(lamellae[n], zero))) {
+    if (n < 2 && c->cleavage > 0.0f && any(gt(lamellae[n], zero))) {
       vf l = splat(c->cleavage) * crystal_lamellae(o->near[n].h, o->straight, &eye->part);
       l = l * lamellae[n];
       tone[0] = tone[0] + splat(0.1f) * l;
@@ -129,12 +159,19 @@ INLINE void look_add(const stone_cells *c, const cells_look *o) {
     cells_add(c, o->near[n].h, &kind[n], share[n], tone, &look);
   }
   cells_cover *sum = &eye->sum;
-  for (int k = 0; k < CELLS_PARTS; k++)
+  for (int k = 0; k < CELLS_PARTS; k++) {
+    if (eye->looks) eye->looks->of[k][o->slot] = look.of[k];
     sum->of[k] = sel(o->there, sum->of[k] + look.of[k], sum->of[k]);
+  }
 }
 
 STAGE void looks_add(const stone_cells *c, const cells_look *looks, int count) {
-  for (int l = 0; l < count; l++) look_add(c, &looks[l]);
+  for (int l = 0; l < count; l++) {
+    if (eye_whole(c, looks[l].eye))
+      look_add_as(c, 1, &looks[l]);
+    else
+      look_add_as(c, 0, &looks[l]);
+  }
 }
 
 INLINE void looks_run(const stone_cells *c, cells_look *looks, int count) {
@@ -164,7 +201,8 @@ STAGE void eye_divide(const stone_cells *c, cells_eye *e, const cells_square *al
     vi whole;
     vf dense = splat(c->looks) / (one + splat(c->spread) * wide[k]);
     vf looks = vfloor(wide[k] * dense + splat(c->least), &whole);
-    e->n[k] = clamp(looks, one, splat(CELLS_STEPS));
+    vm few = lt(wide[k], splat(CELLS_MANY));
+    e->n[k] = clamp(looks, one, sel(few, splat(CELLS_FEW), splat(CELLS_STEPS)));
     e->inverse[k] = side[k] = one / e->n[k];
     if (c->shaped) {
       side[k] = vmin(side[k], splat(CELLS_LOOK_MOST) / vmax(wide[k], splat(CELLS_LOOK_MOST)));
@@ -186,6 +224,7 @@ STAGE void eye_divide(const stone_cells *c, cells_eye *e, const cells_square *al
   e->seen = and_(gt(e->keep, splat(0.0f)), not_(e->counted));
   e->all = *all;
   e->once = !any(or_(gt(e->n[0] * e->n[1], one), not_(e->seen)));
+  e->idle = !any(or_(e->seen, e->counted));
 }
 
 INLINE void eye_open(const stone_cells *c, cells_eye *e) {
@@ -209,6 +248,7 @@ INLINE void eye_open(const stone_cells *c, cells_eye *e) {
     e->fine = eye_fine(e);
     e->seen = le(splat(0.0f), one);
     e->once = 1;
+    e->idle = 0;
     return;
   }
   eye_divide(c, e, &all, wide);
@@ -216,10 +256,16 @@ INLINE void eye_open(const stone_cells *c, cells_eye *e) {
 
 /* What has been seen, and as far as the looks do not reach the expected shares. */
 INLINE void eye_close(const stone_cells *c, const cells_eye *e, cells_cover *out) {
-  vf one = splat(1.0f), each = e->inverse[0] * e->inverse[1];
+  vf one = splat(1.0f), each = e->inverse[0] * e->inverse[1], swell = one;
   if (c->shaped) {
     vf at = e->part_wide * splat(1.0f / CELLS_LOOK_MOST);
-    each = each / (one + splat(c->swell) * at * at);
+    swell = one / (one + splat(c->swell) * at * at);
+    each = each * swell;
+  }
+  if (e->looks) {
+    for (int k = 0; k < 2; k++) e->looks->n[k] = e->n[k];
+    vm parts = and_(e->seen, gt(e->n[0] * e->n[1], one));
+    e->looks->weight = sel(parts, e->keep * swell, splat(0.0f));
   }
   vf mean[2] = {splat(c->mean[0]), splat(c->mean[1])};
   if (c->bedded && any(lt(e->keep, one))) {
@@ -248,6 +294,7 @@ INLINE void look_at(const stone_cells *c, cells_eye *e, int i, int j, vm there, 
   for (int k = 0; k < 3; k++) at[k] = e->p[k] + e->t1[k] * u + e->t2[k] * v;
   cells_turn(c, at, o->straight);
   o->there = there;
+  o->slot = j * CELLS_STEPS + i;
   o->eye = e;
 }
 
@@ -269,22 +316,11 @@ STAGE void eye_look_about(const stone_cells *c, cells_eye *e) {
   if (count) looks_run(c, looks, count);
 }
 
-/* A layer of cells under a few footprints: as many looks as each takes. Their p, t1, t2
- * (bed space; the square's sides, unit) and s (mm) are given. */
-STAGE void cells_at(const stone_cells *c, cells_eye *eyes, int count, cells_cover *out) {
-  int once = 1;
-  for (int e = 0; e < count; e++) {
-    eye_open(c, &eyes[e]);
-    once &= eyes[e].once;
-  }
-  if (once && count <= CELLS_LOOKS) {
-    cells_look looks[CELLS_LOOKS];
-    for (int e = 0; e < count; e++) look_at(c, &eyes[e], 0, 0, eyes[e].seen, &looks[e]);
-    looks_run(c, looks, count);
-  } else {
-    for (int e = 0; e < count; e++) eye_look_about(c, &eyes[e]);
-  }
-  for (int e = 0; e < count; e++) eye_close(c, &eyes[e], &out[e]);
+/* A layer of cells under a few footprints of which one look at each is all. */
+STAGE void eyes_look(const stone_cells *c, cells_eye *eyes, int count) {
+  cells_look looks[CELLS_LOOKS];
+  for (int e = 0; e < count; e++) look_at(c, &eyes[e], 0, 0, eyes[e].seen, &looks[e]);
+  looks_run(c, looks, count);
 }
 
 #endif

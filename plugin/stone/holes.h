@@ -41,7 +41,7 @@ STAGE vf hole_depth_at(const stone_constants *w, const vf p[3]) {
   vf q[3];
   cells_place(c, p, q);
   cells_near near[3];
-  cells_find(c, 1, q, near);
+  cells_find(c, 1, 0, q, near);
   return hole_depth_of(w, &near[0], &near[1], &near[2]);
 }
 
@@ -91,7 +91,7 @@ STAGE field hole_relief(const stone_constants *w, const vf p[3], const vf t1[3],
   cells_near near[3];
   if (!none) {
     cells_place(c, p, q0);
-    cells_find(c, 1, q0, near);
+    cells_find(c, 1, 0, q0, near);
   }
   vf sum = zero, du = zero, dv = zero, inverse = splat(2.0f / HOLE_PLACES) / step * keep;
   for (int k = 0; k < HOLE_PLACES; k++) {

@@ -5,31 +5,11 @@
 #include "../core/directions.h"
 #include "../core/lanes.h"
 #include "../core/measure.h"
-#include "bands.h"
-#include "footprint.h"
+#include "fabric.h"
 #include "gloss.h"
 #include "paper.h"
-#include "surface.h"
 
 extern const stone_kernel KERNEL_NAME(stone_kernel_);
-
-/* Blocks that go through each stage before the next begins. */
-#define STONE_BLOCKS CELLS_LOOKS
-
-/* A block of LANES points on its way through the stages. */
-typedef struct {
-  uint32_t i, n;
-  vf at[3], face[3]; /* object space: the point and its normal */
-  vf p[3], nrm[3];   /* bed space, likewise */
-  vf s;
-  vf t1[3], t2[3]; /* the footprint's sides */
-  vf albedo[3], speck, hole;
-  int crystal_known; /* the colour has met it */
-  vu crystal;        /* that the point is in */
-  cells_cover cover[STONE_LAYERS];
-  laid laid; /* where there is a paving */
-  surface surface;
-} block;
 
 INLINE void put(const kernel_io *io, const block *k, int channel, vf x) {
   if (io->wanted >> channel & 1) store_active(io->in, io->out[channel], k->i, k->n, x);
@@ -89,76 +69,6 @@ INLINE void stage_load(const stone_constants *w, int paved, const kernel_io *io,
   exchange(w, k->p);
   exchange(w, k->nrm);
   square_sides(k->nrm, k->t1, k->t2);
-}
-
-/* The layers of cells, each over all of the blocks. */
-STAGE void stage_cells(const stone_constants *w, block *blocks, int count) {
-  cells_eye eyes[STONE_BLOCKS];
-  cells_cover out[STONE_BLOCKS];
-  for (int l = 0; l < STONE_LAYERS; l++) {
-    if (!w->layer[l].on) continue;
-    for (int b = 0; b < count; b++) {
-      eyes[b].p = blocks[b].p;
-      eyes[b].t1 = blocks[b].t1;
-      eyes[b].t2 = blocks[b].t2;
-      eyes[b].s = blocks[b].s;
-    }
-    cells_at(&w->layer[l], eyes, count, out);
-    for (int b = 0; b < count; b++) {
-      blocks[b].cover[l] = out[b];
-      if (l != LAYER_GRAINS) continue;
-      blocks[b].crystal_known = eyes[b].once;
-      blocks[b].crystal = eyes[b].nearest;
-    }
-  }
-}
-
-/* Two colours of the palette, by their shares, over a part of what is there. */
-INLINE void lay_over(const stone_constants *w, const cells_cover *q, int first, int second,
-                     block *k, vf *cover) {
-  vf one = splat(1.0f);
-  *cover = vmin(q->of[0], one);
-  for (int c = 0; c < 3; c++) {
-    k->albedo[c] = k->albedo[c] * (one - *cover) + q->of[1] * splat(w->colour[first][c]) +
-                   q->of[2] * splat(w->colour[second][c]);
-  }
-}
-
-/* From the layers' shares, and all that varies slowly, to the colour. */
-STAGE void stage_fabric(const stone_constants *w, block *k) {
-  vf zero = splat(0.0f), one = splat(1.0f), bed = zero, shift = one, cover;
-  k->speck = k->hole = zero;
-  if (w->has_beds) {
-    vf flat2 = vmax(one - k->nrm[1] * k->nrm[1], zero);
-    bed = splat(w->bed_contrast) * bed_share(w, k->p, k->s, flat2);
-  }
-  if (w->has_mottle) shift = one + mottle_shift(w, k->p, k->t1, k->t2, k->s);
-  for (int c = 0; c < 3; c++) {
-    vf base = splat(w->colour[COLOUR_BASE][c]);
-    if (w->has_beds) base = mix(base, splat(w->colour[COLOUR_BED][c]), bed);
-    if (w->layer[LAYER_GRAINS].on) {
-      const vf *toned = k->cover[LAYER_GRAINS].of;
-      base = toned[0] * base + toned[1] * splat(w->colour[COLOUR_SECOND][c]) +
-             toned[2] * splat(w->colour[COLOUR_THIRD][c]);
-    }
-    k->albedo[c] = base * shift;
-  }
-  if (w->layer[LAYER_SPECKS].on)
-    lay_over(w, &k->cover[LAYER_SPECKS], COLOUR_BLACK, COLOUR_WHITE, k, &k->speck);
-  if (w->layer[LAYER_INCLUSIONS].on) {
-    lay_over(w, &k->cover[LAYER_INCLUSIONS], COLOUR_INCLUSION, COLOUR_INCLUSION_SECOND, k, &cover);
-    k->speck = k->speck * (one - cover);
-  }
-  if (w->has_veins) {
-    vf v = vein_share(w, k->p, k->nrm, k->t1, k->t2, k->s);
-    for (int c = 0; c < 3; c++)
-      k->albedo[c] = mix(k->albedo[c], splat(w->colour[COLOUR_VEIN][c]), v);
-    k->speck = k->speck * (one - v);
-  }
-  if (w->layer[LAYER_HOLES].on) {
-    lay_over(w, &k->cover[LAYER_HOLES], COLOUR_HOLE, COLOUR_HOLE, k, &k->hole);
-    k->speck = k->speck * (one - k->hole);
-  }
 }
 
 STAGE void stage_paper(const stone_constants *w, block *k) {
@@ -387,14 +297,15 @@ static void measure_layer(const stone_cells *c, uint32_t count, double *fill, do
   const cells_square point = {{zero, zero, zero}, {zero, zero, zero}};
   const cells_square look = {{side, zero, zero}, {zero, side, zero}};
   const vm all = le(zero, zero), body[2] = {all, all};
+  const cells_parts one_part = cells_part(zero, c->whole), quarters = cells_part(side, c->whole);
   for (uint32_t i = 0; i < count; i += LANES) {
-    vf q[3], share[2];
+    vf q[3], share[3];
     cells_near near[3];
     for (uint32_t a = 0; a < 3; a++) q[a] = measure_place(i, a, MEASURED_EXTENT);
-    cells_find(c, 0, q, near);
-    cells_shares(c, near, body, &point, share);
+    cells_find(c, 0, 0, q, near);
+    cells_shares(c, near, body, &point, &one_part, 0, zero, share);
     measure_add(fill, share[0] + share[1]);
-    cells_shares(c, near, body, &look, share);
+    cells_shares(c, near, body, &look, &quarters, 0, zero, share);
     measure_add(seen, share[0] + share[1]);
   }
   *fill /= count;

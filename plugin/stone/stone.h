@@ -76,6 +76,7 @@ typedef struct {
   float looks, spread; /* parts to a cell that a footprint is looked at in; fewer, by cells */
   float least;         /* parts of a point, and what they are rounded by */
   float single;        /* footprint, in cells, up to which one look is all */
+  float whole;         /* cells: wider looks are seen in quarters */
   int32_t on, shaped;  /* shaped: eroded, or cut to a ball */
   int32_t bedded;      /* bodies keep to certain beds */
   stone_bedding beds;

@@ -1,0 +1,180 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * The stone's own colour: the layers of cells under each footprint, and one laid over the other
+ * with all that varies slowly.
+ */
+#ifndef SOZAI_STONE_FABRIC_H
+#define SOZAI_STONE_FABRIC_H
+
+#include "bands.h"
+#include "block.h"
+#include "together.h"
+
+/* From the lowest to what lies over all. */
+static const int fabric_order[STONE_LAYERS] = {LAYER_GRAINS, LAYER_SPECKS, LAYER_INCLUSIONS,
+                                               LAYER_HOLES};
+
+/* Field by field: the rest is large, and eye_open sets it. */
+INLINE void stage_eye(const stone_cells *c, const block *k, cells_seen *looks, cells_eye *e) {
+  e->p = k->p;
+  e->t1 = k->t1;
+  e->t2 = k->t2;
+  e->s = k->s;
+  e->looks = looks;
+  eye_open(c, e);
+}
+
+INLINE void stage_seen(const stone_cells *c, int layer, const cells_eye *e, block *k) {
+  eye_close(c, e, &k->cover[layer]);
+  if (layer != LAYER_GRAINS) return;
+  k->crystal_known = e->once;
+  k->crystal = e->nearest;
+}
+
+/* The layers, a bit to each, of which a footprint takes more than a look. */
+STAGE void stage_looks(const stone_constants *w, int layers, block *k) {
+  cells_seen seen[STONE_LAYERS];
+  for (int n = 0; n < STONE_LAYERS; n++) {
+    int l = fabric_order[n];
+    if (!(layers >> l & 1)) continue;
+    const stone_cells *c = &w->layer[l];
+    cells_eye e;
+    stage_eye(c, k, &seen[l], &e);
+    eye_look_about(c, &e);
+    stage_seen(c, l, &e, k);
+    for (int m = 0; m < n; m++) {
+      int below = fabric_order[m];
+      if (!(layers >> below & 1)) continue;
+      if (!any(gt(seen[l].weight * seen[below].weight, splat(0.0f)))) continue;
+      k->mixed[l] |= 1 << below;
+      k->mixes = 1;
+      seen_covariance(&seen[l], &seen[below], k->with[l][below]);
+    }
+  }
+}
+
+/* The layers of cells, each over all of the blocks where it can. */
+STAGE void stage_cells(const stone_constants *w, block *blocks, int count) {
+  cells_eye eyes[STONE_BLOCKS];
+  int wide = 0;
+  for (int b = 0; b < count; b++) {
+    blocks[b].mixes = 0;
+    for (int l = 0; l < STONE_LAYERS; l++) blocks[b].mixed[l] = 0;
+  }
+  for (int l = 0; l < STONE_LAYERS; l++) {
+    const stone_cells *c = &w->layer[l];
+    if (!c->on) continue;
+    int once = 1, idle = 1;
+    for (int b = 0; b < count; b++) {
+      stage_eye(c, &blocks[b], NULL, &eyes[b]);
+      once &= eyes[b].once;
+      idle &= eyes[b].idle;
+    }
+    if (!once && !idle) {
+      wide |= 1 << l;
+      continue;
+    }
+    if (once) eyes_look(c, eyes, count);
+    for (int b = 0; b < count; b++) stage_seen(c, l, &eyes[b], &blocks[b]);
+  }
+  for (int b = 0; b < count && wide; b++) stage_looks(w, wide, &blocks[b]);
+}
+
+/* What has been laid so far, for what is laid over it. */
+typedef struct {
+  int count, layer[STONE_LAYERS + 1], colour[STONE_LAYERS + 1][2];
+  vf cover[STONE_LAYERS + 1], under[STONE_LAYERS + 1][3]; /* and what it was laid over */
+  vf grains[CELLS_PARTS][3];                              /* the crystals' colours */
+} fabric_stack;
+
+/* The covariance of what a layer covers with the colour below it. */
+INLINE void fabric_with(const stone_constants *w, const fabric_stack *o, const block *k, int layer,
+                        vf out[3]) {
+  vf one = splat(1.0f), zero = splat(0.0f);
+  for (int c = 0; c < 3; c++) out[c] = zero;
+  for (int p = 0; p < CELLS_PARTS && (k->mixed[layer] >> LAYER_GRAINS & 1); p++) {
+    for (int c = 0; c < 3; c++) out[c] = out[c] + k->with[layer][LAYER_GRAINS][p] * o->grains[p][c];
+  }
+  for (int n = 0; n < o->count; n++) {
+    for (int c = 0; c < 3; c++) out[c] = out[c] * (one - o->cover[n]);
+    if (!(k->mixed[layer] >> o->layer[n] & 1)) continue;
+    const vf *with = k->with[layer][o->layer[n]];
+    for (int c = 0; c < 3; c++) {
+      out[c] = out[c] + with[1] * splat(w->colour[o->colour[n][0]][c]) +
+               with[2] * splat(w->colour[o->colour[n][1]][c]) - with[0] * o->under[n][c];
+    }
+  }
+}
+
+INLINE void fabric_add(fabric_stack *o, int layer, int first, int second, vf cover,
+                       const vf under[3]) {
+  int n = o->count++;
+  o->layer[n] = layer;
+  o->colour[n][0] = first;
+  o->colour[n][1] = second;
+  o->cover[n] = cover;
+  for (int c = 0; c < 3; c++) o->under[n][c] = under[c];
+}
+
+/* Two colours of the palette, by their shares, over a part of what is there: that part. */
+INLINE vf lay_over(const stone_constants *w, int layer, int first, int second, fabric_stack *o,
+                   block *k) {
+  vf one = splat(1.0f), zero = splat(0.0f), with[3] = {zero, zero, zero};
+  const cells_cover *q = &k->cover[layer];
+  int mixed = k->mixed[layer];
+  vf cover = vmin(q->of[0], one);
+  if (mixed) fabric_with(w, o, k, layer, with);
+  if (k->mixes) fabric_add(o, layer, first, second, cover, k->albedo);
+  for (int c = 0; c < 3; c++) {
+    k->albedo[c] = k->albedo[c] * (one - cover) + q->of[1] * splat(w->colour[first][c]) +
+                   q->of[2] * splat(w->colour[second][c]);
+    /* no darker than black, but for what a palette has below that */
+    if (mixed) k->albedo[c] = vmax(k->albedo[c] - with[c], vmin(k->albedo[c], zero));
+  }
+  k->speck = k->speck * (one - cover);
+  if (mixed >> LAYER_SPECKS & 1) k->speck = vmax(k->speck - k->with[layer][LAYER_SPECKS][0], zero);
+  return cover;
+}
+
+/* From the layers' shares, and all that varies slowly, to the colour. */
+STAGE void stage_fabric(const stone_constants *w, block *k) {
+  vf zero = splat(0.0f), one = splat(1.0f), bed = zero, shift = one;
+  fabric_stack over;
+  over.count = 0;
+  k->speck = k->hole = zero;
+  if (w->has_beds) {
+    vf flat2 = vmax(one - k->nrm[1] * k->nrm[1], zero);
+    bed = splat(w->bed_contrast) * bed_share(w, k->p, k->s, flat2);
+  }
+  if (w->has_mottle) shift = one + mottle_shift(w, k->p, k->t1, k->t2, k->s);
+  for (int c = 0; c < 3; c++) {
+    vf base = splat(w->colour[COLOUR_BASE][c]);
+    if (w->has_beds) base = mix(base, splat(w->colour[COLOUR_BED][c]), bed);
+    if (k->mixes) {
+      over.grains[0][c] = base * shift;
+      over.grains[1][c] = splat(w->colour[COLOUR_SECOND][c]) * shift;
+      over.grains[2][c] = splat(w->colour[COLOUR_THIRD][c]) * shift;
+    }
+    if (w->layer[LAYER_GRAINS].on) {
+      const vf *toned = k->cover[LAYER_GRAINS].of;
+      base = toned[0] * base + toned[1] * splat(w->colour[COLOUR_SECOND][c]) +
+             toned[2] * splat(w->colour[COLOUR_THIRD][c]);
+    }
+    k->albedo[c] = base * shift;
+  }
+  if (w->layer[LAYER_SPECKS].on)
+    k->speck = lay_over(w, LAYER_SPECKS, COLOUR_BLACK, COLOUR_WHITE, &over, k);
+  if (w->layer[LAYER_INCLUSIONS].on)
+    (void)lay_over(w, LAYER_INCLUSIONS, COLOUR_INCLUSION, COLOUR_INCLUSION_SECOND, &over, k);
+  if (w->has_veins) {
+    vf v = vein_share(w, k->p, k->nrm, k->t1, k->t2, k->s);
+    if (k->mixes) fabric_add(&over, STONE_LAYERS, COLOUR_VEIN, COLOUR_VEIN, v, k->albedo);
+    for (int c = 0; c < 3; c++)
+      k->albedo[c] = mix(k->albedo[c], splat(w->colour[COLOUR_VEIN][c]), v);
+    k->speck = k->speck * (one - v);
+  }
+  if (w->layer[LAYER_HOLES].on)
+    k->hole = lay_over(w, LAYER_HOLES, COLOUR_HOLE, COLOUR_HOLE, &over, k);
+}
+
+#endif
