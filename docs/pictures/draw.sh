@@ -1,0 +1,76 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# draw.sh [FOLDER] [PICTURE...]: pictures of these pages, by the command. FOLDER: the script's
+# own, unless given. PICTURE: stones, log, and of a whole gallery gallery, figured, plies,
+# knots and layouts; none: all. SOZAI: the program, unless build/bin/sozai.
+# Blender's: hosts/blender/examples/draw.sh.
+set -euo pipefail
+here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
+sozai=${SOZAI:-$here/../../build/bin/sozai}
+readonly here sozai
+readonly folder=${1:-$here}
+[[ -d $folder ]] || {
+  echo "no folder $folder" >&2
+  exit 1
+}
+(($#)) && shift
+[[ -x $sozai ]] || {
+  echo "no $sozai: build first, or name it by SOZAI" >&2
+  exit 1
+}
+command -v oiiotool >/dev/null || {
+  echo "no oiiotool here (Debian: openimageio-tools)" >&2
+  exit 1
+}
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+# stone FILE PRESET OPTION...: a tile of the stones' picture
+stone() {
+  "$sozai" render stone --preset "$2" -o "$scratch/$1.png" --shape plane --res 400x300 --spp 32 "${@:3}"
+}
+
+# Inada, Makabe and Mannari granite, Carrara; terrazzo, Rosa Beta flamed, wet setts in fans, a
+# mossy path
+draw_stones() {
+  stone 1 inada --camera front --size 80x60
+  stone 2 makabe --camera front --size 80x60
+  stone 3 mannari --camera front --size 80x60
+  stone 4 carrara --camera front --size 800x600
+  stone 5 terrazzo --camera front --size 160x120
+  stone 6 rosa_beta --camera front --size 80x60 -p finish=flamed --light 20,24
+  stone 7 granite_fan --camera -90,36,14 --zoom 5 --size 12000x9000 -p wet=0.8 --light 140,20
+  stone 8 ishidatami --camera -50,42,14 --zoom 5 --size 12000x9000 -p layout=chidori \
+    -p stone_length=600 -p stone_width=300 -p moss=0.42 -p moss_spread=30
+  oiiotool "$scratch"/{1,2,3,4,5,6,7,8}.png --mosaic 4x2 -d uint8 -o "$folder/stones.png"
+}
+
+draw_log() {
+  "$sozai" saw --species akamatsu --log-length 1800 --res 880x480 -o "$scratch/log"
+  cp "$scratch/log/log.png" "$folder/log.png"
+}
+
+# Sheets of the whole gallery, as they are there but for figured.
+draw_sheet() {
+  [[ -d $scratch/gallery ]] || "$sozai" gallery --all -o "$scratch/gallery"
+  local -r from=$scratch/gallery/$1.png
+  if [[ $1 == figured ]]; then
+    oiiotool "$from" --resize 960x344 -d uint8 -o "$folder/$1.png"
+  else
+    cp "$from" "$folder/$1.png"
+  fi
+}
+
+names=("$@")
+(($#)) || names=(stones log gallery figured plies knots layouts)
+for name in "${names[@]}"; do
+  case $name in
+    stones | log) "draw_$name" ;;
+    gallery | figured | plies | knots | layouts) draw_sheet "$name" ;;
+    *)
+      echo "no picture $name: stones, log, gallery, figured, plies, knots or layouts" >&2
+      exit 1
+      ;;
+  esac
+  echo "drawn: $folder/$name.png"
+done
