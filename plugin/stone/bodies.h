@@ -61,9 +61,9 @@ INLINE cells_edge edge_of_flake(const stone_cells *c, const cells_near *n, const
 
 /* How much of a part the flake shows, edges or not. */
 INLINE vf cells_flake(const cells_edge *e, vf half, const cells_parts *p, int part) {
-  vf at = vabs(cells_towards(p, part, e->in, e->u, e->v)) * e->inverse, one = splat(0.5f);
+  vf at = vabs(cells_towards(p, part, e->in, e->u, e->v)) * e->inverse, side = splat(0.5f);
   half = half * e->inverse;
-  return vmax(vmin(at + one, half) - vmax(at - one, splat(0.0f) - half), splat(0.0f));
+  return vmax(vmin(at + side, half) - vmax(at - side, splat(0.0f) - half), splat(0.0f));
 }
 
 /* How many of the nearest cells tell what is there. A flake's outline is mostly its own. */
@@ -81,7 +81,7 @@ INLINE cells_edge edge_of_face(const stone_cells *c, const cells_near *a, const 
   return edge_of(s, p, b->d - a->d - length * erosion, g, c->blur);
 }
 
-/* Those of the cells about a point. together: see cells_find_as. */
+/* Those of the cells about a point. together: see cells_find_as. three: of crystals, too. */
 INLINE void cells_find(const stone_cells *c, int together, int three, const vf q[3],
                        cells_near near[3]) {
   if (cells_asked(c) > 2)
@@ -103,7 +103,7 @@ INLINE void cells_find(const stone_cells *c, int together, int three, const vf q
 INLINE void cells_bodies(const stone_cells *c, const cells_near near[3], const vm body[2],
                          const cells_square *s, const cells_parts *p, vf share[2]) {
   vf zero = splat(0.0f), one = splat(1.0f);
-  int third = cells_asked(c) > 2, flat = c->thick < 1.0f, round = c->radius < 4.0f;
+  int third = cells_asked(c) > 2, flat = c->thick < 1.0f, rounded = c->radius < 4.0f;
   for (int n = 0; n < 2; n++) {
     const cells_near *a = &near[n];
     vf flake[4] = {one, one, one, one}, cover[4], half, some = one;
@@ -120,11 +120,11 @@ INLINE void cells_bodies(const stone_cells *c, const cells_near near[3], const v
     vf erosion = cells_erosion(c, a->h);
     cells_edge face = edge_of_face(c, a, &near[1 - n], erosion, s, p), other = face, ball = face;
     if (third) other = edge_of_face(c, a, &near[2], erosion, s, p);
-    if (round) ball = edge_of_ball(c, a, s, p);
+    if (rounded) ball = edge_of_ball(c, a, s, p);
     for (int i = 0; i < p->count; i++) {
       cover[i] = edge_cover(&face, p, i);
       if (third) cover[i] = edges_both(cover[i], edge_cover(&other, p, i));
-      if (round) cover[i] = vmin(cover[i], edge_cover(&ball, p, i));
+      if (rounded) cover[i] = vmin(cover[i], edge_cover(&ball, p, i));
       cover[i] = cover[i] * flake[i];
     }
     share[n] = cells_mean(p, cover);
