@@ -107,6 +107,8 @@ INLINE void cells_bodies(const stone_cells *c, const cells_near near[3], const v
   for (int n = 0; n < 2; n++) {
     const cells_near *a = &near[n];
     vf flake[4] = {one, one, one, one}, cover[4], half, some = one;
+    share[n] = zero;
+    if (!any(body[n])) continue;
     if (flat) {
       cells_edge slab = edge_of_flake(c, a, s, p, &half);
       some = zero;
@@ -115,7 +117,6 @@ INLINE void cells_bodies(const stone_cells *c, const cells_near near[3], const v
         some = vmax(some, flake[i]);
       }
     }
-    share[n] = zero;
     if (!any(and_(body[n], gt(some, zero)))) continue;
     vf erosion = cells_erosion(c, a->h);
     cells_edge face = edge_of_face(c, a, &near[1 - n], erosion, s, p), other = face, ball = face;

@@ -118,7 +118,7 @@ INLINE void look_add_as(const stone_cells *c, int whole, const cells_look *o) {
   cells_kind kind[3];
   vm body[2];
   eye->nearest = o->near[0].h;
-  for (int n = 0; n < 2; n++) {
+  for (int n = 0; n < 2 && c->shaped; n++) {
     kind[n] = cells_kind_of(c, o->near[n].at);
     body[n] = or_(kind[n].first, kind[n].second);
   }
@@ -145,7 +145,7 @@ INLINE void look_add_as(const stone_cells *c, int whole, const cells_look *o) {
   cells_cover look = cells_none();
   for (int n = 0; n < count; n++) {
     if (!any(gt(share[n], zero))) continue;
-    if (n > 1) kind[n] = cells_kind_of(c, o->near[n].at);
+    if (!c->shaped) kind[n] = cells_kind_of(c, o->near[n].at);
     vf tone[2] = {common[0], common[1]};
     if (n < 2 && c->cleavage > 0.0f && any(gt(lamellae[n], zero))) {
       vf l = splat(c->cleavage) * crystal_lamellae(o->near[n].h, o->straight, &eye->part);
@@ -183,6 +183,8 @@ INLINE void looks_run(const stone_cells *c, cells_look *looks, int count) {
 /* What the middle of a part knows of the bends there, and what a footprint that is all
  * but a cell wide need not. */
 INLINE vf eye_fine(const cells_eye *e) {
+  vm all = and_(le(e->part_wide, splat(0.08f)), le(e->most, splat(CELLS_FINE)));
+  if (!any(not_(all))) return splat(1.0f);
   return crystal_keep(e->part_wide, 0.08f, 0.35f) *
          crystal_keep(e->most, CELLS_FINE, 1.6f * CELLS_FINE);
 }

@@ -114,7 +114,9 @@ INLINE void stage_height(const kernel_io *io, block *k) {
   put(io, k, STONE_OCCLUSION, q->occlusion);
 }
 
-INLINE void stage_surface(const stone_constants *w, int paved, const kernel_io *io, block *k) {
+/* hollows: that somebody asks for what lies in the relief's shadow. */
+INLINE void stage_surface(const stone_constants *w, int paved, const kernel_io *io, int hollows,
+                          block *k) {
   surface *q = &k->surface;
   *q = surface_none();
   field relief;
@@ -126,8 +128,10 @@ INLINE void stage_surface(const stone_constants *w, int paved, const kernel_io *
     return;
   }
   relief.v = relief_at(w, k->p, k->s, relief.g, &q->lost, &square);
-  q->low = surface_below(relief.v * inverse_root(square));
-  q->steep = vsqrt(vmax(splat(w->relief_steep) - q->lost, splat(0.0f)));
+  if (hollows) {
+    q->low = surface_below(relief.v * inverse_root(square));
+    q->steep = vsqrt(vmax(splat(w->relief_steep) - q->lost, splat(0.0f)));
+  }
   if (w->layer[LAYER_HOLES].on && w->hole_depth > 0.0f) {
     relief = field_add(relief, hole_relief(w, k->p, k->t1, k->t2, k->s, k->hole, &q->lost));
   }
@@ -229,7 +233,7 @@ INLINE void evaluate_as(int paved, const stone_constants *w, const kernel_io *io
   int speck = kernel_wants(io, STONE_SPECK, 1), hollow = w->layer[LAYER_HOLES].on;
   int normal =
       kernel_wants(io, STONE_NORMAL, 3) || kernel_wants(io, STONE_ROUGHNESS, 2) || radiance;
-  int covered = paved || w->weather.on;
+  int covered = paved || w->weather.on, hollows = kernel_wants(io, STONE_OCCLUSION, 1) || radiance;
   int surface = normal || kernel_wants(io, STONE_HEIGHT, 1) || kernel_wants(io, STONE_MOSS, 3) ||
                 (covered && (albedo || speck));
   int colour = albedo || speck || (hollow && surface);
@@ -256,7 +260,7 @@ INLINE void evaluate_as(int paved, const stone_constants *w, const kernel_io *io
         k->hole = splat(0.0f);
     }
     if (surface) {
-      for (int b = 0; b < count; b++) stage_surface(w, paved, io, &blocks[b]);
+      for (int b = 0; b < count; b++) stage_surface(w, paved, io, hollows, &blocks[b]);
     }
     for (int b = 0; b < count; b++) {
       block *k = &blocks[b];
