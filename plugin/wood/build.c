@@ -516,6 +516,14 @@ static void build_vessels(wood_constants *w, const settings *s) {
       longest_footprint((1.0 - 0.5 * number_at(s, P_ROW_JITTER)) / row_density, row_largest);
   w->row.part = (float)(PART_OF_ROW * row_radius);
   if (w->row.part > w->row.reach) w->row.part = w->row.reach;
+  double least_square = 1.0;
+  for (int i = 0; i < WOOD_RADII; i++) {
+    double inverse_square = (double)w->row.inverse_square[i];
+    w->row_inverse[i] = (float)__builtin_sqrt(inverse_square);
+    w->row_square[i] = (float)(1.0 / inverse_square);
+    if (inverse_square < least_square) least_square = inverse_square;
+  }
+  w->row_largest = (float)(1.12 * row_radius / __builtin_sqrt(least_square));
   w->row_density = (float)row_density;
   w->row_spacing = (float)row_spacing;
   w->row_start = (float)(0.55e-3 * row_d);

@@ -287,7 +287,7 @@ INLINE footprint_axes footprint_split(const footprint2 *f) {
 }
 
 /* How a footprint is cut into parts, lane by lane: `along` of its longest
- * direction (1, 2, 4 or 8), `beside` of what is left (1 or 2). */
+ * direction (1, 2, 3 or 4, or 1, 2, 4 or 8), `beside` of what is left (1 or 2). */
 typedef struct {
   vm most;          /* into as many as there are */
   vf along, beside; /* inverses of the numbers */
@@ -315,8 +315,12 @@ INLINE footprint_parts footprint_cut(const footprint2 *f, const footprint_axes *
     p.along = sel(four, splat(0.25f), p.along);
     p.along = sel(and_(narrow, all), splat(0.125f), p.along);
   } else {
+    vm three = gt(long2 * splat(0.25f) + rest2, reach2);
+    four = gt(long2 * splat(1.0f / 9.0f) + rest2, reach2);
     all = or_(all, and_(narrow, four));
+    p.along = sel(and_(narrow, three), splat(1.0f / 3.0f), p.along);
     p.along = sel(and_(narrow, four), splat(0.25f), p.along);
+    four = three;
   }
   p.most = and_(cut, all);
   p.along = sel(cut, p.along, one);
@@ -337,6 +341,10 @@ INLINE matrix2 to_section(vf aa, vf ab, vf bb, vf c, vf s) {
   m.xz = (bb - aa) * cs + ab * (cc - ss);
   return m;
 }
+
+#define ROW_MOST 8     /* vessels of a row under a footprint */
+#define ROW_FADES 2.5f /* of half of those: from here on the mean fades in */
+#define ROW_SHARP 0.3f /* of a radius: no box is narrower, as no vessel's edge is sharper */
 
 typedef struct {
   vf pores, rows;             /* coverage, where it could be looked up */
@@ -376,6 +384,10 @@ typedef struct {
   vf arc, rho, weight;
 } footprint_part;
 
+INLINE vm footprint_has_part(const footprint_parts *part, int i) {
+  return lt(splat((float)i + 0.5f) * part->along * part->beside, splat(1.0f));
+}
+
 /* `along` runs first, then the other side. */
 INLINE footprint_part footprint_part_of(const footprint_axes *l, const footprint_parts *part,
                                         vm cut, int i) {
@@ -385,7 +397,7 @@ INLINE footprint_part footprint_part_of(const footprint_axes *l, const footprint
   vm second = gt(at, one);
   vf a = at - splat(0.5f) - sel(second, one, zero);
   vf side = sel(lt(part->beside, one), sel(second, splat(0.25f), splat(-0.25f)), zero);
-  q.weight = sel(lt(at * part->beside, one), part->along * part->beside, zero);
+  q.weight = sel(footprint_has_part(part, i), part->along * part->beside, zero);
   q.arc = sel(cut, l->arc * a + l->rest_arc * side, zero);
   q.rho = sel(cut, l->rho * a + l->rest_rho * side, zero);
   return q;
@@ -408,7 +420,9 @@ INLINE void pores_in_parts(const wood_constants *w, const vessel_place *p, vm cu
   vm left = lt(v->pores_faded, splat(1.0f));
   if (!any(left)) return;
   disc d = pores_disc(w, p, part.aa, part.ab, part.bb);
-  for (int i = 0; i < part.taps; i++) {
+  int taps = part.taps;
+  while (taps > 1 && !any(and_(left, footprint_has_part(&part, taps - 1)))) taps--;
+  for (int i = 0; i < taps; i++) {
     footprint_part q = footprint_part_of(&l, &part, cut, i);
     vf x = p->x + (q.rho * p->c - q.arc * p->s), z = p->z + (q.rho * p->s + q.arc * p->c);
     v->pores = v->pores + pores_cover(w, p->own, x, z, &d) * q.weight;
@@ -425,26 +439,100 @@ INLINE vm rows_meet(const wood_constants *w, const footprint2 *f) {
   return gt(f->bb, splat(w->rows_alone * w->rows_alone));
 }
 
-INLINE void rows_in_parts(const wood_constants *w, const vessel_place *p, vm cut,
-                          vessel_cover_t *v) {
-  vf zero = splat(0.0f);
+/* How much of a row lies under a footprint too long for one look-up: a box as long as the
+ * footprint's longest direction and as wide as what is left beside that. A vessel's mean
+ * chord over the box's width, of all that it has of the width, is an interval along the
+ * box; the share of the box that it covers is exact but for the chord's ends, and so is
+ * the area over all places. */
+typedef struct {
+  vf x, z;          /* direction of the box */
+  vf half, inverse; /* mm: half its length; 1 / length */
+  vf side;          /* half its width, in 1.118 radii */
+  vf to_chord;      /* from the share of a vessel within the width to half its chord there, mm */
+  vf spread;        /* vessels to either side that the box may meet */
+  vf height;        /* of a mean vessel's cover, as a disc's */
+} row_box;
+
+/* A disc's projection has the variance of a parabola's over 5^0.5 / 2 radii. */
+#define ROW_PROJECTION 1.1180340f
+
+INLINE row_box row_box_of(const wood_constants *w, const row_place *p, const footprint2 *f) {
+  row_box b;
+  float radius = w->row.radius;
+  footprint_axes l = footprint_split(f);
+  vf long2 = vmax(square_of(l.arc) + square_of(l.rho), splat(1e-12f));
+  vf inverse = inverse_root(long2), unit = splat(1.0f / (ROW_PROJECTION * radius));
+  vf least = splat(ROW_SHARP * radius);
+  b.x = l.arc * inverse;
+  b.z = l.rho * inverse;
+  b.inverse = inverse;
+  b.half = splat(0.5f) * long2 * inverse;
+  vf width = vmax(vabs(l.rest_arc * b.z) + vabs(l.rest_rho * b.x), least);
+  b.side = splat(0.5f) * width * unit;
+  b.to_chord = splat(1.5707963f * radius * radius) / width;
+  vf reach = splat(0.5f) * (vabs(l.arc) + width * vabs(b.z)) + splat(w->row_largest);
+  b.spread = reach * p->per_arc + splat(0.5f * w->row_jitter_arc);
+  vf r2 = splat(radius * radius), k = splat(1.0f / (12.0f * 0.2552f));
+  vf x = r2 * inverse_root((r2 + k * long2) * (r2 + k * width * width));
+  b.height = vmin(x * splat(1.0f / 0.55f), splat(1.0f));
+  return b;
+}
+
+/* Share of a disc's area to one side of a line at t in 1.118 radii, less a half. */
+INLINE vf disc_beside(vf t) {
+  t = clamp(t, splat(-1.0f), splat(1.0f));
+  return t * (splat(0.75f) - splat(0.25f) * (t * t));
+}
+
+INLINE vf row_vessel_share(const wood_constants *w, const row_box *b, vu h, vf x, vf z) {
+  vf along = vabs(b->x * x + b->z * z), across = b->x * z - b->z * x;
+  vf small = lookup8(w->row_inverse, h >> 5), square = lookup8(w->row_square, h >> 5);
+  vf t = across * splat(1.0f / (ROW_PROJECTION * w->row.radius)) * small, side = b->side * small;
+  vf half = b->to_chord * square * (disc_beside(t + side) - disc_beside(t - side));
+  vf overlap = vmin(b->half + half - along, splat(2.0f) * vmin(half, b->half));
+  return vmax(overlap, splat(0.0f)) * b->inverse;
+}
+
+/* Footprints that the two vessels nearest along the row do not answer. */
+static __attribute__((noinline)) void rows_in_parts(const wood_constants *w, const vessel_place *p,
+                                                    vm cut, vessel_cover_t *v) {
+  vf zero = splat(0.0f), one = splat(1.0f);
   row_place row = row_of(w, p);
-  footprint_axes l = footprint_split(&p->f);
-  footprint_parts part = footprint_cut(&p->f, &l, cut, w->row.part, 8);
-  /* along the arc a row's looked-up neighbours run out; along rho a footprint
-   * that is not short beside the ring meets the bands of others */
+  row_box box = row_box_of(w, &row, &p->f);
+  vf beyond = smooth_step(splat(ROW_FADES), splat(0.5f * ROW_MOST), box.spread);
+  /* along rho a footprint that is not short beside the ring meets the bands of others */
   vf rings = vsqrt(p->f.bb) * p->ring.inverse_width;
   vf others = smooth_step(splat(WOOD_ROWS_ALONE), splat(0.8f), rings);
-  v->rows_faded = vmax(sel(part.most, fade_beyond(part.aa, w->row.part), zero),
-                       sel(rows_meet(w, &p->f), others, zero));
-  vm left = lt(v->rows_faded, splat(1.0f));
-  if (!any(and_(left, row.near))) return;
-  disc d = rows_disc(w, part.aa, part.ab, part.bb);
-  for (int i = 0; i < part.taps; i++) {
-    footprint_part q = footprint_part_of(&l, &part, cut, i);
-    v->rows = v->rows + rows_cover(w, &row, p->rho, q.arc, q.rho, &d) * q.weight;
+  v->rows_faded = vmax(sel(cut, beyond, zero), sel(rows_meet(w, &p->f), others, zero));
+  vm left = and_(lt(v->rows_faded, one), row.near);
+  vm whole = and_(left, not_(cut)), boxed = and_(left, cut);
+  vf sum = zero;
+  if (any(boxed)) {
+    vf spread = sel(boxed, box.spread, zero);
+    /* vessels that a box does not meet add exactly 0, so that a lane's sum does not
+     * depend on how many the others look for */
+    int most = 1;
+    while (most < ROW_MOST && any(le(splat((float)most), spread + spread))) most++;
+    for (int m = 0; m < w->rows; m++) {
+      row_spot q = row_spot_of(w, &row, m, p->rho, zero, zero);
+      vi below;
+      vf start = vfloor(q.within - spread, &below) + one;
+      q.within = q.within - start;
+      q.first = q.first + below + splati(1);
+      for (int a = 0; a < most; a++) {
+        vf x, z;
+        vu h = row_vessel(w, &row, &q, a, &x, &z);
+        sum = sum + row_vessel_share(w, &box, h, x, z);
+      }
+    }
+    vf more = (one - box.height) * splat(w->row.overlap);
+    sum = sel(boxed, vmin(sum - sum * more, one), zero);
   }
-  v->rows = sel(left, v->rows, zero);
+  if (any(whole)) {
+    disc d = rows_disc(w, p->f.aa, p->f.ab, p->f.bb);
+    sum = sel(whole, rows_cover(w, &row, p->rho, zero, zero, &d), sum);
+  }
+  v->rows = sum;
 }
 
 #endif

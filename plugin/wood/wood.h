@@ -194,6 +194,9 @@ typedef struct {
   float row_start;   /* mm, of the first row's centres after the ring's start */
   float row_jitter_arc, row_jitter_radial; /* of the spacing; mm */
   float row_step_arc, row_step_radial;     /* the same, / 2^32 */
+  float row_largest;                       /* mm: how far the largest vessel's share reaches */
+  float row_inverse[WOOD_RADII];           /* mean radius / radius */
+  float row_square[WOOD_RADII];            /* (radius / mean radius)^2 */
   float band;                              /* mm: the rows' band for the expected coverage */
   float late_vessel;                       /* expected vessel coverage of latewood tissue */
 
