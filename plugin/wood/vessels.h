@@ -287,7 +287,7 @@ INLINE footprint_axes footprint_split(const footprint2 *f) {
 }
 
 /* How a footprint is cut into parts, lane by lane: `along` of its longest
- * direction (1, 2, 3 or 4, or 1, 2, 4 or 8), `beside` of what is left (1 or 2). */
+ * direction (1, 2, 4 or 8), `beside` of what is left (1 or 2). */
 typedef struct {
   vm most;          /* into as many as there are */
   vf along, beside; /* inverses of the numbers */
@@ -315,12 +315,8 @@ INLINE footprint_parts footprint_cut(const footprint2 *f, const footprint_axes *
     p.along = sel(four, splat(0.25f), p.along);
     p.along = sel(and_(narrow, all), splat(0.125f), p.along);
   } else {
-    vm three = gt(long2 * splat(0.25f) + rest2, reach2);
-    four = gt(long2 * splat(1.0f / 9.0f) + rest2, reach2);
     all = or_(all, and_(narrow, four));
-    p.along = sel(and_(narrow, three), splat(1.0f / 3.0f), p.along);
     p.along = sel(and_(narrow, four), splat(0.25f), p.along);
-    four = three;
   }
   p.most = and_(cut, all);
   p.along = sel(cut, p.along, one);
