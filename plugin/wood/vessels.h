@@ -505,8 +505,7 @@ static __attribute__((noinline)) void rows_in_parts(const wood_constants *w, con
   vf sum = zero;
   if (any(boxed)) {
     vf spread = sel(boxed, box.spread, zero);
-    /* vessels that a box does not meet add exactly 0, so that a lane's sum does not
-     * depend on how many the others look for */
+    /* a lane counts as many as it would alone */
     int most = 1;
     while (most < ROW_MOST && any(le(splat((float)most), spread + spread))) most++;
     for (int m = 0; m < w->rows; m++) {
@@ -518,7 +517,8 @@ static __attribute__((noinline)) void rows_in_parts(const wood_constants *w, con
       for (int a = 0; a < most; a++) {
         vf x, z;
         vu h = row_vessel(w, &row, &q, a, &x, &z);
-        sum = sum + row_vessel_share(w, &box, h, x, z);
+        vf share = row_vessel_share(w, &box, h, x, z);
+        sum = sum + sel(le(splat((float)a), spread + spread), share, zero);
       }
     }
     vf more = (one - box.height) * splat(w->row.overlap);
