@@ -446,6 +446,7 @@ typedef struct {
   vf side;          /* half its width, in 1.118 radii */
   vf to_chord;      /* from the share of a vessel within the width to half its chord there, mm */
   vf spread;        /* vessels to either side that the box may meet */
+  vf expected;      /* the same as the row has on average: known where no row is near */
   vf height;        /* of a mean vessel's cover, as a disc's */
 } row_box;
 
@@ -468,6 +469,7 @@ INLINE row_box row_box_of(const wood_constants *w, const row_place *p, const foo
   b.to_chord = splat(1.5707963f * radius * radius) / width;
   vf reach = splat(0.5f) * (vabs(l.arc) + width * vabs(b.z)) + splat(w->row_largest);
   b.spread = reach * p->per_arc + splat(0.5f * w->row_jitter_arc);
+  b.expected = reach * splat(w->row_density) + splat(0.5f * w->row_jitter_arc);
   vf r2 = splat(radius * radius), k = splat(1.0f / (12.0f * 0.2552f));
   vf x = r2 * inverse_root((r2 + k * long2) * (r2 + k * width * width));
   b.height = vmin(x * splat(1.0f / 0.55f), splat(1.0f));
@@ -495,7 +497,7 @@ static __attribute__((noinline)) void rows_in_parts(const wood_constants *w, con
   vf zero = splat(0.0f), one = splat(1.0f);
   row_place row = row_of(w, p);
   row_box box = row_box_of(w, &row, &p->f);
-  vf beyond = smooth_step(splat(ROW_FADES), splat(0.5f * ROW_MOST), box.spread);
+  vf beyond = smooth_step(splat(ROW_FADES), splat(0.5f * ROW_MOST), box.expected);
   /* along rho a footprint that is not short beside the ring meets the bands of others */
   vf rings = vsqrt(p->f.bb) * p->ring.inverse_width;
   vf others = smooth_step(splat(WOOD_ROWS_ALONE), splat(0.8f), rings);
