@@ -126,10 +126,10 @@ INLINE vf vein_share(const stone_constants *w, const vf p[3], const vf n[3], con
   return mix(splat(w->vein_mean), sum * (inverse * inverse), keep);
 }
 
-/* Relative shift of brightness, mean 0: clouds of three sizes, of which a footprint's
- * middle knows less and less as it grows to two and a half of theirs. Aslant, so that no face shows
- * their rows. */
-INLINE vf mottle_shift(const stone_constants *w, const vf p[3], vf s) {
+/* What a place's mottle is: clouds of three sizes, of which a footprint's middle knows less
+ * and less as it grows to two and a half of theirs. Aslant, so that no face shows their
+ * rows. */
+INLINE vf mottle_at(const stone_constants *w, const vf p[3], vf s) {
   static const float row[3][3] = {{2.0f, 6.0f, 9.0f}, {6.0f, 7.0f, -6.0f}, {-9.0f, 6.0f, -2.0f}};
   vf sum = splat(0.0f);
   float f = w->mottle_frequency, weight = w->mottle * (0.224f / VALUE_SD / HASH_ONE);
@@ -147,6 +147,33 @@ INLINE vf mottle_shift(const stone_constants *w, const vf p[3], vf s) {
     weight *= 0.6f;
   }
   return sum;
+}
+
+/* Errors go as the clouds: of weaker ones a footprint's middle tells enough. */
+#define MOTTLE_STRONG 0.15f
+#define MOTTLE_WIDE 0.4f /* of the largest clouds: a wider footprint is seen in four parts */
+
+/* Relative shift of brightness, mean 0. t1, t2: the footprint's sides. */
+INLINE vf mottle_shift(const stone_constants *w, const vf p[3], const vf t1[3], const vf t2[3],
+                       vf s) {
+  vf zero = splat(0.0f), quarter = splat(0.25f) * s, side = s, sum = zero, first = zero;
+  vm parts = gt(s * splat(w->mottle_frequency), splat(MOTTLE_WIDE));
+  int four = w->mottle > MOTTLE_STRONG && any(parts);
+  if (four) {
+    quarter = sel(parts, quarter, zero);
+    side = sel(parts, splat(0.5f) * s, s);
+  }
+  for (int i = 0; i < (four ? 4 : 1); i++) {
+    vf at[3] = {p[0], p[1], p[2]};
+    if (four) {
+      vf u = i & 1 ? quarter : zero - quarter, v = i & 2 ? quarter : zero - quarter;
+      for (int k = 0; k < 3; k++) at[k] = p[k] + t1[k] * u + t2[k] * v;
+    }
+    vf here = mottle_at(w, at, side);
+    if (i == 0) first = here;
+    sum = sum + here;
+  }
+  return four ? sel(parts, splat(0.25f) * sum, first) : first;
 }
 
 #endif

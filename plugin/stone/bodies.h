@@ -10,7 +10,19 @@
 #include "cells.h"
 #include "square.h"
 
+#define CELLS_APART 1.8f /* cells: twice how far centres are apart that share a face */
 #define CELLS_REACH 0.5f /* cells: the width of what shows through a border from behind it */
+
+/* Whether a cell's mineral is of kind 1, or of kind 2. */
+typedef struct {
+  vm first, second;
+} cells_kind;
+
+INLINE cells_kind cells_kind_of(const stone_cells *c, const vi at[3]) {
+  vf rich, u = cells_rank(c, at, &rich);
+  vm first = lt(u, splat(c->chance[0]) * rich);
+  return (cells_kind){first, and_(lt(u, splat(c->chance[1]) * rich), not_(first))};
+}
 
 /* How far a body's faces lie within its cell's. */
 INLINE vf cells_erosion(const stone_cells *c, vu h) {
@@ -49,19 +61,22 @@ INLINE vf cells_flake(const stone_cells *c, const cells_near *n, const cells_squ
   return vmax(vmin(t + side, half) - vmax(t - side, splat(0.0f) - half), splat(0.0f)) / e;
 }
 
+/* How many of the nearest cells tell what is there. A flake's outline is mostly its own. */
+INLINE int cells_asked(const stone_cells *c) { return c->shaped && c->thick >= 1.0f ? 3 : 2; }
+
 /* How much of the square lies on a's side of the face between two cells, which is `erosion`
- * nearer to its centre. Exact for a plane. */
+ * nearer to its centre. Exact for a plane. Where the third nearest cell is not asked for, what
+ * is taken off goes by how much further the second is and not by the distance from the
+ * face: then nothing jumps where the second changes. */
 INLINE vf cells_side(const stone_cells *c, const cells_near *a, const cells_near *b, vf erosion,
                      const cells_square *s) {
-  vf g[3], zero = splat(1e-12f);
+  vf g[3];
   for (int k = 0; k < 3; k++) g[k] = splat(2.0f) * (a->x[k] - b->x[k]);
-  vf length = vsqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2] + zero);
+  vf length = splat(CELLS_APART);
+  if (cells_asked(c) > 2) length = vsqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2] + splat(1e-12f));
   vf e = inverse_root(cells_extent2(s, g, c->blur));
   return clamp01(splat(0.5f) + (b->d - a->d - length * erosion) * e);
 }
-
-/* How many of the nearest cells tell what is there. A flake's outline is mostly its own. */
-INLINE int cells_asked(const stone_cells *c) { return c->shaped && c->thick >= 1.0f ? 3 : 2; }
 
 /* Those of the cells about a point. together: see cells_find_as. */
 INLINE void cells_find(const stone_cells *c, int together, const vf q[3], cells_near near[3]) {
@@ -75,25 +90,37 @@ INLINE void cells_find(const stone_cells *c, int together, const vf q[3], cells_
 
 /* How much of a square the bodies of its nearest two cells have. One ends at the faces to
  * both of the others: the nearest face need not be that to the nearest cell, and without
- * the third outlines would jump where the second changes. */
-INLINE void cells_bodies(const stone_cells *c, const cells_near near[3], const cells_square *s,
-                         vf share[2]) {
+ * the third outlines would jump where the second changes. Of two edges through the square
+ * that know nothing of each other the product is left, of two along each other the lesser;
+ * faces of a crystal are between. A flake is thin: mostly it is
+ * elsewhere, and then its outline is nobody's. */
+INLINE void cells_bodies(const stone_cells *c, const cells_near near[3], const vm body[2],
+                         const cells_square *s, vf share[2]) {
+  vf zero = splat(0.0f);
   for (int n = 0; n < 2; n++) {
     const cells_near *a = &near[n];
+    vf flake = splat(1.0f);
+    if (c->thick < 1.0f) flake = cells_flake(c, a, s);
+    share[n] = zero;
+    if (!any(and_(body[n], gt(flake, zero)))) continue;
     vf erosion = cells_erosion(c, a->h);
     share[n] = cells_side(c, a, &near[1 - n], erosion, s);
-    if (cells_asked(c) > 2) share[n] = vmin(share[n], cells_side(c, a, &near[2], erosion, s));
+    if (cells_asked(c) > 2) {
+      vf third = cells_side(c, a, &near[2], erosion, s);
+      share[n] = splat(0.5f) * (vmin(share[n], third) + share[n] * third);
+    }
     if (c->radius < 4.0f) share[n] = vmin(share[n], cells_ball(c, a, s));
-    if (c->thick < 1.0f) share[n] = vmin(share[n], cells_flake(c, a, s));
+    share[n] = share[n] * flake;
   }
 }
 
 /* A square no larger than about a cell: of the nearest two cells, how much each
- * has of it. Exact for a plane between two. */
-INLINE void cells_shares(const stone_cells *c, const cells_near near[3], const cells_square *s,
-                         vf share[2]) {
+ * has of it; where cells have bodies, of those alone that are `body`. Exact for a plane
+ * between two. */
+INLINE void cells_shares(const stone_cells *c, const cells_near near[3], const vm body[2],
+                         const cells_square *s, vf share[2]) {
   if (c->shaped) {
-    cells_bodies(c, near, s, share);
+    cells_bodies(c, near, body, s, share);
     return;
   }
   const cells_near *a = &near[0], *b = &near[1];

@@ -20,13 +20,14 @@
 #include "value.h"
 
 #define LAMELLAE 13.0f      /* to a cell, of the finest direction's */
-#define LAMELLAE_GONE 0.29f /* cells: wider footprints see none */
+#define LAMELLAE_GONE 0.4f  /* cells: wider footprints see none */
+#define LAMELLAE_BOTH 0.29f /* wider: those of the nearer crystal alone, and of bodies none */
 #define CRYSTAL_FINE 7.3f   /* frequency of what is fine within crystals, 1/cell */
 #define CRACK_MEAN 0.1023f  /* of max(0, 1 - |n| / 0.05), n gradient noise */
 #define FLECK_MEAN 0.0137f  /* of clamp01((n - 0.36) 8) */
 
-/* What clouds, cracks and flecks are cut from: a noise and how much it changes
- * over the footprint; and what the footprint leaves of them. */
+/* What clouds, cracks and flecks are cut from: a noise's mean over the footprint, as far as
+ * its middle tells, and how much it changes there; and what the footprint leaves of them. */
 typedef struct {
   vf fine, extent2, keep, cloud;
 } crystal_noise;
@@ -53,22 +54,29 @@ INLINE crystal_noise crystal_at(const stone_cells *c, const vf q[3], const cells
   if (!any(gt(n.keep, zero))) return n;
   const vf at[3] = {q[0] * f, q[1] * f, q[2] * f};
   n.fine = value_three(at, splatu(c->seed_warp + 2u), 1, g) * splat(1.0f / HASH_ONE);
+  /* of a middle's number less is left the less the noise about it knows of it */
+  vf wide2 = splat(CRYSTAL_FINE * CRYSTAL_FINE) * wide * wide;
+  n.fine = n.fine / (splat(1.0f) + splat(0.3f) * wide2);
   /* the corners' gradients are not all of its slope, but of its square some half */
-  vf a = g[0] * s->u[0] + g[1] * s->u[1] + g[2] * s->u[2];
-  vf b = g[0] * s->v[0] + g[1] * s->v[1] + g[2] * s->v[2];
+  vf a = dot3(g, s->u), b = dot3(g, s->v);
   const float square = 0.5f * 1.8f * CRYSTAL_FINE * CRYSTAL_FINE / (HASH_ONE * HASH_ONE);
-  n.extent2 =
-      vmin(splat(square) * (a * a + b * b), splat(0.05f)); /* a noise is no plane for long */
+  /* a noise is no plane for long, and bends where it has no slope */
+  n.extent2 = vmin(splat(square) * (a * a + b * b), splat(0.05f)) + splat(0.1f) * wide2 * wide2;
   return n;
 }
 
 /* The integral from 0 to f of value noise's blend, and of the rest. */
 INLINE vf crystal_blend(vf f) { return f * f * f * (splat(1.0f) - splat(0.5f) * f); }
 
+INLINE vf crystal_number(vu hash, vi at, uint32_t on) {
+  return hash_signed((vu)at * splatu(HASH_X) + hash + splatu(on * HASH_X));
+}
+
 /* The mean over the footprint, within +-1.5; of all places 0. Value noise along the
- * crystal's direction, its integral exact for up to two lamellae. Each is the difference
- * of two numbers, the next one's other way round: many together are as good as none. h:
- * the crystal's. */
+ * crystal's direction. Each lamella is the difference of two numbers, the next one's other
+ * way round, so that the sum over any number of them is that of the two ends' numbers, and
+ * the integral exact however wide the footprint, if it is a line: across two sides of
+ * several lamellae each there is nothing left. h: the crystal's. */
 INLINE vf crystal_lamellae(vu h, const vf q[3], const cells_square *s) {
   const vf k = splat(LAMELLAE / HASH_ONE);
   vu hash = hash_upper(h ^ splatu(0x3c6ef35fu));
@@ -77,29 +85,34 @@ INLINE vf crystal_lamellae(vu h, const vf q[3], const cells_square *s) {
   vf t = d[0] * q[0] + d[1] * q[1] + d[2] * q[2];
   vf a = d[0] * s->u[0] + d[1] * s->u[1] + d[2] * s->u[2];
   vf b = d[0] * s->v[0] + d[1] * s->v[1] + d[2] * s->v[2];
-  vf one = splat(1.0f), zero = splat(0.0f), wide = vsqrt(a * a + b * b + splat(1e-4f));
-  vf keep = crystal_keep(wide, 1.0f, 2.0f), side = vmin(wide, splat(2.0f));
+  vf one = splat(1.0f), zero = splat(0.0f), square = a * a + b * b + splat(1e-4f);
+  vf inverse = inverse_root(square), side = square * inverse;
+  vf least = vmin(vabs(a), vabs(b));
+  vf keep = crystal_keep(least, 0.7f, 2.5f);
   if (!any(gt(keep, zero))) return zero;
-  vi first;
-  vf from = t - splat(0.5f) * side, f = from - vfloor(from, &first);
-  vf number[5], value[4], high[3];
-  int pieces = 0;
-  for (int i = 0; i < 5; i++) {
-    /* the last of the three pieces below is not reached by a side of one */
-    if (i == 4 && !any(gt(side, one))) break;
-    number[i] = hash_signed((vu)first * splatu(HASH_X) + hash + splatu((uint32_t)i * HASH_X));
-    if (i > 0) value[i - 1] = number[i - 1] - number[i];
-    pieces = i - 1;
+  vi first[2];
+  vf from = t - splat(0.5f) * side, f[2], number[2][3], sum[2];
+  f[0] = from - vfloor(from, &first[0]);
+  f[1] = from + side;
+  f[1] = f[1] - vfloor(f[1], &first[1]);
+  int wide = any(gt(side, one));
+  for (uint32_t j = 0; j < 3; j++) {
+    number[0][j] = crystal_number(hash, first[0], j);
+    if (wide) number[1][j] = crystal_number(hash, first[1], j);
   }
-  /* from f to f + side over three pieces of one each, of which the first begins at f */
-  high[0] = vmin(f + side, one);
-  high[1] = clamp01(f + side - one);
-  high[2] = vmax(f + side - splat(2.0f), zero);
-  vf sum = value[0] * (high[0] - f) +
-           (value[1] - value[0]) * (crystal_blend(high[0]) - crystal_blend(f));
-  for (int i = 1; i < pieces; i++)
-    sum = sum + value[i] * high[i] + (value[i + 1] - value[i]) * crystal_blend(high[i]);
-  return keep * sum / (side * splat(1.4142135f * HASH_ONE));
+  if (!wide) {
+    /* the other end is in the same piece or the next */
+    vm next = lti(first[0], first[1]);
+    number[1][0] = sel(next, number[0][1], number[0][0]);
+    number[1][1] = sel(next, number[0][2], number[0][1]);
+    number[1][2] = sel(next, crystal_number(hash, first[0], 3), number[0][2]);
+  }
+  for (int i = 0; i < 2; i++) {
+    vf low = number[i][0] - number[i][1], high = number[i][1] - number[i][2];
+    sum[i] = low * f[i] + (high - low) * crystal_blend(f[i]) -
+             splat(0.5f) * (number[i][0] + number[i][1]);
+  }
+  return keep * (sum[1] - sum[0]) * (inverse * splat(0.70710678f / HASH_ONE));
 }
 
 /* What of it does not differ from crystal to crystal: of the base's and the third

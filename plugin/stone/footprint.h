@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * A layer of cells under a footprint: a look where it is small, looks side by side
- * where it is not, and past what those reach the mean.
+ * where it is not, a count of the cells where it is wide, and past that the mean.
  */
 #ifndef SOZAI_STONE_FOOTPRINT_H
 #define SOZAI_STONE_FOOTPRINT_H
 
 #include "bodies.h"
 #include "crystals.h"
+#include "sections.h"
 
 /* Shares of a footprint: of kinds 1 and 2 with their brightness; and first, of crystals
  * kind 0 with its own, of bodies what both of them cover. */
@@ -19,17 +20,6 @@ typedef struct {
 INLINE cells_cover cells_none(void) {
   vf zero = splat(0.0f);
   return (cells_cover){{zero, zero, zero}};
-}
-
-/* Whether a cell's mineral is of kind 1, or of kind 2. */
-typedef struct {
-  vm first, second;
-} cells_kind;
-
-INLINE cells_kind cells_kind_of(const stone_cells *c, const vi at[3]) {
-  vf rich, u = cells_rank(c, at, &rich);
-  vm first = lt(u, splat(c->chance[0]) * rich);
-  return (cells_kind){first, and_(lt(u, splat(c->chance[1]) * rich), not_(first))};
 }
 
 /* A cell's share goes to its mineral, and with the cell's brightness. uneven: that
@@ -58,7 +48,8 @@ typedef struct {
   cells_square part;
   vf part_wide, most; /* the part's longer side, and the whole's */
   vf keep, fine;      /* how much the looks count beside the mean; of the faces' finer bends */
-  vm seen;
+  vm seen, counted;   /* by looks; cell by cell */
+  cells_square all;
   int once; /* one look at the middle is all, to every lane */
   vu nearest;
   cells_cover sum;
@@ -107,11 +98,10 @@ INLINE void look_add(const stone_cells *c, const cells_look *o) {
   eye->nearest = o->near[0].h;
   cells_kind kind[2];
   for (int n = 0; n < 2; n++) kind[n] = cells_kind_of(c, o->near[n].at);
-  if (c->shaped) {
-    vm body = or_(or_(kind[0].first, kind[0].second), or_(kind[1].first, kind[1].second));
-    if (!any(body)) return;
-  }
-  cells_shares(c, o->near, &eye->part, share);
+  vm body[2];
+  for (int n = 0; n < 2; n++) body[n] = or_(kind[n].first, kind[n].second);
+  if (c->shaped && !any(or_(body[0], body[1]))) return;
+  cells_shares(c, o->near, body, &eye->part, share);
   vf uneven = o->cloud * splat(1.3f * c->variation) + one, common[2] = {uneven, uneven};
   int textured = crystal_textured(c);
   if (textured && c->turbidity > 0.0f) {
@@ -120,13 +110,16 @@ INLINE void look_add(const stone_cells *c, const cells_look *o) {
     crystal_tones(&inner, tone);
     for (int k = 0; k < 2; k++) common[k] = uneven + tone[k];
   }
-  int lamellae = c->cleavage > 0.0f && any(lt(eye->most, splat(LAMELLAE_GONE)));
+  const float gone = c->shaped ? LAMELLAE_BOTH : LAMELLAE_GONE;
+  vf lamellae[2] = {crystal_keep(eye->most, 0.4f * gone, gone),
+                    crystal_keep(eye->most, 0.3f * LAMELLAE_BOTH, LAMELLAE_BOTH)};
   cells_cover look = cells_none();
   for (int n = 0; n < 2; n++) {
+    if (!any(gt(share[n], zero))) continue;
     vf tone[2] = {common[0], common[1]};
-    if (lamellae) {
+    if (c->cleavage > 0.0f && any(gt(lamellae[n], zero))) {
       vf l = splat(c->cleavage) * crystal_lamellae(o->near[n].h, o->straight, &eye->part);
-      l = l * crystal_keep(eye->most, 0.3f * LAMELLAE_GONE, LAMELLAE_GONE);
+      l = l * lamellae[n];
       tone[0] = tone[0] + splat(0.1f) * l;
       tone[1] = tone[1] + splat(0.05f) * l;
     }
@@ -157,6 +150,12 @@ INLINE vf eye_fine(const cells_eye *e) {
          crystal_keep(e->most, CELLS_FINE, 1.6f * CELLS_FINE);
 }
 
+/* Footprints whose cells are counted: where means do not stand in before that. */
+INLINE vm eye_counts(const stone_cells *c, vf most) {
+  float from = SECTIONS_KEEP * c->fade > SECTIONS_FROM ? SECTIONS_FROM : 1e9f;
+  return gt(most, splat(from));
+}
+
 /* Where the footprint takes more than one look. */
 STAGE void eye_divide(const stone_cells *c, cells_eye *e, const cells_square *all,
                       const vf wide[2]) {
@@ -178,7 +177,14 @@ STAGE void eye_divide(const stone_cells *c, cells_eye *e, const cells_square *al
   e->part_wide = vmax(cells_length(e->part.u), cells_length(e->part.v));
   e->fine = eye_fine(e);
   e->keep = crystal_keep(e->most, 0.6f * c->fade, 2.1f * c->fade);
-  e->seen = gt(e->keep, splat(0.0f));
+  e->counted = eye_counts(c, e->most);
+  if (any(e->counted)) {
+    vf keep = crystal_keep(e->most, SECTIONS_KEEP * c->fade, SECTIONS_GONE * c->fade);
+    e->keep = sel(e->counted, keep, e->keep);
+    e->counted = and_(e->counted, gt(keep, splat(0.0f)));
+  }
+  e->seen = and_(gt(e->keep, splat(0.0f)), not_(e->counted));
+  e->all = *all;
   e->once = !any(or_(gt(e->n[0] * e->n[1], one), not_(e->seen)));
 }
 
@@ -225,6 +231,11 @@ INLINE void eye_close(const stone_cells *c, const cells_eye *e, cells_cover *out
   const vf expected[CELLS_PARTS] = {c->shaped ? bodies : one - bodies, mean[0], mean[1]};
   for (int k = 0; k < CELLS_PARTS; k++)
     out->of[k] = sel(e->seen, mix(expected[k], e->sum.of[k] * each, e->keep), expected[k]);
+  if (e->once || !any(e->counted)) return;
+  vf cut[CELLS_PARTS];
+  sections_count(c, e->p, &e->all, e->counted, cut);
+  for (int k = 0; k < CELLS_PARTS; k++)
+    out->of[k] = sel(e->counted, mix(expected[k], cut[k], e->keep), out->of[k]);
 }
 
 #define CELLS_LOOKS 8 /* that go through the stages side by side */

@@ -8,11 +8,7 @@
 #ifndef SOZAI_STONE_GLOSS_H
 #define SOZAI_STONE_GLOSS_H
 
-#include "../core/maths.h"
-
-INLINE vf gloss_dot(const vf a[3], const vf b[3]) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+#include "../core/vectors.h"
 
 INLINE vf gloss_fresnel(vf at_normal, vf cosine) {
   vf x = splat(1.0f) - clamp01(cosine), x2 = x * x;
@@ -25,9 +21,9 @@ INLINE vf gloss_lobe(const vf n[3], const vf l[3], const vf v[3], vf alpha2, vf 
                      vf *below) {
   vf h[3], zero = splat(0.0f), one = splat(1.0f);
   for (int k = 0; k < 3; k++) h[k] = l[k] + v[k];
-  vf k = inverse_root(vmax(gloss_dot(h, h), splat(1e-12f)));
-  vf nl = clamp01(gloss_dot(n, l)), nv = vmax(gloss_dot(n, v), splat(1e-3f));
-  vf nh = clamp01(gloss_dot(n, h) * k), vh = clamp01(gloss_dot(v, h) * k);
+  vf k = inverse_root(vmax(dot3(h, h), splat(1e-12f)));
+  vf nl = clamp01(dot3(n, l)), nv = vmax(dot3(n, v), splat(1e-3f));
+  vf nh = clamp01(dot3(n, h) * k), vh = clamp01(dot3(v, h) * k);
   vf d = nh * nh * (alpha2 - one) + one;
   d = alpha2 / vmax(d * d, splat(1e-12f)); /* pi D */
   vf rest = one - alpha2;

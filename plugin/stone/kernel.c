@@ -132,7 +132,7 @@ STAGE void stage_fabric(const stone_constants *w, block *k) {
     vf flat2 = vmax(one - k->nrm[1] * k->nrm[1], zero);
     bed = splat(w->bed_contrast) * bed_share(w, k->p, k->s, flat2);
   }
-  if (w->has_mottle) shift = one + mottle_shift(w, k->p, k->s);
+  if (w->has_mottle) shift = one + mottle_shift(w, k->p, k->t1, k->t2, k->s);
   for (int c = 0; c < 3; c++) {
     vf base = splat(w->colour[COLOUR_BASE][c]);
     if (w->has_beds) base = mix(base, splat(w->colour[COLOUR_BED][c]), bed);
@@ -254,9 +254,9 @@ INLINE void stage_light(const stone_constants *w, int paved, const kernel_io *io
                         int radiance) {
   const surface *q = &k->surface;
   vf n[3], zero = splat(0.0f), one = splat(1.0f);
-  vf along = gloss_dot(q->height.g, k->face);
+  vf along = dot3(q->height.g, k->face);
   for (int c = 0; c < 3; c++) n[c] = k->face[c] - (q->height.g[c] - along * k->face[c]);
-  vf l = inverse_root(vmax(gloss_dot(n, n), splat(1e-12f)));
+  vf l = inverse_root(vmax(dot3(n, n), splat(1e-12f)));
   for (int c = 0; c < 3; c++) n[c] = n[c] * l;
   for (int c = 0; c < 3; c++) put(io, k, STONE_NORMAL + c, n[c]);
   vf alpha2 = splat(w->alpha2), specular = splat(w->specular) * (one - k->hole);
@@ -283,7 +283,7 @@ INLINE void stage_light(const stone_constants *w, int paved, const kernel_io *io
   direction_of(io->in->view, k->i, k->n, k->face, 1, view);
   vf lobe = gloss_lobe(n, light, view, alpha2, specular, &below);
   /* light from behind the sawn face lights no slope of it */
-  vf up = gloss_dot(light, k->face);
+  vf up = dot3(light, k->face);
   vm front = gt(up, zero);
   vf lit = surface_lit(w, paved, &k->laid, q, k->s, light, up);
   for (int c = 0; c < 3; c++) {
@@ -386,14 +386,15 @@ static void measure_layer(const stone_cells *c, uint32_t count, double *fill, do
   const vf zero = splat(0.0f), side = splat(CELLS_LOOK_MOST);
   const cells_square point = {{zero, zero, zero}, {zero, zero, zero}};
   const cells_square look = {{side, zero, zero}, {zero, side, zero}};
+  const vm all = le(zero, zero), body[2] = {all, all};
   for (uint32_t i = 0; i < count; i += LANES) {
     vf q[3], share[2];
     cells_near near[3];
     for (uint32_t a = 0; a < 3; a++) q[a] = measure_place(i, a, MEASURED_EXTENT);
     cells_find(c, 0, q, near);
-    cells_shares(c, near, &point, share);
+    cells_shares(c, near, body, &point, share);
     measure_add(fill, share[0] + share[1]);
-    cells_shares(c, near, &look, share);
+    cells_shares(c, near, body, &look, share);
     measure_add(seen, share[0] + share[1]);
   }
   *fill /= count;

@@ -132,7 +132,7 @@ STAGE void laid_by_parts(const stone_constants *w, const vf p[3], const vf n[3],
 
 #define LAID_TWO 0.3f   /* of a stone's smaller side, from which a footprint is seen in two */
 #define LAID_FOUR 0.8f  /* parts to a side, and in four */
-#define LAID_MANY 12.0f /* from which the mean of all stones is as good */
+#define LAID_MANY 12.0f /* from which parts vary by what the mean is off by: sd 0.001 */
 
 INLINE void laid_wide(const stone_constants *w, const vf p[3], const vf n[3], const vf t1[3],
                       const vf t2[3], vf s, laid *q) {

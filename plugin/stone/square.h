@@ -7,19 +7,18 @@
 #define SOZAI_STONE_SQUARE_H
 
 #include "../core/lanes.h"
+#include "../core/vectors.h"
 
 /* Its two sides, in cells. */
 typedef struct {
   vf u[3], v[3];
 } cells_square;
 
-INLINE vf cells_length(const vf x[3]) { return vsqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]); }
+INLINE vf cells_length(const vf x[3]) { return vsqrt(dot3(x, x)); }
 
 /* The extent over the square of a number that changes by g to a cell. */
 INLINE vf cells_extent2(const cells_square *s, const vf g[3], float blur) {
-  vf u = g[0] * s->u[0] + g[1] * s->u[1] + g[2] * s->u[2];
-  vf v = g[0] * s->v[0] + g[1] * s->v[1] + g[2] * s->v[2];
-  vf all = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
+  vf u = dot3(g, s->u), v = dot3(g, s->v), all = dot3(g, g);
   return u * u + v * v + all * splat(blur * blur) + splat(1e-12f);
 }
 

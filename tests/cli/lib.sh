@@ -12,6 +12,14 @@ mkdir -p "$scratch"
 failures=0
 checks=0
 
+# shellcheck source=tests/cli/foreign.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/foreign.sh" "$SOZAI_PLUGIN"
+for program in iinfo oiiotool maketx; do
+  if [[ $runtime ]] && command -v $program >/dev/null; then
+    eval "$program() { foreign $program \"\$@\"; }"
+  fi
+done
+
 failed() {
   failures=$((failures + 1))
   printf 'FAILED: %s\n' "$*"

@@ -30,7 +30,8 @@ stat_of() { # log, name
 # Until the time is up: an input that ends the process is kept, and the rest goes on
 # without it. Ten are enough to begin mending.
 run() { # target
-  local name=$1 end=$((SECONDS + seconds)) begin found=0 code executed log folders options=()
+  local name=$1 end=$((SECONDS + seconds)) left=$seconds begin found=0 code executed log
+  local folders options=()
   local longest=600 # bytes that are taken one by one
   case $name in
     recipe | csv | field | alias | png | ply | pieces | meshfile) longest=4096 ;;
@@ -40,10 +41,11 @@ run() { # target
   mkdir -p "$work/corpus/$name" "$work/found/$name"
   folders=("$work/corpus/$name" "$here/corpus/$name")
   if [[ -d $here/regressions/$name ]]; then folders+=("$here/regressions/$name"); fi
-  while ((SECONDS < end && found < 10)); do
+  # the clock is read once a turn: libFuzzer takes 0 seconds for no limit
+  while ((left > 0 && found < 10)); do
     begin=$SECONDS code=0
     log=$work/$name.$(date +%s).$found.log
-    "$build/tests/bin/fuzz-$name" "-max_total_time=$((end - SECONDS))" -timeout=25 \
+    "$build/tests/bin/fuzz-$name" "-max_total_time=$left" -timeout=25 \
       -rss_limit_mb=2560 "-max_len=$longest" -len_control=0 -print_final_stats=1 -close_fd_mask=0 \
       "-artifact_prefix=$work/found/$name/" "${options[@]}" \
       "${folders[@]}" >"$log" 2>&1 || code=$?
@@ -56,7 +58,7 @@ run() { # target
       echo "$name: exit code $code, see $log"
       bad=1
     fi
-
+    left=$((end - SECONDS))
   done
 }
 

@@ -58,5 +58,11 @@ fi
 # And so does the reader for OpenImageIO.
 if command -v iinfo >/dev/null && [[ -e $prefix/$libdir/sozai/sozai.imageio.so ]]; then
   printf 'material: wood\n' >"$scratch/oak.sozai"
-  (cd / && env -u SOZAI_PLUGIN OIIO_LIBRARY_PATH="$prefix/$libdir/sozai" iinfo "$scratch/oak.sozai")
+  # shellcheck source=tests/cli/foreign.sh
+  source "$here/../cli/foreign.sh" "$prefix/$libdir/sozai/sozai.imageio.so"
+  (
+    cd /
+    unset SOZAI_PLUGIN
+    OIIO_LIBRARY_PATH=$prefix/$libdir/sozai foreign iinfo "$scratch/oak.sozai"
+  )
 fi

@@ -116,6 +116,10 @@ CORE(noise_axial3_near, uint32_t cell = i / CELL_POINTS;
      OUT(3, dz);)
 CORE(noise_gradient3, vf g[3]; OUT(0, noise_gradient3(IN(0), IN(1), IN(2), (vu)BITS(3), g));
      OUT(1, g[0]); OUT(2, g[1]); OUT(3, g[2]);)
+CORE(noise_gradient3_near, int32_t cell = (int32_t)(i / CELL_POINTS); vf g[3];
+     OUT(0, noise_gradient3(WITHIN(0, cell), WITHIN(1, -cell), WITHIN(2, 3),
+                            splatu((uint32_t)cell *HASH_Z), g));
+     OUT(1, g[0]); OUT(2, g[1]); OUT(3, g[2]);)
 CORE(noise_fractal3, vf g[3]; OUT(0, noise_fractal3(IN(0), IN(1), IN(2), CORE_SEED, CORE_OCTAVES,
                                                     CORE_LACUNARITY, CORE_GAIN, IN(3), g));
      OUT(1, g[0]); OUT(2, g[1]); OUT(3, g[2]);)

@@ -73,6 +73,7 @@ enum {
   X(noise_axial3, 4, 4, DOMAIN_LATTICE, DOMAIN_LATTICE, DOMAIN_LATTICE, DOMAIN_BITS)               \
   X(noise_axial3_near, 3, 4, DOMAIN_BITS, DOMAIN_BITS, DOMAIN_BITS, 0)                             \
   X(noise_gradient3, 4, 4, DOMAIN_LATTICE, DOMAIN_LATTICE, DOMAIN_LATTICE, DOMAIN_BITS)            \
+  X(noise_gradient3_near, 3, 4, DOMAIN_BITS, DOMAIN_BITS, DOMAIN_BITS, 0)                          \
   X(noise_fractal3, 4, 4, DOMAIN_LATTICE, DOMAIN_LATTICE, DOMAIN_LATTICE, DOMAIN_EXTENT)           \
   X(filter_keep, 1, 1, DOMAIN_EXTENT, 0, 0, 0)                                                     \
   X(filter_wave, 1, 1, DOMAIN_EXTENT, 0, 0, 0)

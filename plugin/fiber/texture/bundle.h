@@ -7,6 +7,7 @@
 #ifndef SOZAI_FIBERTEX_BUNDLE_H
 #define SOZAI_FIBERTEX_BUNDLE_H
 
+#include "../../core/vectors.h"
 #include "lanes.h"
 
 /* The axes on the surface that directions are counted from, its normal, and
@@ -18,14 +19,6 @@ typedef struct {
   vf step[3];  /* how far the ray has gone sideways per depth */
   vf lean2[2]; /* tangent of the view's slant along e1 and e2 */
 } hull_frame;
-
-INLINE vf dot3(const vf a[3], const vf b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-INLINE void cross(const vf a[3], const vf b[3], vf out[3]) {
-  out[0] = a[1] * b[2] - a[2] * b[1];
-  out[1] = a[2] * b[0] - a[0] * b[2];
-  out[2] = a[0] * b[1] - a[1] * b[0];
-}
 
 /* The same turned into the lattice's space, which no face or diagonal of an object
  * lies along: a level of the lattice would be cut all at one height. */

@@ -13,7 +13,7 @@
 #ifndef SOZAI_FIBERTEX_STRAND_LIGHT_H
 #define SOZAI_FIBERTEX_STRAND_LIGHT_H
 
-#include "../../core/maths.h"
+#include "../../core/vectors.h"
 #include "texture.h"
 
 /* max(0, 1 - q/8)^8, which is e^-q nearly; over BELL sigma a bell's density. x: over 4 sigma. */
@@ -31,10 +31,6 @@ typedef struct {
   vf along[3], across[3], up[3];
   vf across2, up2;
 } strand_axes;
-
-INLINE vf strand_dot(const vf a[3], const vf b[3]) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 /* Radiance of a strand under light of irradiance pi: white; of what went through; of what
  * was scattered within. And the lobe of what goes on through. */
@@ -83,9 +79,9 @@ INLINE void strand_angles_from(const fibertex_constants *w, int given_sum, vf sl
 INLINE void strand_angles_of(const fibertex_constants *w, int given_sum, const vf light[3],
                              const vf view[3], vf between, const strand_axes *t, strand_angles *q) {
   vf shrink = splat(1.0f) - splat(0.5f) * (t->across2 + t->up2);
-  vf sl = strand_dot(t->along, light) * shrink, sv = strand_dot(t->along, view) * shrink;
-  vf la = strand_dot(t->across, light), va = strand_dot(t->across, view);
-  vf lu = strand_dot(t->up, light), vu_ = strand_dot(t->up, view);
+  vf sl = dot3(t->along, light) * shrink, sv = dot3(t->along, view) * shrink;
+  vf la = dot3(t->across, light), va = dot3(t->across, view);
+  vf lu = dot3(t->up, light), vu_ = dot3(t->up, view);
   vf a = t->across2 * la, u = t->up2 * lu;
   vf sl2 = a * la + u * lu, sv2 = t->across2 * (va * va) + t->up2 * (vu_ * vu_);
   strand_angles_from(w, given_sum, sl, sv, sl2, sv2, a * va + u * vu_, between, q);

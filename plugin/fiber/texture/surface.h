@@ -17,7 +17,7 @@ INLINE void frame_axes(const fibertex_constants *w, const vf given[3], hull_fram
   for (int c = 0; c < 3; c++) f->e1[c] = axis[c] - along * f->n[c];
   vf k = inverse_root(vmax(dot3(f->e1, f->e1), splat(1e-6f)));
   for (int c = 0; c < 3; c++) f->e1[c] = f->e1[c] * k;
-  cross(f->n, f->e1, f->e2);
+  cross3(f->n, f->e1, f->e2);
 }
 
 INLINE void into_frame(const hull_frame *f, const vf v[3], vf out[3]) {
