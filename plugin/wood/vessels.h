@@ -341,6 +341,7 @@ INLINE matrix2 to_section(vf aa, vf ab, vf bb, vf c, vf s) {
 #define ROW_MOST 8     /* vessels of a row under a footprint */
 #define ROW_FADES 2.5f /* of half of those: from here on the mean fades in */
 #define ROW_SHARP 0.3f /* of a radius: no box is narrower, as no vessel's edge is sharper */
+#define ROW_LENS 0.5f  /* of a radius: what two vessels share is smaller than either */
 
 typedef struct {
   vf pores, rows;             /* coverage, where it could be looked up */
@@ -447,7 +448,7 @@ typedef struct {
   vf to_chord;      /* from the share of a vessel within the width to half its chord there, mm */
   vf spread;        /* vessels to either side that the box may meet */
   vf expected;      /* the same as the row has on average: known where no row is near */
-  vf height;        /* of a mean vessel's cover, as a disc's */
+  vf apart;         /* 1: what vessels share is counted once; less, twice in part */
 } row_box;
 
 /* A disc's projection has the variance of a parabola's over 5^0.5 / 2 radii. */
@@ -470,9 +471,11 @@ INLINE row_box row_box_of(const wood_constants *w, const row_place *p, const foo
   vf reach = splat(0.5f) * (vabs(l.arc) + width * vabs(b.z)) + splat(w->row_largest);
   b.spread = reach * p->per_arc + splat(0.5f * w->row_jitter_arc);
   b.expected = reach * splat(w->row_density) + splat(0.5f * w->row_jitter_arc);
-  vf r2 = splat(radius * radius), k = splat(1.0f / (12.0f * 0.2552f));
+  /* A sum of shares that stays below 1 counts twice where two vessels overlap, once the box
+   * is large beside the lens that they share: as discs of the lens's size are blurred. */
+  vf r2 = splat(ROW_LENS * ROW_LENS * radius * radius), k = splat(1.0f / (12.0f * 0.2552f));
   vf x = r2 * inverse_root((r2 + k * long2) * (r2 + k * width * width));
-  b.height = vmin(x * splat(1.0f / 0.55f), splat(1.0f));
+  b.apart = vmin(x * splat(1.0f / 0.55f), splat(1.0f));
   return b;
 }
 
@@ -523,7 +526,7 @@ static __attribute__((noinline)) void rows_in_parts(const wood_constants *w, con
         sum = sum + sel(le(splat((float)a), spread + spread), share, zero);
       }
     }
-    vf more = (one - box.height) * splat(w->row.overlap);
+    vf more = (one - box.apart) * splat(w->row.overlap);
     sum = sel(boxed, vmin(sum - sum * more, one), zero);
   }
   if (any(whole)) {
