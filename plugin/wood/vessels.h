@@ -13,12 +13,13 @@
  * it is 0 to 0.75 where it is 1: its area and its half level are the disc's.
  * Under a footprint of covariance C the disc's matrix R^2 I grows to
  * M = R^2 I + C / 0.2552 (0.2552 R^2 is the ramped disc's own variance). While
- * x = R^2 / sqrt(det M) is above 0.55 the vessel stays full in its middle, its
+ * x = R^2 / sqrt(det M) is above 0.74 the vessel stays full in its middle, its
  * area is kept by moving the half level to q = x, and the ramp widens; below,
  * it is a cone in q whose height falls with x. The area is exact throughout,
- * the shape approximate. A footprint longer than the cells looked at is cut into
- * up to 4, and 8 for rows, along its longest direction and, where it is broad, once
- * across that; beyond, the expected coverage takes over. tests/property prints the errors.
+ * the shape approximate. Of pores a footprint longer than the cells looked at is cut into
+ * up to 4 parts along its longest direction and, where it is broad, once across that. A row
+ * answers a long footprint in one pass, each vessel by its share of a box. Beyond, the
+ * expected coverage takes over. tests/property prints the errors.
  */
 #ifndef SOZAI_WOOD_VESSELS_H
 #define SOZAI_WOOD_VESSELS_H
@@ -37,19 +38,26 @@ typedef struct {
 typedef struct {
   vf xx, xz, zz; /* of Q; xz doubled */
   vf top, height;
+  vf apart; /* 1: a sum of covers that is cut off at 1 is their union; 0: it counts twice */
 } disc;
+
+#define DISC_FULL 0.74f  /* x from which on a disc is full in its middle */
+#define DISC_APART 1.25f /* of x^2: what two discs share is smaller than either */
 
 INLINE disc disc_blurred(vf radius2, matrix2 c) {
   vf k = splat(1.0f / 0.2552f), one = splat(1.0f);
   vf xx = radius2 + k * c.xx, zz = radius2 + k * c.zz, xz = k * c.xz;
   vf det = vmax(xx * zz - xz * xz, radius2 * radius2);
   vf root = inverse_root(det), x = radius2 * root;
-  vf middle = vmax(x, splat(0.55f));
-  /* one over the ramp's width: 2, and no less than what keeps the cone's tip at 1 */
-  vf slope = vmax(splat(7.0f) * x - splat(5.0f), splat(1.0f / 1.1f));
+  vf middle = vmax(x, splat(DISC_FULL));
+  /* one over the ramp's width: 2 of a point, no less than what keeps the cone's tip at 1, and
+   * between them what errs least against discs averaged over squares and lines */
+  vf slope = vmax(vmax(splat(20.0f) * x - splat(18.0f), splat(3.4f) * x - splat(2.1f)),
+                  splat(0.5f / DISC_FULL));
   vf inverse = root * root * slope;
   disc d;
-  d.height = vmin(x * splat(1.0f / 0.55f), one);
+  d.height = vmin(x * splat(1.0f / DISC_FULL), one);
+  d.apart = vmin(splat(DISC_APART) * x * x, one);
   d.top = splat(0.5f) + middle * slope;
   d.xx = zz * inverse;
   d.zz = xx * inverse;
@@ -70,9 +78,8 @@ INLINE vf vessel_cover(const wood_vessels *v, const disc *d, vu h, vf q) {
 /* From the sum of covers to the share covered: discs overlap, and where they
  * are blurred the sum counts that twice, by `overlap` on average. */
 INLINE vf vessel_overlap(const wood_vessels *v, const disc *d, vf sum) {
-  vf blurred = splat(1.0f) - d->height;
   sum = sum * d->height;
-  return vmin(sum - sum * blurred * splat(v->overlap), splat(1.0f));
+  return vmin(sum - sum * (splat(1.0f) - d->apart) * splat(v->overlap), splat(1.0f));
 }
 
 /* A hash as a whole number within +-HASH_ONE: a place within half a cell of the
@@ -104,7 +111,7 @@ INLINE pore_cells pores_near(const wood_constants *w, vu own, vf x, vf z, const 
   p.x = (x - vfloor(x, &ix)) * unit;
   p.z = (z - vfloor(z, &iz)) * unit;
   p.hash = (vu)ix * splatu(HASH_X) + (vu)iz * splatu(HASH_Z) + wood_seed(w, own, SEED_PORES);
-  p.d = (disc){d->xx * square, d->xz * square, d->zz * square, d->top, d->height};
+  p.d = (disc){d->xx * square, d->xz * square, d->zz * square, d->top, d->height, d->apart};
   return p;
 }
 
@@ -287,7 +294,7 @@ INLINE footprint_axes footprint_split(const footprint2 *f) {
 }
 
 /* How a footprint is cut into parts, lane by lane: `along` of its longest
- * direction (1, 2, 4 or 8), `beside` of what is left (1 or 2). */
+ * direction (1, 2, 3 or 4, or 1, 2, 4 or 8), `beside` of what is left (1 or 2). */
 typedef struct {
   vm most;          /* into as many as there are */
   vf along, beside; /* inverses of the numbers */
@@ -296,6 +303,9 @@ typedef struct {
 } footprint_parts;
 
 INLINE vf square_of(vf x) { return x * x; }
+
+/* Of the reach: how long three parts may be. */
+#define THREE_PARTS 0.875f
 
 /* most: how many parts there may be, 4 or 8. */
 INLINE footprint_parts footprint_cut(const footprint2 *f, const footprint_axes *l, vm cut,
@@ -315,8 +325,12 @@ INLINE footprint_parts footprint_cut(const footprint2 *f, const footprint_axes *
     p.along = sel(four, splat(0.25f), p.along);
     p.along = sel(and_(narrow, all), splat(0.125f), p.along);
   } else {
+    vm three = four; /* or four, where parts of a third would come near the reach */
+    four = gt(long2 * splat(1.0f / 9.0f) + rest2, splat(THREE_PARTS * THREE_PARTS) * reach2);
     all = or_(all, and_(narrow, four));
+    p.along = sel(and_(narrow, three), splat(1.0f / 3.0f), p.along);
     p.along = sel(and_(narrow, four), splat(0.25f), p.along);
+    four = three;
   }
   p.most = and_(cut, all);
   p.along = sel(cut, p.along, one);
@@ -400,10 +414,9 @@ INLINE footprint_part footprint_part_of(const footprint_axes *l, const footprint
   return q;
 }
 
-/* Footprints longer than what one tap answers are answered by up to 4 or 8; past the part
- * of those the expected coverage fades in. The lanes that are not cut are whole, in one
- * tap, as they would be alone. Pores stand closer than the earlywood's vessels and reach
- * less far, so that each have parts of their own. */
+/* Pores under footprints longer than what one tap answers are answered by up to 4; past the
+ * part of those the expected coverage fades in. The lanes that are not cut are whole, in
+ * one tap, as they would be alone. */
 INLINE vm pores_cut(const wood_constants *w, const footprint2 *f) {
   return gt(f->aa + f->bb, splat(w->pores.part * w->pores.part));
 }
