@@ -304,12 +304,9 @@ typedef struct {
 
 INLINE vf square_of(vf x) { return x * x; }
 
-/* Of the reach: how long three parts may be. */
-#define THREE_PARTS 0.875f
-
-/* most: how many parts there may be, 4 or 8. */
+/* most: how many parts there may be, 4 or 8; third: of 4, how long three may be. */
 INLINE footprint_parts footprint_cut(const footprint2 *f, const footprint_axes *l, vm cut,
-                                     float reach, int most) {
+                                     float reach, float third, int most) {
   footprint_parts p;
   vf one = splat(1.0f), half = splat(0.5f), reach2 = splat(reach * reach);
   vf long2 = square_of(l->arc) + square_of(l->rho);
@@ -325,8 +322,8 @@ INLINE footprint_parts footprint_cut(const footprint2 *f, const footprint_axes *
     p.along = sel(four, splat(0.25f), p.along);
     p.along = sel(and_(narrow, all), splat(0.125f), p.along);
   } else {
-    vm three = four; /* or four, where parts of a third would come near the reach */
-    four = gt(long2 * splat(1.0f / 9.0f) + rest2, splat(THREE_PARTS * THREE_PARTS) * reach2);
+    vm three = four; /* or four, where thirds would have their cones cut off */
+    four = gt(long2 * splat(1.0f / 9.0f) + rest2, splat(third * third));
     all = or_(all, and_(narrow, four));
     p.along = sel(and_(narrow, three), splat(1.0f / 3.0f), p.along);
     p.along = sel(and_(narrow, four), splat(0.25f), p.along);
@@ -425,7 +422,7 @@ INLINE void pores_in_parts(const wood_constants *w, const vessel_place *p, vm cu
                            vessel_cover_t *v) {
   vf zero = splat(0.0f);
   footprint_axes l = footprint_split(&p->f);
-  footprint_parts part = footprint_cut(&p->f, &l, cut, w->pores.part, 4);
+  footprint_parts part = footprint_cut(&p->f, &l, cut, w->pores.part, w->pores.third, 4);
   v->pores_faded = sel(part.most, fade_beyond(part.aa + part.bb, w->pores.part), zero);
   vm left = lt(v->pores_faded, splat(1.0f));
   if (!any(left)) return;

@@ -94,6 +94,7 @@ typedef struct {
   float radius;   /* mm, the mean */
   float reach;    /* mm: the longest footprint that one look-up answers to its last tail */
   float part;     /* mm: the longest that is not cut into parts */
+  float third;    /* mm: how long three parts may be */
   float farthest; /* q, in units of the mean radius, at which the largest vessel ends */
   float coverage; /* expected area fraction where the layer is at full size */
   float overlap;  /* share of the discs' areas that lies under another disc */
