@@ -428,9 +428,12 @@ static double build_radii(wood_vessels *v, double diameter_um, double spread) {
 
 /* The longest footprint for which every vessel that could cover it lies
  * within `clear` of its centre: the blurred disc's half length is
- * sqrt(1.25 (R^2 + e^2 / (12 * 0.2552))). */
-static float longest_footprint(double clear, double radius) {
-  double e2 = (clear * clear / 1.25 - radius * radius) * 12.0 * 0.2552;
+ * sqrt(end (R^2 + e^2 / (12 * 0.2552))), end being where it is 0 in q. */
+#define END_SHARP 1.25 /* of a disc that is full in its middle */
+#define END_CONE 1.48
+
+static float longest_footprint(double clear, double radius, double end) {
+  double e2 = (clear * clear / end - radius * radius) * 12.0 * 0.2552;
   double least = radius * radius;
   if (e2 < least) e2 = least;
   return (float)__builtin_sqrt(e2);
@@ -496,9 +499,10 @@ static void build_vessels(wood_constants *w, const settings *s) {
   w->pore_cell = (float)(1.0 / __builtin_sqrt(density));
   w->inverse_pore_cell = 1.0f / w->pore_cell;
   w->pore_step = w->pore_cell / 4294967296.0f;
-  w->pores.reach = longest_footprint(0.5 * (double)w->pore_cell, largest);
+  w->pores.reach = longest_footprint(0.5 * (double)w->pore_cell, largest, END_SHARP);
   double usual = (double)w->pores.radius * (1.0 + spread) * (late > 1.0 ? late : 1.0);
-  w->pores.part = longest_footprint(PART_CLEAR * (double)w->pore_cell, usual);
+  w->pores.part = longest_footprint(PART_CLEAR * (double)w->pore_cell, usual, END_SHARP);
+  w->pores.third = longest_footprint(PART_CLEAR * (double)w->pore_cell, usual, END_CONE);
   w->pores.coverage =
       (float)(0.5 * TWO_PI * (double)w->pores.radius * (double)w->pores.radius * square * density);
   if (!w->has_pores) w->pores.coverage = 0.0f;
@@ -512,10 +516,18 @@ static void build_vessels(wood_constants *w, const settings *s) {
   double row_square = build_radii(&w->row, row_d, number_at(s, P_ROW_SPREAD));
   double row_radius = (double)w->row.radius, row_spacing = 1.05e-3 * row_d;
   double row_largest = row_radius * (1.0 + 2.5 * number_at(s, P_ROW_SPREAD));
-  w->row.reach =
-      longest_footprint((1.0 - 0.5 * number_at(s, P_ROW_JITTER)) / row_density, row_largest);
+  w->row.reach = longest_footprint((1.0 - 0.5 * number_at(s, P_ROW_JITTER)) / row_density,
+                                   row_largest, END_SHARP);
   w->row.part = (float)(PART_OF_ROW * row_radius);
   if (w->row.part > w->row.reach) w->row.part = w->row.reach;
+  double least_square = 1.0;
+  for (int i = 0; i < WOOD_RADII; i++) {
+    double inverse_square = (double)w->row.inverse_square[i];
+    w->row_inverse[i] = (float)__builtin_sqrt(inverse_square);
+    w->row_square[i] = (float)(1.0 / inverse_square);
+    if (inverse_square < least_square) least_square = inverse_square;
+  }
+  w->row_largest = (float)(1.12 * row_radius / __builtin_sqrt(least_square));
   w->row_density = (float)row_density;
   w->row_spacing = (float)row_spacing;
   w->row_start = (float)(0.55e-3 * row_d);

@@ -87,7 +87,7 @@ INLINE trough_sum tubes_over(const wood_tubes *m, vu seed, const vessel_place *v
   vf zero = splat(0.0f), one = splat(1.0f), twelfth = splat(1.0f / 12.0f);
   vm cut = gt(v->f.aa + v->f.bb, splat(m->reach * m->reach));
   footprint_axes l = footprint_split(&v->f);
-  footprint_parts part = footprint_cut(&v->f, &l, cut, m->reach, 8);
+  footprint_parts part = footprint_cut(&v->f, &l, cut, m->reach, 0.0f, 8);
   vf faded = sel(part.most, fade_beyond(part.aa + part.bb, m->reach), zero), keep = one - faded;
   trough_sum sum = {splat(m->mean) * faded, zero, zero, zero};
   *left = zero;

@@ -13,12 +13,13 @@
  * it is 0 to 0.75 where it is 1: its area and its half level are the disc's.
  * Under a footprint of covariance C the disc's matrix R^2 I grows to
  * M = R^2 I + C / 0.2552 (0.2552 R^2 is the ramped disc's own variance). While
- * x = R^2 / sqrt(det M) is above 0.55 the vessel stays full in its middle, its
+ * x = R^2 / sqrt(det M) is above 0.74 the vessel stays full in its middle, its
  * area is kept by moving the half level to q = x, and the ramp widens; below,
  * it is a cone in q whose height falls with x. The area is exact throughout,
- * the shape approximate. A footprint longer than the cells looked at is cut into
- * up to 4, and 8 for rows, along its longest direction and, where it is broad, once
- * across that; beyond, the expected coverage takes over. tests/property prints the errors.
+ * the shape approximate. Of pores a footprint longer than the cells looked at is cut into
+ * up to 4 parts along its longest direction and, where it is broad, once across that. A row
+ * answers a long footprint in one pass, each vessel by its share of a box. Beyond, the
+ * expected coverage takes over. tests/property prints the errors.
  */
 #ifndef SOZAI_WOOD_VESSELS_H
 #define SOZAI_WOOD_VESSELS_H
@@ -37,19 +38,26 @@ typedef struct {
 typedef struct {
   vf xx, xz, zz; /* of Q; xz doubled */
   vf top, height;
+  vf apart; /* 1: a sum of covers that is cut off at 1 is their union; 0: it counts twice */
 } disc;
+
+#define DISC_FULL 0.74f  /* x from which on a disc is full in its middle */
+#define DISC_APART 1.25f /* of x^2: what two discs share is smaller than either */
 
 INLINE disc disc_blurred(vf radius2, matrix2 c) {
   vf k = splat(1.0f / 0.2552f), one = splat(1.0f);
   vf xx = radius2 + k * c.xx, zz = radius2 + k * c.zz, xz = k * c.xz;
   vf det = vmax(xx * zz - xz * xz, radius2 * radius2);
   vf root = inverse_root(det), x = radius2 * root;
-  vf middle = vmax(x, splat(0.55f));
-  /* one over the ramp's width: 2, and no less than what keeps the cone's tip at 1 */
-  vf slope = vmax(splat(7.0f) * x - splat(5.0f), splat(1.0f / 1.1f));
+  vf middle = vmax(x, splat(DISC_FULL));
+  /* one over the ramp's width: 2 of a point, no less than what keeps the cone's tip at 1, and
+   * between them what errs least against discs averaged over squares and lines */
+  vf slope = vmax(vmax(splat(20.0f) * x - splat(18.0f), splat(3.4f) * x - splat(2.1f)),
+                  splat(0.5f / DISC_FULL));
   vf inverse = root * root * slope;
   disc d;
-  d.height = vmin(x * splat(1.0f / 0.55f), one);
+  d.height = vmin(x * splat(1.0f / DISC_FULL), one);
+  d.apart = vmin(splat(DISC_APART) * x * x, one);
   d.top = splat(0.5f) + middle * slope;
   d.xx = zz * inverse;
   d.zz = xx * inverse;
@@ -70,9 +78,8 @@ INLINE vf vessel_cover(const wood_vessels *v, const disc *d, vu h, vf q) {
 /* From the sum of covers to the share covered: discs overlap, and where they
  * are blurred the sum counts that twice, by `overlap` on average. */
 INLINE vf vessel_overlap(const wood_vessels *v, const disc *d, vf sum) {
-  vf blurred = splat(1.0f) - d->height;
   sum = sum * d->height;
-  return vmin(sum - sum * blurred * splat(v->overlap), splat(1.0f));
+  return vmin(sum - sum * (splat(1.0f) - d->apart) * splat(v->overlap), splat(1.0f));
 }
 
 /* A hash as a whole number within +-HASH_ONE: a place within half a cell of the
@@ -104,7 +111,7 @@ INLINE pore_cells pores_near(const wood_constants *w, vu own, vf x, vf z, const 
   p.x = (x - vfloor(x, &ix)) * unit;
   p.z = (z - vfloor(z, &iz)) * unit;
   p.hash = (vu)ix * splatu(HASH_X) + (vu)iz * splatu(HASH_Z) + wood_seed(w, own, SEED_PORES);
-  p.d = (disc){d->xx * square, d->xz * square, d->zz * square, d->top, d->height};
+  p.d = (disc){d->xx * square, d->xz * square, d->zz * square, d->top, d->height, d->apart};
   return p;
 }
 
@@ -287,7 +294,7 @@ INLINE footprint_axes footprint_split(const footprint2 *f) {
 }
 
 /* How a footprint is cut into parts, lane by lane: `along` of its longest
- * direction (1, 2, 4 or 8), `beside` of what is left (1 or 2). */
+ * direction (1, 2, 3 or 4, or 1, 2, 4 or 8), `beside` of what is left (1 or 2). */
 typedef struct {
   vm most;          /* into as many as there are */
   vf along, beside; /* inverses of the numbers */
@@ -297,9 +304,9 @@ typedef struct {
 
 INLINE vf square_of(vf x) { return x * x; }
 
-/* most: how many parts there may be, 4 or 8. */
+/* most: how many parts there may be, 4 or 8; third: of 4, how long three may be. */
 INLINE footprint_parts footprint_cut(const footprint2 *f, const footprint_axes *l, vm cut,
-                                     float reach, int most) {
+                                     float reach, float third, int most) {
   footprint_parts p;
   vf one = splat(1.0f), half = splat(0.5f), reach2 = splat(reach * reach);
   vf long2 = square_of(l->arc) + square_of(l->rho);
@@ -315,8 +322,12 @@ INLINE footprint_parts footprint_cut(const footprint2 *f, const footprint_axes *
     p.along = sel(four, splat(0.25f), p.along);
     p.along = sel(and_(narrow, all), splat(0.125f), p.along);
   } else {
+    vm three = four; /* or four, where thirds would have their cones cut off */
+    four = gt(long2 * splat(1.0f / 9.0f) + rest2, splat(third * third));
     all = or_(all, and_(narrow, four));
+    p.along = sel(and_(narrow, three), splat(1.0f / 3.0f), p.along);
     p.along = sel(and_(narrow, four), splat(0.25f), p.along);
+    four = three;
   }
   p.most = and_(cut, all);
   p.along = sel(cut, p.along, one);
@@ -337,6 +348,11 @@ INLINE matrix2 to_section(vf aa, vf ab, vf bb, vf c, vf s) {
   m.xz = (bb - aa) * cs + ab * (cc - ss);
   return m;
 }
+
+#define ROW_MOST 8     /* vessels of a row under a footprint */
+#define ROW_FADES 2.5f /* of half of those: from here on the mean fades in */
+#define ROW_SHARP 0.3f /* of a radius: no box is narrower, as no vessel's edge is sharper */
+#define ROW_LENS 0.5f  /* of a radius: what two vessels share is smaller than either */
 
 typedef struct {
   vf pores, rows;             /* coverage, where it could be looked up */
@@ -376,6 +392,10 @@ typedef struct {
   vf arc, rho, weight;
 } footprint_part;
 
+INLINE vm footprint_has_part(const footprint_parts *part, int i) {
+  return lt(splat((float)i + 0.5f) * part->along * part->beside, splat(1.0f));
+}
+
 /* `along` runs first, then the other side. */
 INLINE footprint_part footprint_part_of(const footprint_axes *l, const footprint_parts *part,
                                         vm cut, int i) {
@@ -385,16 +405,15 @@ INLINE footprint_part footprint_part_of(const footprint_axes *l, const footprint
   vm second = gt(at, one);
   vf a = at - splat(0.5f) - sel(second, one, zero);
   vf side = sel(lt(part->beside, one), sel(second, splat(0.25f), splat(-0.25f)), zero);
-  q.weight = sel(lt(at * part->beside, one), part->along * part->beside, zero);
+  q.weight = sel(footprint_has_part(part, i), part->along * part->beside, zero);
   q.arc = sel(cut, l->arc * a + l->rest_arc * side, zero);
   q.rho = sel(cut, l->rho * a + l->rest_rho * side, zero);
   return q;
 }
 
-/* Footprints longer than what one tap answers are answered by up to 4 or 8; past the part
- * of those the expected coverage fades in. The lanes that are not cut are whole, in one
- * tap, as they would be alone. Pores stand closer than the earlywood's vessels and reach
- * less far, so that each have parts of their own. */
+/* Pores under footprints longer than what one tap answers are answered by up to 4; past the
+ * part of those the expected coverage fades in. The lanes that are not cut are whole, in
+ * one tap, as they would be alone. */
 INLINE vm pores_cut(const wood_constants *w, const footprint2 *f) {
   return gt(f->aa + f->bb, splat(w->pores.part * w->pores.part));
 }
@@ -403,12 +422,14 @@ INLINE void pores_in_parts(const wood_constants *w, const vessel_place *p, vm cu
                            vessel_cover_t *v) {
   vf zero = splat(0.0f);
   footprint_axes l = footprint_split(&p->f);
-  footprint_parts part = footprint_cut(&p->f, &l, cut, w->pores.part, 4);
+  footprint_parts part = footprint_cut(&p->f, &l, cut, w->pores.part, w->pores.third, 4);
   v->pores_faded = sel(part.most, fade_beyond(part.aa + part.bb, w->pores.part), zero);
   vm left = lt(v->pores_faded, splat(1.0f));
   if (!any(left)) return;
   disc d = pores_disc(w, p, part.aa, part.ab, part.bb);
-  for (int i = 0; i < part.taps; i++) {
+  int taps = part.taps;
+  while (taps > 1 && !any(and_(left, footprint_has_part(&part, taps - 1)))) taps--;
+  for (int i = 0; i < taps; i++) {
     footprint_part q = footprint_part_of(&l, &part, cut, i);
     vf x = p->x + (q.rho * p->c - q.arc * p->s), z = p->z + (q.rho * p->s + q.arc * p->c);
     v->pores = v->pores + pores_cover(w, p->own, x, z, &d) * q.weight;
@@ -425,26 +446,104 @@ INLINE vm rows_meet(const wood_constants *w, const footprint2 *f) {
   return gt(f->bb, splat(w->rows_alone * w->rows_alone));
 }
 
-INLINE void rows_in_parts(const wood_constants *w, const vessel_place *p, vm cut,
-                          vessel_cover_t *v) {
-  vf zero = splat(0.0f);
+/* How much of a row lies under a footprint too long for one look-up: a box as long as the
+ * footprint's longest direction and as wide as what is left beside that. A vessel's mean
+ * chord over the box's width, of all that it has of the width, is an interval along the
+ * box; the share of the box that it covers is exact but for the chord's ends, and so is
+ * the area over all places. */
+typedef struct {
+  vf x, z;          /* direction of the box */
+  vf half, inverse; /* mm: half its length; 1 / length */
+  vf side;          /* half its width, in 1.118 radii */
+  vf to_chord;      /* from the share of a vessel within the width to half its chord there, mm */
+  vf spread;        /* vessels to either side that the box may meet */
+  vf expected;      /* the same as the row has on average: known where no row is near */
+  vf apart;         /* 1: what vessels share is counted once; less, twice in part */
+} row_box;
+
+/* A disc's projection has the variance of a parabola's over 5^0.5 / 2 radii. */
+#define ROW_PROJECTION 1.1180340f
+
+INLINE row_box row_box_of(const wood_constants *w, const row_place *p, const footprint2 *f) {
+  row_box b;
+  float radius = w->row.radius;
+  footprint_axes l = footprint_split(f);
+  vf long2 = vmax(square_of(l.arc) + square_of(l.rho), splat(1e-12f));
+  vf inverse = inverse_root(long2), unit = splat(1.0f / (ROW_PROJECTION * radius));
+  vf least = splat(ROW_SHARP * radius);
+  b.x = l.arc * inverse;
+  b.z = l.rho * inverse;
+  b.inverse = inverse;
+  b.half = splat(0.5f) * long2 * inverse;
+  vf width = vmax(vabs(l.rest_arc * b.z) + vabs(l.rest_rho * b.x), least);
+  b.side = splat(0.5f) * width * unit;
+  b.to_chord = splat(1.5707963f * radius * radius) / width;
+  vf reach = splat(0.5f) * (vabs(l.arc) + width * vabs(b.z)) + splat(w->row_largest);
+  b.spread = reach * p->per_arc + splat(0.5f * w->row_jitter_arc);
+  b.expected = reach * splat(w->row_density) + splat(0.5f * w->row_jitter_arc);
+  /* A sum of shares that stays below 1 counts twice where two vessels overlap, once the box
+   * is large beside the lens that they share: as discs of the lens's size are blurred. */
+  vf r2 = splat(ROW_LENS * ROW_LENS * radius * radius), k = splat(1.0f / (12.0f * 0.2552f));
+  vf x = r2 * inverse_root((r2 + k * long2) * (r2 + k * width * width));
+  b.apart = vmin(x * splat(1.0f / 0.55f), splat(1.0f));
+  return b;
+}
+
+/* Share of a disc's area to one side of a line at t in 1.118 radii, less a half. */
+INLINE vf disc_beside(vf t) {
+  t = clamp(t, splat(-1.0f), splat(1.0f));
+  return t * (splat(0.75f) - splat(0.25f) * (t * t));
+}
+
+INLINE vf row_vessel_share(const wood_constants *w, const row_box *b, vu h, vf x, vf z) {
+  vf along = vabs(b->x * x + b->z * z), across = b->x * z - b->z * x;
+  vf small = lookup8(w->row_inverse, h >> 5), square = lookup8(w->row_square, h >> 5);
+  vf t = across * splat(1.0f / (ROW_PROJECTION * w->row.radius)) * small, side = b->side * small;
+  vf half = b->to_chord * square * (disc_beside(t + side) - disc_beside(t - side));
+  vf overlap = vmin(b->half + half - along, splat(2.0f) * vmin(half, b->half));
+  return vmax(overlap, splat(0.0f)) * b->inverse;
+}
+
+/* Footprints that the two vessels nearest along the row do not answer. */
+static __attribute__((noinline)) void rows_in_parts(const wood_constants *w, const vessel_place *p,
+                                                    vm cut, vessel_cover_t *v) {
+  vf zero = splat(0.0f), one = splat(1.0f);
   row_place row = row_of(w, p);
-  footprint_axes l = footprint_split(&p->f);
-  footprint_parts part = footprint_cut(&p->f, &l, cut, w->row.part, 8);
-  /* along the arc a row's looked-up neighbours run out; along rho a footprint
-   * that is not short beside the ring meets the bands of others */
+  row_box box = row_box_of(w, &row, &p->f);
+  vf beyond = smooth_step(splat(ROW_FADES), splat(0.5f * ROW_MOST), box.expected);
+  /* along rho a footprint that is not short beside the ring meets the bands of others */
   vf rings = vsqrt(p->f.bb) * p->ring.inverse_width;
   vf others = smooth_step(splat(WOOD_ROWS_ALONE), splat(0.8f), rings);
-  v->rows_faded = vmax(sel(part.most, fade_beyond(part.aa, w->row.part), zero),
-                       sel(rows_meet(w, &p->f), others, zero));
-  vm left = lt(v->rows_faded, splat(1.0f));
-  if (!any(and_(left, row.near))) return;
-  disc d = rows_disc(w, part.aa, part.ab, part.bb);
-  for (int i = 0; i < part.taps; i++) {
-    footprint_part q = footprint_part_of(&l, &part, cut, i);
-    v->rows = v->rows + rows_cover(w, &row, p->rho, q.arc, q.rho, &d) * q.weight;
+  v->rows_faded = vmax(sel(cut, beyond, zero), sel(rows_meet(w, &p->f), others, zero));
+  vm left = and_(lt(v->rows_faded, one), row.near);
+  vm whole = and_(left, not_(cut)), boxed = and_(left, cut);
+  vf sum = zero;
+  if (any(boxed)) {
+    vf spread = sel(boxed, box.spread, zero);
+    /* a lane counts as many as it would alone */
+    int most = 1;
+    while (most < ROW_MOST && any(le(splat((float)most), spread + spread))) most++;
+    for (int m = 0; m < w->rows; m++) {
+      row_spot q = row_spot_of(w, &row, m, p->rho, zero, zero);
+      vi below;
+      vf start = vfloor(q.within - spread, &below) + one;
+      q.within = q.within - start;
+      q.first = q.first + below + splati(1);
+      for (int a = 0; a < most; a++) {
+        vf x, z;
+        vu h = row_vessel(w, &row, &q, a, &x, &z);
+        vf share = row_vessel_share(w, &box, h, x, z);
+        sum = sum + sel(le(splat((float)a), spread + spread), share, zero);
+      }
+    }
+    vf more = (one - box.apart) * splat(w->row.overlap);
+    sum = sel(boxed, vmin(sum - sum * more, one), zero);
   }
-  v->rows = sel(left, v->rows, zero);
+  if (any(whole)) {
+    disc d = rows_disc(w, p->f.aa, p->f.ab, p->f.bb);
+    sum = sel(whole, rows_cover(w, &row, p->rho, zero, zero, &d), sum);
+  }
+  v->rows = sum;
 }
 
 #endif

@@ -94,6 +94,7 @@ typedef struct {
   float radius;   /* mm, the mean */
   float reach;    /* mm: the longest footprint that one look-up answers to its last tail */
   float part;     /* mm: the longest that is not cut into parts */
+  float third;    /* mm: how long three parts may be */
   float farthest; /* q, in units of the mean radius, at which the largest vessel ends */
   float coverage; /* expected area fraction where the layer is at full size */
   float overlap;  /* share of the discs' areas that lies under another disc */
@@ -194,6 +195,9 @@ typedef struct {
   float row_start;   /* mm, of the first row's centres after the ring's start */
   float row_jitter_arc, row_jitter_radial; /* of the spacing; mm */
   float row_step_arc, row_step_radial;     /* the same, / 2^32 */
+  float row_largest;                       /* mm: how far the largest vessel's share reaches */
+  float row_inverse[WOOD_RADII];           /* mean radius / radius */
+  float row_square[WOOD_RADII];            /* (radius / mean radius)^2 */
   float band;                              /* mm: the rows' band for the expected coverage */
   float late_vessel;                       /* expected vessel coverage of latewood tissue */
 
