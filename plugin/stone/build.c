@@ -54,9 +54,9 @@ static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped
   c->shaped = shaped;
   c->fade = 6.0f;
   c->whole = CELLS_WHOLE;
-  c->looks = 3.5f;
-  c->spread = 0.28f; /* borders within a wide footprint are many, and err either way */
-  c->least = 1.55f;
+  c->looks = 3.7f;
+  c->spread = 0.3f; /* borders within a wide footprint are many, and err either way */
+  c->least = 1.45f;
   c->radius = 9.0f;
   c->thick = 1.0f;
   c->cluster = (float)b->cluster;

@@ -19,13 +19,16 @@
 #include "stone.h"
 #include "value.h"
 
-#define LAMELLAE 13.0f         /* to a cell, of the finest direction's */
-#define LAMELLAE_GONE 0.4f     /* cells: wider footprints see none */
-#define LAMELLAE_BOTH 0.29f    /* wider: those of the nearer crystal alone, and of bodies none */
-#define CRYSTAL_FINE 7.3f      /* frequency of what is fine within crystals, 1/cell */
-#define CRYSTAL_QUARTERS 0.88f /* of the width of a square in quarters: for this it is taken */
-#define CRACK_MEAN 0.1023f     /* of max(0, 1 - |n| / 0.05), n gradient noise */
-#define FLECK_MEAN 0.0137f     /* of clamp01((n - 0.36) 8) */
+#define LAMELLAE 13.0f      /* to a cell, of the finest direction's */
+#define LAMELLAE_GONE 0.4f  /* cells: wider footprints see none */
+#define LAMELLAE_BOTH 0.29f /* wider: those of the nearer crystal alone, and of bodies none */
+#define CRYSTAL_FINE 7.3f   /* frequency of what is fine within crystals, 1/cell */
+#define CRYSTAL_SEEN 0.055f /* cells: squares up to which that is seen, */
+#define CRYSTAL_GONE 0.19f  /* and from which on not; */
+#define CRYSTAL_SEEN4 0.12f /* the same of squares in quarters */
+#define CRYSTAL_GONE4 0.21f
+#define CRACK_MEAN 0.1023f /* of max(0, 1 - |n| / 0.05), n gradient noise */
+#define FLECK_MEAN 0.0137f /* of clamp01((n - 0.36) 8) */
 
 /* What cracks and flecks are cut from: a noise's mean over the footprint, as far as its middle
  * tells, and how much it changes there. */
@@ -128,12 +131,16 @@ INLINE void crystal_cut(const crystal_noise *n, vf tone[2]) {
  * third of a cell. Of a square in quarters the noise is seen in each, and for longer. */
 INLINE void crystal_tones(const stone_cells *c, const vf q[3], const cells_square *s,
                           const cells_parts *p, vf wide, vf cloud, vf tone[2]) {
-  vf zero = splat(0.0f), t = splat(c->turbidity), seen = wide;
-  if (p->count > 1) seen = sel(lt(p->side, splat(1.0f)), splat(CRYSTAL_QUARTERS) * wide, wide);
-  cloud = cloud * t * crystal_keep(seen, 0.16f, 0.48f);
+  vf zero = splat(0.0f), t = splat(c->turbidity), cut[2][4];
+  vf keep = crystal_keep(wide, CRYSTAL_SEEN, CRYSTAL_GONE);
+  if (p->count > 1) {
+    vf of_quarters = crystal_keep(wide, CRYSTAL_SEEN4, CRYSTAL_GONE4);
+    keep = sel(lt(p->side, splat(1.0f)), of_quarters, keep);
+  }
+  keep = t * keep;
+  cloud = cloud * t * crystal_keep(wide, 0.16f, 0.48f);
   tone[0] = splat(0.1f) * cloud;
   tone[1] = splat(0.3f) * cloud;
-  vf keep = t * crystal_keep(seen, 0.4f / CRYSTAL_FINE, 1.4f / CRYSTAL_FINE), cut[2][4];
   if (!any(gt(keep, zero))) return;
   cells_square part;
   vf u[3], v[3];
