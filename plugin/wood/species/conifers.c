@@ -16,9 +16,10 @@ static const sozai_value values_hinoki[] = {
     NUMBER("fibre_width", 0.05),
     SRGB("earlywood_colour", 236, 203, 156),
     SRGB("latewood_colour", 206, 150, 98),
-    SRGB("sapwood_earlywood_colour", 240, 224, 192),
-    SRGB("sapwood_latewood_colour", 214, 184, 142),
+    SRGB("sapwood_earlywood_colour", 240, 217, 178),
+    SRGB("sapwood_latewood_colour", 212, 174, 128),
     NUMBER("heartwood_years", 130.0),
+    NUMBER("heartwood_edge", INDISTINCT),
     NUMBER("specular", 0.09),
     AGED(208, 154, 96, 4.0),
     TRACHEIDS(28.0, 32.0, 12.0, 360.0),
@@ -65,6 +66,7 @@ SPECIES(karamatsu, "Karamatsu, Japanese larch (Larix kaempferi)",
     SRGB("sapwood_earlywood_colour", 238, 216, 172), \
     SRGB("sapwood_latewood_colour", 202, 158, 106), \
     NUMBER("heartwood_years", 100.0), \
+    NUMBER("heartwood_edge", FAIRLY_DISTINCT), \
     NUMBER("specular", 0.06), \
     AGED(194, 134, 76, 2.0), \
     TRACHEIDS(34.0, 42.0, 16.0, 430.0), \
@@ -117,6 +119,7 @@ static const sozai_value values_spruce[] = {
     SRGB("sapwood_earlywood_colour", 240, 218, 176),
     SRGB("sapwood_latewood_colour", 208, 166, 114),
     NUMBER("heartwood_years", 60.0),
+    NUMBER("heartwood_edge", INDISTINCT),
     NUMBER("specular", 0.1),
     AGED(204, 160, 106, 2.5),
     TRACHEIDS(32.0, 38.0, 14.0, 380.0),
@@ -140,6 +143,7 @@ static const sozai_value values_momi[] = {
     SRGB("sapwood_earlywood_colour", 238, 218, 186),
     SRGB("sapwood_latewood_colour", 198, 160, 122),
     NUMBER("heartwood_years", 60.0),
+    NUMBER("heartwood_edge", INDISTINCT),
     NUMBER("specular", 0.07),
     AGED(204, 166, 118, 3.0),
     TRACHEIDS(38.0, 45.0, 16.0, 360.0),
@@ -161,6 +165,7 @@ static const sozai_value values_silver_fir[] = {
     SRGB("sapwood_earlywood_colour", 238, 218, 184),
     SRGB("sapwood_latewood_colour", 200, 164, 126),
     NUMBER("heartwood_years", 60.0),
+    NUMBER("heartwood_edge", INDISTINCT),
     NUMBER("specular", 0.07),
     AGED(204, 164, 114, 3.0),
     TRACHEIDS(36.0, 44.0, 15.0, 350.0),
@@ -236,6 +241,7 @@ static const sozai_value values_hiba[] = {
     SRGB("sapwood_earlywood_colour", 240, 222, 184),
     SRGB("sapwood_latewood_colour", 216, 184, 138),
     NUMBER("heartwood_years", 120.0),
+    NUMBER("heartwood_edge", INDISTINCT),
     NUMBER("specular", 0.07),
     AGED(206, 160, 98, 3.0),
     TRACHEIDS(28.0, 32.0, 12.0, 370.0),
@@ -278,6 +284,7 @@ static const sozai_value values_kaya[] = {
     SRGB("sapwood_earlywood_colour", 236, 208, 150),
     SRGB("sapwood_latewood_colour", 214, 178, 118),
     NUMBER("heartwood_years", 160.0),
+    NUMBER("heartwood_edge", INDISTINCT),
     NUMBER("specular", 0.09),
     AGED(202, 150, 88, 4.0),
     TRACHEIDS(26.0, 30.0, 12.0, 440.0),
@@ -299,6 +306,7 @@ static const sozai_value values_tsuga[] = {
     SRGB("sapwood_earlywood_colour", 234, 208, 172),
     SRGB("sapwood_latewood_colour", 192, 150, 118),
     NUMBER("heartwood_years", 150.0),
+    NUMBER("heartwood_edge", FAIRLY_DISTINCT),
     NUMBER("specular", 0.06),
     AGED(184, 136, 96, 3.0),
     TRACHEIDS(32.0, 38.0, 14.0, 420.0),

@@ -44,6 +44,11 @@ SPECIES_ALL(DECLARE)
 #define SPALT(amount, size, line)                                                                  \
   NUMBER("spalt", amount), NUMBER("spalt_size", size), NUMBER("spalt_line", line)
 
+/* Rings that heartwood takes to turn into sapwood, by how the literature calls their boundary;
+ * where it calls it distinct, the parameter's own 0.8. */
+#define FAIRLY_DISTINCT 3.0
+#define INDISTINCT 8.0
+
 #define CONIFER CHOICE("porosity", "none"), NUMBER("latewood_stray", 0.1)
 #define DIFFUSE_POROUS(density, diameter, spread)                                                  \
   CHOICE("porosity", "diffuse"), NUMBER("latewood_stray", 0.15),                                   \

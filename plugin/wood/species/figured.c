@@ -8,9 +8,9 @@
       SRGB("earlywood_colour", 230, 202, 164), SRGB("latewood_colour", 200, 163, 122),             \
       SRGB("vessel_colour", 214, 184, 145), SRGB("sapwood_earlywood_colour", 236, 212, 178),       \
       SRGB("sapwood_latewood_colour", 210, 178, 138), NUMBER("heartwood_years", 110.0),            \
-      NUMBER("diffuse", 0.8), NUMBER("specular", 0.3), NUMBER("shininess", 14.0),                  \
-      RAYS(2.2, 0.6, 70.0, 28.0), SRGB("ray_colour", 219, 187, 148), FIBRES(20.0, 540.0),          \
-      AGED(206, 162, 110, 4.0)
+      NUMBER("heartwood_edge", INDISTINCT), NUMBER("diffuse", 0.8), NUMBER("specular", 0.3),       \
+      NUMBER("shininess", 14.0), RAYS(2.2, 0.6, 70.0, 28.0), SRGB("ray_colour", 219, 187, 148),    \
+      FIBRES(20.0, 540.0), AGED(206, 162, 110, 4.0)
 
 static const sozai_value values_curly_maple[] = {
     RINGS(2.2, 0.22, 0.7),
@@ -85,6 +85,7 @@ static const sozai_value values_spalted_beech[] = {
     SRGB("sapwood_earlywood_colour", 222, 186, 150),
     SRGB("sapwood_latewood_colour", 200, 160, 124),
     NUMBER("heartwood_years", 95.0),
+    NUMBER("heartwood_edge", INDISTINCT),
     NUMBER("specular", 0.06),
     RAYS(0.9, 1.4, 110.0, 30.0),
     SRGB("ray_colour", 184, 133, 97),

@@ -40,6 +40,7 @@ static const sozai_value values_lauan_plywood[] = {
     SRGB("sapwood_earlywood_colour", 214, 186, 154),
     SRGB("sapwood_latewood_colour", 196, 164, 132),
     NUMBER("heartwood_years", 150.0),
+    NUMBER("heartwood_edge", INDISTINCT),
     NUMBER("specular", 0.08),
     RAYS(5.0, 0.5, 40.0, 24.0),
     SRGB("ray_colour", 188, 138, 108),

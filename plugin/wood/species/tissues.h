@@ -21,6 +21,7 @@
     SRGB("sapwood_earlywood_colour", 234, 210, 174), \
     SRGB("sapwood_latewood_colour", 212, 182, 142), \
     NUMBER("heartwood_years", 90.0), \
+    NUMBER("heartwood_edge", INDISTINCT), \
     NUMBER("specular", 0.1), \
     RAYS(5.0, 0.35, 26.0, 25.0), \
     SRGB("ray_colour", 222, 192, 152), \
@@ -42,6 +43,7 @@
     SRGB("sapwood_earlywood_colour", 206, 188, 158), \
     SRGB("sapwood_latewood_colour", 184, 162, 130), \
     NUMBER("heartwood_years", 100.0), \
+    NUMBER("heartwood_edge", FAIRLY_DISTINCT), \
     NUMBER("specular", 0.08), \
     RAYS(4.0, 0.4, 35.0, 28.0), \
     SRGB("ray_colour", 158, 126, 94), \
@@ -82,6 +84,7 @@
     SRGB("sapwood_earlywood_colour", 238, 214, 168), \
     SRGB("sapwood_latewood_colour", 200, 156, 104), \
     NUMBER("heartwood_years", 90.0), \
+    NUMBER("heartwood_edge", FAIRLY_DISTINCT), \
     NUMBER("specular", 0.06), \
     AGED(192, 132, 74, 2.0), \
     TRACHEIDS(32.0, 40.0, 15.0, 420.0), \
