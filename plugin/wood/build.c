@@ -570,6 +570,11 @@ static double limited(double x, double low, double high) {
   return x < low ? low : x > high ? high : x;
 }
 
+/* mm from the pith at which a sector has one ray; farther in, some have none. Broad rays show which
+ * of them begin together. */
+#define RAYS_ONE 20.0
+#define RAYS_ONE_BROAD 40.0
+
 static void build_rays(wood_constants *w, const settings *s) {
   double density = number_at(s, P_RAY_DENSITY), height = number_at(s, P_RAY_HEIGHT);
   double width = 1e-3 * number_at(s, P_RAY_WIDTH), length = number_at(s, P_RAY_LENGTH);
@@ -580,15 +585,17 @@ static void build_rays(wood_constants *w, const settings *s) {
   double cell = 1.65 * height, arc = 0.75 / (density * cell);
   w->ray_length = (float)length;
   w->inverse_ray_length = (float)(1.0 / length);
-  w->ray_per_radius = (float)(TWO_PI / (arc * WOOD_RAY_SECTORS));
   w->inverse_ray_arc = (float)(1.0 / arc);
   w->inverse_ray_cell = (float)(1.0 / cell);
   w->ray_tall = (float)(0.5 * height / cell);
   /* broad rays are uneven: fibres pass between their cells */
   double broad = limited((height - 3.0) / 9.0, 0.0, 1.0), uneven = 0.35 * broad;
   w->ray_uneven = (float)uneven;
-  /* a footprint with few of them in it is not one with their mean */
-  w->ray_sides = broad > 0.5 ? 3 : 1;
+  double one = RAYS_ONE + (RAYS_ONE_BROAD - RAYS_ONE) * broad;
+  double sectors = (int)limited(TWO_PI * one / arc, 8.0, 4096.0);
+  w->ray_sectors = (float)sectors;
+  w->ray_sector_turn = (float)(TWO_PI / sectors);
+  w->ray_per_radius = (float)(TWO_PI / (arc * sectors));
   /* within its cell, whatever it was asked for: 0.33 to each side of where it may
    * stand, for 1.3 times the mean, unevenly */
   double half = 0.5 * width, room = 0.329, most = 1.3 * (1.0 + uneven);

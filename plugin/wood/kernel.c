@@ -181,6 +181,7 @@ typedef struct {
   ray_cells ray_at;
   ray_seat ray_on;
   ray_body ray_in;
+  int rays_gone; /* no lane asks for the last two */
   canal_cover canal;
   vf cells, cell_contrast, lining; /* relative to the tissue's colour and the vessels' */
   spalt_place spalt;
@@ -770,18 +771,23 @@ INLINE void stage_ray_shell(const wood_constants *w, int boards, block *k) {
 INLINE void stage_ray_seat(const wood_constants *w, int boards, block *k) {
   ray_place p = ray_place_here(boards, k);
   ray_cell_size(w, &p, &k->ray_at);
-  k->ray_on = ray_seat_of(w, &p, &k->ray_at, splati(0));
+  k->rays_gone = rays_gone(w, &p);
+  if (!k->rays_gone) k->ray_on = ray_seat_of(w, &p, &k->ray_at);
 }
 
 INLINE void stage_ray_body(const wood_constants *w, int boards, block *k) {
+  if (k->rays_gone) return;
   ray_place p = ray_place_here(boards, k);
-  k->ray_in = ray_body_of(w, &p, &k->ray_at, &k->ray_on, splati(0));
+  k->ray_in = ray_body_of(w, &p, &k->ray_at, &k->ray_on);
 }
 
 INLINE void stage_rays(const wood_constants *w, int boards, const wood_io *io, block *k) {
   ray_place p = ray_place_here(boards, k);
-  vf nearest = ray_body_cover(w, &p, &k->ray_at, &k->ray_in);
-  vf found = rays_cover(w, &p, &k->ray_at, nearest);
+  vf found = splat(0.0f);
+  if (!k->rays_gone) {
+    found = ray_body_cover(w, &p, &k->ray_at, &k->ray_in);
+    found = rays_cover(w, &p, &k->ray_at, found);
+  }
   k->ray = rays_faded(w, &p, &k->ray_at, found);
   if (k->knot) k->ray = k->ray * (splat(1.0f) - k->knot->cover);
   store_lanes(io, WOOD_RAY, k, k->ray);

@@ -6,9 +6,12 @@
  *
  * They stand in cells of (theta', y) within shells of rho, one to a cell, at a
  * hashed place that keeps clear of the cell's edge, so that a point looks into
- * one cell. A ray begins in the inner quarter of its shell and ends in the outer.
- * Round the pith there are sectors, and each has shells of its own, so that no
- * radius is one at which all rays end. theta' moves with the grain.
+ * one cell. A ray begins in the inner quarter of its shell, or anywhere in the one round
+ * the pith, and ends in the outer quarter. Round the pith there are sectors, each with shells of
+ * its own and, where the wood that is cut mostly lies, a cell or a few to a shell: a sector of many
+ * would show as a patch of rays that begin and end together. By a sector's own chance there is one
+ * cell more or less, and where it should have less than one mostly none: then its one cell is
+ * empty. theta' moves with the grain.
  */
 #ifndef SOZAI_WOOD_RAYS_H
 #define SOZAI_WOOD_RAYS_H
@@ -44,43 +47,73 @@ INLINE vf ray_lens(vf x) {
 
 /* The cells at a point, and where in them it is. */
 typedef struct {
-  vi shell, column;
-  vf within, x; /* of the shell, of the cell: 0..1 */
-  vf arc;       /* mm: of a cell */
-  vf reach;     /* mm: of the footprint to either side */
-  vf middle;    /* mm: of the shell, at its sector's beginning */
-  vf count;     /* of the sector's cells in it */
+  vi sector, shell, column;
+  vf within, x;  /* of the shell, of the cell: 0..1; of a shell without a ray -1 */
+  vf arc, at;    /* mm: of a cell; and the point in it */
+  vf reach;      /* mm: of the footprint to either side */
+  vf middle;     /* mm: the radius that the shell's count is for */
+  vf from, span; /* of the shell, in which its rays begin */
+  vf chance;     /* 0..1: the sector's, in that shell */
+  vf count;      /* of the sector's cells in it, 1 or more */
   vu seed;
 } ray_cells;
 
 /* In three steps, as what follows on them is, so that the kernel can take a few
  * blocks through each: the shell, */
+INLINE void ray_sector_at(const wood_constants *w, const ray_place *p, vi sector, ray_cells *q) {
+  const vf k24 = splat(1.0f / 16777216.0f);
+  q->sector = sector;
+  q->seed = wood_seed(w, p->own, SEED_RAYS) + (vu)sector * splatu(HASH_Y);
+  vu hash = hash_upper(q->seed);
+  vf offset = to_float((vi)(hash >> 8)) * k24;
+  vf shells = p->rho * splat(w->inverse_ray_length) + offset;
+  vf low = vfloor(shells, &q->shell), inner = low - offset, one = splat(1.0f);
+  q->within = shells - low;
+  /* What has the pith in it is no whole shell. Its rays begin anywhere in it, so that they are not
+   * the denser the nearer to the pith. */
+  vm first = lt(inner, splat(0.0f));
+  vf middle = sel(first, splat(0.8f) * (inner + one), inner + splat(0.5f));
+  q->middle = middle * splat(w->ray_length);
+  q->from = sel(first, offset, splat(0.0f));
+  q->span = sel(first, one - offset, splat(0.25f));
+  /* by steps of the golden ratio, which are spread evenly over any few sectors */
+  vu chance = (vu)sector * splatu(0x9e3779b9u) + ((vu)q->shell << 31);
+  q->chance = to_float((vi)(chance >> 8)) * k24;
+}
+
 INLINE ray_cells ray_shell_at(const wood_constants *w, const ray_place *p) {
   ray_cells q;
   vi sector;
-  vf round = p->at.turn * splat((float)WOOD_RAY_SECTORS), whole = vfloor(round, &sector);
+  vf round = p->at.turn * splat(w->ray_sectors), whole = vfloor(round, &sector);
+  ray_sector_at(w, p, sector, &q);
   q.x = round - whole;
-  q.seed = wood_seed(w, p->own, SEED_RAYS) + (vu)sector * splatu(HASH_Y);
-  vf offset = to_float((vi)(hash_upper(q.seed) >> 8)) * splat(1.0f / 16777216.0f);
-  vf shells = p->rho * splat(w->inverse_ray_length) + offset;
-  vf low = vfloor(shells, &q.shell);
-  q.within = shells - low;
-  q.middle = vmax(low + (splat(0.5f) - offset), splat(0.25f)) * splat(w->ray_length);
   return q;
 }
 
 /* the cell in it, */
-INLINE void ray_cell_at(const wood_constants *w, ray_cells *q) {
+INLINE void ray_count_of(const wood_constants *w, ray_cells *q) {
   vi unused;
-  vf count = vnearest(q->middle * splat(w->ray_per_radius), &unused);
-  q->count = vmax(count, splat(1.0f));
+  vf count = vfloor(q->middle * splat(w->ray_per_radius) + q->chance, &unused);
+  vm some = gt(count, splat(0.5f));
+  q->count = sel(some, count, splat(1.0f));
+  q->within = sel(some, q->within, splat(-1.0f));
+}
+
+INLINE void ray_cell_at(const wood_constants *w, ray_cells *q) {
+  ray_count_of(w, q);
   vf x = q->x * q->count;
   q->x = x - vfloor(x, &q->column);
 }
 
+/* mm along the arc, of a sector. */
+INLINE vf ray_sector_arc(const wood_constants *w, const ray_place *p) {
+  return vmax(p->rho, splat(0.05f)) * splat(w->ray_sector_turn);
+}
+
 /* and its size beside the footprint's. */
 INLINE void ray_cell_size(const wood_constants *w, const ray_place *p, ray_cells *q) {
-  q->arc = vmax(p->rho, splat(0.05f)) * splat(6.2831853f / WOOD_RAY_SECTORS) / q->count;
+  q->arc = ray_sector_arc(w, p) / q->count;
+  q->at = q->x * q->arc;
   /* the footprint's extents along rho and y count too where sheets sway */
   vf lean = p->at.lean, across = p->at.sway * p->along;
   vf arc2 = p->aa + lean * (splat(2.0f) * p->ab + lean * p->bb) + across * across;
@@ -117,14 +150,11 @@ typedef struct {
   vf y;          /* 0..1 */
 } ray_seat;
 
-/* That of the cell `side` columns on. Past the sector's edge it is one that
- * might be there: only footprints that blur it away look so far. */
-INLINE ray_seat ray_seat_of(const wood_constants *w, const ray_place *p, const ray_cells *q,
-                            vi side) {
+INLINE ray_seat ray_seat_of(const wood_constants *w, const ray_place *p, const ray_cells *q) {
   ray_seat seat;
   vf k16 = splat(1.0f / 65536.0f);
-  vi column = q->column + side, iy;
-  vu root = hash_mix((vu)column * splatu(HASH_X) + (vu)q->shell * splatu(HASH_Z) + q->seed);
+  vi iy;
+  vu root = hash_mix((vu)q->column * splatu(HASH_X) + (vu)q->shell * splatu(HASH_Z) + q->seed);
   /* columns of cells stand at heights of their own */
   vf rows = p->y * splat(w->inverse_ray_cell) + to_float((vi)(root >> 16)) * k16;
   seat.root = root;
@@ -134,7 +164,7 @@ INLINE ray_seat ray_seat_of(const wood_constants *w, const ray_place *p, const r
 }
 
 INLINE ray_body ray_body_of(const wood_constants *w, const ray_place *p, const ray_cells *q,
-                            const ray_seat *seat, vi side) {
+                            const ray_seat *seat) {
   ray_body r;
   vf one = splat(1.0f), half = splat(0.5f), k16 = splat(1.0f / 65536.0f), y = seat->y;
   vu h = seat->hash, g = hash_upper(h + splatu(HASH_Z));
@@ -143,7 +173,7 @@ INLINE ray_body ray_body_of(const wood_constants *w, const ray_place *p, const r
   vf tall = splat(w->ray_tall) * (half + u); /* half the height, in cells */
   vf centre = tall + v * (one - tall - tall);
   vf place = splat(0.33f) + splat(0.34f / 64.0f) * to_float((vi)(g >> 6 & splatu(63u)));
-  vf starts = to_float((vi)(g >> 12 & splatu(63u))) * splat(0.25f / 63.0f);
+  vf starts = q->from + q->span * (to_float((vi)(g >> 12 & splatu(63u))) * splat(1.0f / 63.0f));
   vf ends = one - to_float((vi)(g >> 18 & splatu(63u))) * splat(0.25f / 63.0f);
   /* thinner rays are as many as thick ones */
   vf plump = to_float((vi)(g >> 24)) * splat(1.0f / 255.0f);
@@ -153,7 +183,7 @@ INLINE ray_body ray_body_of(const wood_constants *w, const ray_place *p, const r
   vf taper =
       clamp01((q->within - starts) * splat(16.0f)) * clamp01((ends - q->within) * splat(16.0f));
   r.thick = thick * taper;
-  r.a = (q->x - to_float(side) - place) * q->arc;
+  r.a = q->at - place * q->arc;
   if (w->ray_uneven > 0.0f) {
     vf most = r.thick * splat(1.0f + w->ray_uneven) + q->reach;
     if (any(lt(vabs(r.a), most))) r.thick = r.thick * ray_unevenness(w, p, seat->root);
@@ -172,28 +202,44 @@ INLINE vf ray_body_cover(const wood_constants *w, const ray_place *p, const ray_
   return r->dense * ray_overlap(r->a - q->reach, r->a + q->reach, r->thick * lens);
 }
 
-INLINE vf ray_of_cell(const wood_constants *w, const ray_place *p, const ray_cells *q, vi side) {
-  ray_seat seat = ray_seat_of(w, p, q, side);
-  ray_body r = ray_body_of(w, p, q, &seat, side);
+INLINE vf ray_of_cell(const wood_constants *w, const ray_place *p, const ray_cells *q) {
+  ray_seat seat = ray_seat_of(w, p, q);
+  ray_body r = ray_body_of(w, p, q, &seat);
   return ray_body_cover(w, p, q, &r);
 }
 
+/* To the next cell at a point's radius, on the side of larger turns or not. far: mm from the point
+ * to that cell. */
+INLINE void ray_next(const wood_constants *w, const ray_place *p, vm up, vf far, ray_cells *q) {
+  vf zero = splat(0.0f), one = splat(1.0f);
+  vf column = to_float(q->column) + sel(up, one, splat(-1.0f));
+  vm past = or_(lt(column, zero), not_(lt(column, q->count)));
+  vi count = splati((int32_t)w->ray_sectors), on = seli(up, splati(1), splati(-1));
+  vi sector = q->sector + seli(past, on, splati(0));
+  sector = seli(lti(sector, splati(0)), sector + count, sector);
+  sector = seli(lti(sector, count), sector, splati(0));
+  ray_sector_at(w, p, sector, q);
+  ray_count_of(w, q);
+  column = sel(past, sel(up, zero, q->count - one), column);
+  (void)vfloor(column, &q->column);
+  q->arc = ray_sector_arc(w, p) / q->count;
+  q->at = sel(up, zero - far, q->arc + far);
+}
+
 /* Cover by rays, nearest: by that of the point's own cell. A ray keeps clear of
- * its cell's edge, so that most footprints meet no other cell's. */
+ * its cell's edge, so that most footprints meet no other cell's; others look at the next cell
+ * to either side. */
 INLINE vf rays_cover(const wood_constants *w, const ray_place *p, const ray_cells *q, vf nearest) {
-  vf zero = splat(0.0f), one = splat(1.0f), sum = nearest;
-  vf edge = vmin(q->x, one - q->x), clear = splat(w->ray_clear);
-  vm meets = gt(q->reach, (edge + clear) * q->arc);
-  if (!any(meets)) return sum;
-  vi nearer = seli(lt(q->x, splat(0.5f)), splati(-1), splati(1));
-  for (int k = 1; k <= w->ray_sides; k++) {
-    vf past = splat((float)(k - 1)) + clear;
-    vi side = nearer * splati(k);
-    meets = gt(q->reach, (edge + past) * q->arc);
-    if (!any(meets)) break;
-    sum = sum + sel(meets, ray_of_cell(w, p, q, side), zero);
-    meets = gt(q->reach, (one - edge + past) * q->arc);
-    if (any(meets)) sum = sum + sel(meets, ray_of_cell(w, p, q, splati(0) - side), zero);
+  vf sum = nearest, clear = splat(w->ray_clear);
+  vf left = q->at, right = q->arc - q->at, far = vmin(left, right);
+  vm up = lt(right, left), meets = gt(q->reach, far + clear * q->arc);
+  for (int side = 0; side < 2 && any(meets); side++) {
+    ray_cells n = *q;
+    ray_next(w, p, up, far, &n);
+    sum = sum + sel(meets, ray_of_cell(w, p, &n), splat(0.0f));
+    up = not_(up);
+    far = vmax(left, right);
+    meets = gt(q->reach, far);
   }
   return sum;
 }
@@ -201,7 +247,8 @@ INLINE vf rays_cover(const wood_constants *w, const ray_place *p, const ray_cell
 /* Cover to be expected in a shell, over its mean: its cells widen outwards, and a
  * radius meets more rays the nearer it is to the shell's middle. */
 INLINE vf rays_share(const wood_constants *w, const ray_cells *q) {
-  vf one = splat(1.0f), inside = vmin(vmin(q->within, one - q->within) * splat(4.0f), one);
+  vf one = splat(1.0f), zero = splat(0.0f);
+  vf inside = clamp(vmin(q->within, one - q->within) * splat(4.0f), zero, one);
   return inside * splat(4.0f / 3.0f) / (q->arc * splat(w->inverse_ray_arc));
 }
 
@@ -225,16 +272,32 @@ INLINE ray_turn ray_turn_of(const wood_constants *w, vu own, vf rho, vf turn, vf
   return p;
 }
 
-INLINE vf rays_faded(const wood_constants *w, const ray_place *p, const ray_cells *q, vf found) {
-  /* past the cells looked at the expected cover takes over */
-  float arc = 0.5f * w->inverse_ray_arc, most = (float)w->ray_sides, from = most - 0.55f;
+/* How far the expected cover stands in for the rays of the cells looked at; far: for the arc's
+ * sake. */
+INLINE vf rays_fade(const wood_constants *w, const ray_place *p, vf *far) {
+  const float from = 0.45f, most = 1.0f;
+  float arc = 0.5f * w->inverse_ray_arc;
   vm wide = or_(gt(p->aa * splat(arc * arc), splat(0.98f * from * from)),
                 gt(p->along * splat(w->inverse_ray_cell), splat(0.44f)));
-  if (!any(wide)) return vmin(found, splat(1.0f));
-  vf far = smooth_step(splat(from), splat(most), vsqrt(p->aa) * splat(arc));
-  vf fade =
-      vmax(smooth_step(splat(0.45f), splat(1.0f), p->along * splat(w->inverse_ray_cell)), far);
-  return vmin(mix(found, splat(w->ray_cover) * rays_share(w, q), fade), splat(1.0f));
+  *far = splat(0.0f);
+  if (!any(wide)) return *far;
+  *far = smooth_step(splat(from), splat(most), vsqrt(p->aa) * splat(arc));
+  return vmax(smooth_step(splat(0.45f), splat(1.0f), p->along * splat(w->inverse_ray_cell)), *far);
+}
+
+/* Whether no lane asks which rays there are. */
+INLINE int rays_gone(const wood_constants *w, const ray_place *p) {
+  vf far;
+  return !any(lt(rays_fade(w, p, &far), splat(1.0f)));
+}
+
+/* found: of no matter where the expected cover has taken over. */
+INLINE vf rays_faded(const wood_constants *w, const ray_place *p, const ray_cells *q, vf found) {
+  vf one = splat(1.0f), far, fade = rays_fade(w, p, &far);
+  if (!any(gt(fade, splat(0.0f)))) return vmin(found, one);
+  /* across several sectors their shells' shares are of all kinds */
+  vf expected = splat(w->ray_cover) * mix(rays_share(w, q), one, far);
+  return vmin(sel(lt(fade, one), mix(found, expected, fade), expected), one);
 }
 
 #endif

@@ -30,7 +30,6 @@
 #define WOOD_HARMONICS 3    /* of the section's outline */
 #define WOOD_RADII 8        /* steps of the table of vessel radii */
 #define WOOD_FIBRE_OCTAVES 3
-#define WOOD_RAY_SECTORS 64   /* round the pith, each with shells of rays of its own */
 #define WOOD_CONE_PSI 65      /* steps of the sine of inclination, -1 to 1 */
 #define WOOD_CONE_DIVE 17     /* steps of the sine of the dive angle, 0 to 1 */
 #define WOOD_CONE_LEAST 0.05f /* of cos^2(psi_d / 2): where cones close, the lobe stays finite */
@@ -228,17 +227,17 @@ typedef struct {
   /* rays */
   int32_t has_rays;
   float ray_length, inverse_ray_length;    /* mm: of a shell */
+  float ray_sectors, ray_sector_turn;      /* round the pith; radians of one */
   float ray_per_radius;                    /* cells to a sector, to a mm of its shell's radius */
   float inverse_ray_arc, inverse_ray_cell; /* 1/mm: of a cell, along the arc and along y */
   float ray_tall;                          /* half the mean height, in cells */
   float ray_half;                          /* mm: half the mean width */
-  int32_t ray_sides; /* cells to either side that a footprint is looked for in */
-  float ray_clear;   /* of a cell's arc, that its ray keeps from the edge */
-  float ray_cover;   /* expected */
-  float ray_stray;   /* mm of a sheet's waves, over HASH_ONE */
-  float ray_wave_radial, ray_wave_along; /* 1/mm */
-  float ray_sharp2;                      /* mm2: no edge is sharper */
-  float ray_uneven;                      /* of the thickness, within which it varies */
+  float ray_clear;                         /* of a cell's arc, that its ray keeps from the edge */
+  float ray_cover;                         /* expected */
+  float ray_stray;                         /* mm of a sheet's waves, over HASH_ONE */
+  float ray_wave_radial, ray_wave_along;   /* 1/mm */
+  float ray_sharp2;                        /* mm2: no edge is sharper */
+  float ray_uneven;                        /* of the thickness, within which it varies */
 
   /* shifted brightness */
   float fibre_scale[WOOD_FIBRE_OCTAVES];     /* amplitude, over the noise's bound */

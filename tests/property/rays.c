@@ -200,6 +200,52 @@ static void ribbons(void **state) {
   textures->destroy(t);
 }
 
+/* On end grain rays are no denser about the pith, where they begin, and do not begin and end
+ * together: of patches of 7 by 7 mm, as dense as each other but for chance, how unlike each other
+ * they are. */
+static void end_grain(void **state) {
+  (void)state;
+  enum { ACROSS = 7, STEPS = 28 };
+  static const double radii[] = {3, 10, 50, 57, 64, 71, 78, 85, 92, 99};
+  sozai_texture *t = wood_make(NULL, ROUND "grain=straight; ray_density=0.3; ray_height=2.6; "
+                                           "ray_width=230; ray_length=80");
+  points p = {0};
+  double middle = 0, all = 0, square = 0;
+  int patches = 0;
+  for (int r = 0; r < 9; r++) {
+    double deep = r ? ACROSS : radii[1] - radii[0], from = radii[r];
+    int round = (int)(6.2831853 * (from + deep / 2) / ACROSS);
+    for (int a = 0; a < round && r != 1; a++) {
+      points_clear(&p);
+      for (int i = 0; i < STEPS * STEPS; i++) {
+        double rho = from + deep * (i / STEPS + uniform()) / STEPS;
+        double angle = 6.2831853 * (a + (i % STEPS + uniform()) / STEPS) / round;
+        unsigned n = points_add(&p, rho * cos(angle), 500, rho * sin(angle), 0);
+        p.normal[1][n] = 1;
+      }
+      points_ask(&p, t);
+      double cover = 0;
+      for (unsigned i = 0; i < p.count; i++) cover += p.out[RAY][i] / (STEPS * STEPS);
+      if (!r) {
+        middle += cover / round;
+        continue;
+      }
+      all += cover;
+      square += cover * cover;
+      patches++;
+    }
+  }
+  points_free(&p);
+  textures->destroy(t);
+  all /= patches;
+  double unlike = sqrt(square / patches - all * all) / all;
+  CHECK(
+      middle > 0.2 * all && middle < 1.3 * all && unlike < 0.5,
+      "rays cover %.3f from 3 to 10 mm off the pith, %.3f from 50 to 99; patches differ by %.2f of "
+      "that\n",
+      middle, all, unlike);
+}
+
 static void filtered(void **state) {
   (void)state;
   static const double sizes[] = {0.03, 0.1, 0.3, 1, 3, 10, 30};
@@ -238,6 +284,7 @@ static void filtered(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(counts), cmocka_unit_test(carried),
-                                     cmocka_unit_test(ribbons), cmocka_unit_test(filtered)};
+                                     cmocka_unit_test(ribbons), cmocka_unit_test(end_grain),
+                                     cmocka_unit_test(filtered)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

@@ -87,7 +87,7 @@ static const sozai_value values_spalted_beech[] = {
     NUMBER("heartwood_years", 95.0),
     NUMBER("heartwood_edge", INDISTINCT),
     NUMBER("specular", 0.06),
-    RAYS(0.9, 1.4, 110.0, 30.0),
+    RAYS(0.9, 1.4, 110.0, 45.0),
     SRGB("ray_colour", 184, 133, 97),
     FIBRES(20.0, 570.0),
     AGED(196, 146, 100, 4.0),
