@@ -7,6 +7,7 @@
 
 #include "../core/filter.h"
 #include "../core/noise.h"
+#include "../core/vectors.h"
 #include "stone.h"
 #include "value.h"
 
@@ -95,7 +96,7 @@ STAGE vf vein_sheet(const stone_constants *w, const vf p[3], const vf n[3], vf s
     g[k] = splat(m[k]) + splat(w->vein_warp) * (splat(0.7f) * g[k] + splat(0.468f) * fine[k]) +
            splat(side) * fold->g[k];
   }
-  vf k = inverse_root(vmax(g[0] * g[0] + g[1] * g[1] + g[2] * g[2], splat(0.09f)));
+  vf k = inverse_root(vmax(dot3(g, g), splat(0.09f)));
   vf d = vabs(f - middle) * k * splat(1.0f / frequency);
   vf chance = vabs(hash_signed(hash_mix((vu)which + splatu(seed)))) * splat(1.0f / HASH_ONE);
   /* along the vein, one number to each vein: neighbours do not thin out together */
@@ -107,7 +108,7 @@ STAGE vf vein_sheet(const stone_constants *w, const vf p[3], const vf n[3], vf s
              splat(0.6f) * chance + splat(family ? -2.6f : 1.2f) * fold->many +
              splat((family ? 0.9f : 0.4f) / HASH_ONE) * own;
   vf half = clamp01(swell) * chance * chance * splat(0.5f * w->vein_width / finer);
-  vf along = (g[0] * n[0] + g[1] * n[1] + g[2] * n[2]) * k;
+  vf along = dot3(g, n) * k;
   vf e = vsqrt(s * s * vmax(one - along * along, splat(0.0f)) + splat(w->vein_soft * w->vein_soft) +
                splat(1e-12f));
   vf high = vmin(d + splat(0.5f) * e, half), low = vmax(d - splat(0.5f) * e, splat(0.0f) - half);

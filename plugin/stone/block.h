@@ -22,7 +22,7 @@ typedef struct {
   int crystal_known; /* the colour has met it */
   vu crystal;        /* that the point is in */
   cells_cover cover[STONE_LAYERS];
-  int mixes, mixed[STONE_LAYERS]; /* any; a bit to each layer below that it covers unevenly */
+  int mixed[STONE_LAYERS]; /* a bit to each layer below that it covers unevenly */
   /* covariances of what the first layer covers with the second's shares */
   vf with[STONE_LAYERS][STONE_LAYERS][CELLS_PARTS];
   laid laid; /* where there is a paving */

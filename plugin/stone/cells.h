@@ -17,6 +17,7 @@
 #define SOZAI_STONE_CELLS_H
 
 #include "../core/patch.h"
+#include "../core/vectors.h"
 #include "stone.h"
 #include "value.h"
 
@@ -99,8 +100,7 @@ INLINE void cells_try(const stone_cells *c, int graded, int most, const cells_ab
   vu h = hash_upper(a->hash[0][x] + a->hash[1][y] + a->hash[2][z]);
   vf at[3];
   cells_centre(h, a->from[0][x], a->from[1][y], a->from[2][z], at);
-  vf d =
-      at[0] * at[0] + at[1] * at[1] + at[2] * at[2] + (graded ? cells_weight(c, h) : splat(1e-6f));
+  vf d = dot3(at, at) + (graded ? cells_weight(c, h) : splat(1e-6f));
   cells_keep(d, a->number[0][x] + a->number[1][y] + a->number[2][z], most, key);
 }
 
@@ -169,7 +169,7 @@ INLINE void cells_find_as(const stone_cells *c, int graded, int most, int togeth
                       (vu)d[2] * splatu(HASH_Z));
     cells_centre(h, about.from[0][0] + to_float(d[0]), about.from[1][0] + to_float(d[1]),
                  about.from[2][0] + to_float(d[2]), o->x);
-    o->d = o->x[0] * o->x[0] + o->x[1] * o->x[1] + o->x[2] * o->x[2];
+    o->d = dot3(o->x, o->x);
     if (graded) o->d = o->d + cells_weight(c, h);
     o->h = h;
   }

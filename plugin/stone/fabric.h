@@ -47,7 +47,6 @@ STAGE void stage_looks(const stone_constants *w, int layers, block *k) {
       if (!(layers >> below & 1)) continue;
       if (!any(gt(seen[l].weight * seen[below].weight, splat(0.0f)))) continue;
       k->mixed[l] |= 1 << below;
-      k->mixes = 1;
       seen_covariance(&seen[l], &seen[below], k->with[l][below]);
     }
   }
@@ -58,14 +57,15 @@ STAGE void stage_cells(const stone_constants *w, block *blocks, int count) {
   cells_eye eyes[STONE_BLOCKS];
   int wide = 0;
   for (int b = 0; b < count; b++) {
-    blocks[b].mixes = 0;
     for (int l = 0; l < STONE_LAYERS; l++) blocks[b].mixed[l] = 0;
   }
   for (int l = 0; l < STONE_LAYERS; l++) {
     const stone_cells *c = &w->layer[l];
     if (!c->on) continue;
     int once = 1, idle = 1;
-    for (int b = 0; b < count; b++) {
+    /* what tells that a layer is wide is mostly the first block, and stage_looks opens that
+     * one's eye again: all layers' eyes would not stay near */
+    for (int b = 0; b < count && (once || idle); b++) {
       stage_eye(c, &blocks[b], NULL, &eyes[b]);
       once &= eyes[b].once;
       idle &= eyes[b].idle;
@@ -82,6 +82,7 @@ STAGE void stage_cells(const stone_constants *w, block *blocks, int count) {
 
 /* What has been laid so far, for what is laid over it. */
 typedef struct {
+  int mixes; /* whether any layer covers another unevenly */
   int count, layer[STONE_LAYERS + 1], colour[STONE_LAYERS + 1][2];
   vf cover[STONE_LAYERS + 1], under[STONE_LAYERS + 1][3]; /* and what it was laid over */
   vf grains[CELLS_PARTS][3];                              /* the crystals' colours */
@@ -108,6 +109,7 @@ INLINE void fabric_with(const stone_constants *w, const fabric_stack *o, const b
 
 INLINE void fabric_add(fabric_stack *o, int layer, int first, int second, vf cover,
                        const vf under[3]) {
+  if (!o->mixes) return;
   int n = o->count++;
   o->layer[n] = layer;
   o->colour[n][0] = first;
@@ -124,7 +126,7 @@ INLINE vf lay_over(const stone_constants *w, int layer, int first, int second, f
   int mixed = k->mixed[layer];
   vf cover = vmin(q->of[0], one);
   if (mixed) fabric_with(w, o, k, layer, with);
-  if (k->mixes) fabric_add(o, layer, first, second, cover, k->albedo);
+  fabric_add(o, layer, first, second, cover, k->albedo);
   for (int c = 0; c < 3; c++) {
     k->albedo[c] = k->albedo[c] * (one - cover) + q->of[1] * splat(w->colour[first][c]) +
                    q->of[2] * splat(w->colour[second][c]);
@@ -140,7 +142,8 @@ INLINE vf lay_over(const stone_constants *w, int layer, int first, int second, f
 STAGE void stage_fabric(const stone_constants *w, block *k) {
   vf zero = splat(0.0f), one = splat(1.0f), bed = zero, shift = one;
   fabric_stack over;
-  over.count = 0;
+  over.count = over.mixes = 0;
+  for (int l = 0; l < STONE_LAYERS; l++) over.mixes |= k->mixed[l];
   k->speck = k->hole = zero;
   if (w->has_beds) {
     vf flat2 = vmax(one - k->nrm[1] * k->nrm[1], zero);
@@ -150,7 +153,7 @@ STAGE void stage_fabric(const stone_constants *w, block *k) {
   for (int c = 0; c < 3; c++) {
     vf base = splat(w->colour[COLOUR_BASE][c]);
     if (w->has_beds) base = mix(base, splat(w->colour[COLOUR_BED][c]), bed);
-    if (k->mixes) {
+    if (over.mixes) {
       over.grains[0][c] = base * shift;
       over.grains[1][c] = splat(w->colour[COLOUR_SECOND][c]) * shift;
       over.grains[2][c] = splat(w->colour[COLOUR_THIRD][c]) * shift;
@@ -168,7 +171,7 @@ STAGE void stage_fabric(const stone_constants *w, block *k) {
     (void)lay_over(w, LAYER_INCLUSIONS, COLOUR_INCLUSION, COLOUR_INCLUSION_SECOND, &over, k);
   if (w->has_veins) {
     vf v = vein_share(w, k->p, k->nrm, k->t1, k->t2, k->s);
-    if (k->mixes) fabric_add(&over, STONE_LAYERS, COLOUR_VEIN, COLOUR_VEIN, v, k->albedo);
+    fabric_add(&over, STONE_LAYERS, COLOUR_VEIN, COLOUR_VEIN, v, k->albedo);
     for (int c = 0; c < 3; c++)
       k->albedo[c] = mix(k->albedo[c], splat(w->colour[COLOUR_VEIN][c]), v);
     k->speck = k->speck * (one - v);

@@ -48,11 +48,8 @@ STAGE vf hole_depth_at(const stone_constants *w, const vf p[3]) {
 /* The cell as it lies from a place `by` cells away. */
 INLINE cells_near hole_moved(const cells_near *n, const vf by[3]) {
   cells_near m = *n;
-  m.d = splat(0.0f);
-  for (int k = 0; k < 3; k++) {
-    m.x[k] = n->x[k] - by[k];
-    m.d = m.d + m.x[k] * m.x[k]; /* bodies have no weights */
-  }
+  for (int k = 0; k < 3; k++) m.x[k] = n->x[k] - by[k];
+  m.d = dot3(m.x, m.x); /* bodies have no weights */
   return m;
 }
 

@@ -34,9 +34,7 @@ INLINE void square_sides(const vf n[3], vf t1[3], vf t2[3]) {
   t1[0] = (sel(use_x, splat(1.0f), zero) - a * n[0]) * k;
   t1[1] = (sel(use_x, zero, splat(1.0f)) - a * n[1]) * k;
   t1[2] = (zero - a * n[2]) * k;
-  t2[0] = n[1] * t1[2] - n[2] * t1[1];
-  t2[1] = n[2] * t1[0] - n[0] * t1[2];
-  t2[2] = n[0] * t1[1] - n[1] * t1[0];
+  cross3(n, t1, t2);
 }
 
 INLINE void stage_load(const stone_constants *w, int paved, const kernel_io *io, block *k) {
