@@ -21,6 +21,7 @@ typedef struct {
   vf albedo[3], speck, hole;
   int crystal_known; /* the colour has met it */
   vu crystal;        /* that the point is in */
+  cells_found holes;
   cells_cover cover[STONE_LAYERS];
   int mixed[STONE_LAYERS]; /* a bit to each layer below that it covers unevenly */
   /* covariances of what the first layer covers with the second's shares */

@@ -257,24 +257,45 @@ INLINE void cells_turn(const stone_cells *c, const vf v[3], vf out[3]) {
 /* Bends the cells' faces: moves a point, in cells, by two noises, of the finer of which
  * `finer` is left. Their sum is as good for what is uneven within a crystal: sd 0.22 of
  * each, mean 0. */
+#define CELLS_MOVE (0.45f / VALUE_SD_CUBIC / HASH_ONE)
 INLINE vf cells_bend(const stone_cells *c, vf finer, int together, vf q[3]) {
   if (c->warp == 0.0f) return splat(0.0f);
   const vf coarse = splat(CELLS_BEND), fine = splat(CELLS_BEND_FINE);
-  const float move = 0.45f / VALUE_SD_CUBIC / HASH_ONE;
   const vf at[3] = {q[0] * coarse, q[1] * coarse, q[2] * coarse},
            finely[3] = {q[0] * fine, q[1] * fine, q[2] * fine};
   vf g[3], sum = value_three(at, splatu(c->seed_warp), together, g) * splat(1.0f / HASH_ONE);
-  for (int k = 0; k < 3; k++) q[k] = q[k] + splat(c->warp * move) * g[k];
+  for (int k = 0; k < 3; k++) q[k] = q[k] + splat(c->warp * CELLS_MOVE) * g[k];
   if (!any(gt(finer, splat(0.0f)))) return sum;
   vf b = value_three(finely, splatu(c->seed_warp + 1u), together, g) * splat(1.0f / HASH_ONE);
-  for (int k = 0; k < 3; k++) q[k] = q[k] + finer * splat(c->warp_fine * move) * g[k];
+  for (int k = 0; k < 3; k++) q[k] = q[k] + finer * splat(c->warp_fine * CELLS_MOVE) * g[k];
   return sum + finer * b;
 }
 
 /* A point in cells, their faces bent. */
-INLINE void cells_place(const stone_cells *c, const vf p[3], vf q[3]) {
+INLINE void cells_place(const stone_cells *c, vf finer, const vf p[3], vf q[3]) {
   cells_turn(c, p, q);
-  (void)cells_bend(c, splat(1.0f), 1, q);
+  (void)cells_bend(c, finer, 1, q);
+}
+
+/* How that place changes along two directions. t: mm. */
+INLINE void cells_slopes(const stone_cells *c, vf finer, const vf p[3], const vf t1[3],
+                         const vf t2[3], vf out[2][3]) {
+  const float frequency[2] = {CELLS_BEND, CELLS_BEND_FINE};
+  vf q[3], way[2][3];
+  cells_turn(c, p, q);
+  cells_turn(c, t1, way[0]);
+  cells_turn(c, t2, way[1]);
+  memcpy(out, way, sizeof way);
+  for (uint32_t o = 0; o < 2 && c->warp != 0.0f; o++) {
+    if (o == 1 && !any(gt(finer, splat(0.0f)))) return;
+    vf f = splat(frequency[o]), at[3] = {q[0] * f, q[1] * f, q[2] * f}, d[2][3];
+    vf far = splat((o ? c->warp_fine : c->warp) * frequency[o] * CELLS_MOVE);
+    if (o == 1) far = far * finer;
+    value_slopes(at, splatu(c->seed_warp + o), way, d);
+    for (int i = 0; i < 2; i++) {
+      for (int k = 0; k < 3; k++) out[i][k] = out[i][k] + far * d[i][k];
+    }
+  }
 }
 
 #endif

@@ -21,11 +21,17 @@ INLINE void stage_eye(const stone_cells *c, const block *k, cells_seen *looks, c
   e->t2 = k->t2;
   e->s = k->s;
   e->looks = looks;
+  e->found = NULL;
   eye_open(c, e);
 }
 
 INLINE void stage_seen(const stone_cells *c, int layer, const cells_eye *e, block *k) {
   eye_close(c, e, &k->cover[layer]);
+  if (layer == LAYER_HOLES) {
+    k->holes.bent = 1;
+    k->holes.met = e->once;
+    k->holes.fine = e->fine;
+  }
   if (layer != LAYER_GRAINS) return;
   k->crystal_known = e->once;
   k->crystal = e->nearest;
@@ -67,6 +73,7 @@ STAGE void stage_cells(const stone_constants *w, block *blocks, int count) {
      * one's eye again: all layers' eyes would not stay near */
     for (int b = 0; b < count && (once || idle); b++) {
       stage_eye(c, &blocks[b], NULL, &eyes[b]);
+      if (l == LAYER_HOLES) eyes[b].found = &blocks[b].holes;
       once &= eyes[b].once;
       idle &= eyes[b].idle;
     }

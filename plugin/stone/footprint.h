@@ -49,6 +49,15 @@ typedef struct {
   vf weight; /* what the footprint's shares have of theirs; 0 where there is one look, or none */
 } cells_seen;
 
+/* What the one look at a footprint's middle has found of bodies, for who asks how deep they
+ * are. */
+typedef struct {
+  int bent, met; /* that the next is known; and the rest */
+  vf fine;       /* what is left of the faces' finer bends */
+  cells_near near[3];
+  vm body[2];
+} cells_found;
+
 /* A footprint on a layer, and what has been seen of it. Its looks are parts side by
  * side, each well below a cell's size. Lengths in cells but for s. */
 typedef struct {
@@ -60,9 +69,10 @@ typedef struct {
   vf keep, fine;      /* how much the looks count beside the mean; of the faces' finer bends */
   vm seen, counted;   /* by looks; cell by cell */
   cells_square all;
-  cells_seen *looks; /* to be kept there, or NULL */
-  int once;          /* one look at the middle is all, to every lane */
-  int idle;          /* no look is any use */
+  cells_seen *looks;  /* to be kept there, or NULL */
+  cells_found *found; /* likewise, of the last look */
+  int once;           /* one look at the middle is all, to every lane */
+  int idle;           /* no look is any use */
   vu nearest;
   cells_cover sum;
 } cells_eye;
@@ -121,6 +131,10 @@ INLINE void look_add_as(const stone_cells *c, int whole, const cells_look *o) {
   for (int n = 0; n < 2 && c->shaped; n++) {
     kind[n] = cells_kind_of(c, o->near[n].at);
     body[n] = or_(kind[n].first, kind[n].second);
+  }
+  if (c->shaped && eye->found) {
+    memcpy(eye->found->near, o->near, sizeof o->near);
+    memcpy(eye->found->body, body, sizeof body);
   }
   if (c->shaped && !any(or_(body[0], body[1]))) {
     for (int k = 0; k < CELLS_PARTS && eye->looks; k++) eye->looks->of[k][o->slot] = zero;

@@ -131,7 +131,8 @@ INLINE void stage_surface(const stone_constants *w, int paved, const kernel_io *
     q->steep = vsqrt(vmax(splat(w->relief_steep) - q->lost, splat(0.0f)));
   }
   if (w->layer[LAYER_HOLES].on && w->hole_depth > 0.0f) {
-    relief = field_add(relief, hole_relief(w, k->p, k->t1, k->t2, k->s, k->hole, &q->lost));
+    relief =
+        field_add(relief, hole_relief(w, k->p, k->t1, k->t2, k->s, k->hole, &k->holes, &q->lost));
   }
   from_bed(w, paved, k, relief.g);
   surface_lay(w, paved, &k->laid, k->at, k->s, relief, q);
@@ -243,7 +244,7 @@ INLINE void evaluate_as(int paved, const stone_constants *w, const kernel_io *io
       block *k = &blocks[count];
       k->i = i;
       k->n = to - i < LANES ? to - i : LANES;
-      k->crystal_known = 0;
+      k->crystal_known = k->holes.bent = k->holes.met = 0;
       stage_load(w, paved, io, k);
       stage_laid(w, paved, io, k);
     }

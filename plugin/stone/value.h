@@ -7,6 +7,7 @@
 #define SOZAI_STONE_VALUE_H
 
 #include "../core/noise.h"
+#include "../core/vectors.h"
 
 /* sd of each, of all places, over HASH_ONE: corners' 1/3, times the mean of the blends'
  * squares, which is 26/35 along an axis for the cubic and 181/231 for the quintic. */
@@ -87,6 +88,48 @@ INLINE vf value_three(const vf p[3], vu seed, int together, vf out[3]) {
   vf sum = splat(0.0f);
   for (int k = 0; k < 3; k++) sum = sum + (out[k] * a[k].f - ends[k] * a[k].w);
   return sum;
+}
+
+/* Of value_three's numbers, how they change along two directions. */
+INLINE void value_slopes(const vf p[3], vu seed, const vf along[2][3], vf out[2][3]) {
+  static const uint32_t prime[3] = {HASH_X, HASH_Y, HASH_Z};
+  noise_axis a[3];
+  vf v[3][8];
+  for (int k = 0; k < 3; k++) a[k] = noise_split_cubic(p[k], prime[k]);
+#ifdef SPREADS
+  vu base = value_corner(a, 0, seed);
+  if (alike((vi)base)) {
+    vu h = hash_upper(base + noise_corners());
+    UNROLL(3)
+    for (int k = 0; k < 3; k++) {
+      spread of = spread_of(to_float((vi)(h << (uint32_t)(10 * k))));
+      for (int c = 0; c < 8; c++) v[k][c] = splat(of.of[c]);
+    }
+  } else
+#endif
+  {
+    for (int c = 0; c < 8; c++) {
+      vu h = hash_upper(value_corner(a, c, seed));
+      v[0][c] = to_float((vi)h);
+      v[1][c] = to_float((vi)(h << 10));
+      v[2][c] = to_float((vi)(h << 20));
+    }
+  }
+  for (int k = 0; k < 3; k++) {
+    vf dx[4], e[4], dy[2], s[2], g[3];
+    for (int i = 0; i < 4; i++) {
+      dx[i] = v[k][2 * i + 1] - v[k][2 * i];
+      e[i] = v[k][2 * i] + dx[i] * a[0].w;
+    }
+    for (int i = 0; i < 2; i++) {
+      dy[i] = e[2 * i + 1] - e[2 * i];
+      s[i] = e[2 * i] + dy[i] * a[1].w;
+    }
+    g[0] = mix(mix(dx[0], dx[1], a[1].w), mix(dx[2], dx[3], a[1].w), a[2].w) * a[0].dw;
+    g[1] = mix(dy[0], dy[1], a[2].w) * a[1].dw;
+    g[2] = (s[1] - s[0]) * a[2].dw;
+    for (int i = 0; i < 2; i++) out[i][k] = dot3(g, along[i]);
+  }
 }
 
 /* How far beds rise and fall: a height over the plane that they lay in. sd 0.224 of
