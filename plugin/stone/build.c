@@ -214,8 +214,9 @@ static double layer_contrast(const settings *s, const stone_cells *c, int first,
   return most;
 }
 
-/* What differs little needs few looks, and is soon its mean: errors go as the
- * contrast, and as the square of a look's width. */
+/* What differs little needs few looks, and is soon its mean. A look's edges are seen in
+ * quarters, so that most of what it errs by is what lies beyond the cells that it has found:
+ * that goes as the contrast, and about as its width. */
 static void set_looks(stone_constants *w, const settings *s) {
   static const int first[STONE_LAYERS] = {COLOUR_SECOND, COLOUR_INCLUSION, COLOUR_BLACK,
                                           COLOUR_HOLE},
@@ -238,7 +239,7 @@ static void set_looks(stone_constants *w, const settings *s) {
       /* three crystals to a look err less for each */
       if (!c->shaped) c->looks = (float)(__builtin_sqrt(share) * (double)c->looks);
       c->whole = (float)((double)c->whole / (share * share));
-      c->looks = (float)(share * (double)c->looks);
+      c->looks = (float)(share * share * (double)c->looks);
       c->fade = (float)(share * (double)c->fade);
     }
     /* nor do clouds within crystals go by how much crystals differ */
