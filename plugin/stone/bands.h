@@ -25,10 +25,11 @@ INLINE vf bed_at(const stone_constants *w, vf y, vf e) {
   return clamp01(share); /* an even clamp keeps the mean */
 }
 
-#define BEDS_WIDE 4.0f /* beds: a footprint across more is seen in eight parts */
+#define BEDS_WIDE 4.0f   /* beds: a footprint across more is seen in eight parts */
+#define BEDS_THIN 0.085f /* one across less in one: a quarter of the finest noise's lattice */
 
-/* The same over the footprint, in four parts across the beds, or eight. A layer of sediment lies
- * over the last at the same height everywhere but for a slow wave: value noise across the
+/* The same over the footprint, in four parts across the beds, or eight, or one. A layer of sediment
+ * lies over the last at the same height everywhere but for a slow wave: value noise across the
  * beds, at three sizes. flat2: how much of the footprint lies across. */
 STAGE vf bed_share(const stone_constants *w, const vf p[3], vf s, vf flat2) {
   vf y = p[1], zero = splat(0.0f), sum = zero, e = splat(0.25f) * s * vsqrt(flat2), side = e,
@@ -36,7 +37,13 @@ STAGE vf bed_share(const stone_constants *w, const vf p[3], vf s, vf flat2) {
   if (w->bed_wave != 0.0f)
     y = y + beds_wave(p, w->bed_wave, w->bed_wave_frequency, w->seed_bed + 7u);
   vm wide = gt(e * splat(w->bed_frequency), splat(0.25f * BEDS_WIDE));
+  vm thin = lt(e * splat(4.0f * w->bed_frequency), splat(BEDS_THIN));
   int eight = any(wide);
+  vf whole = zero;
+  if (any(thin)) {
+    whole = bed_at(w, y, splat(4.0f) * e);
+    if (!any(not_(thin))) return whole;
+  }
   if (eight) {
     side = sel(wide, splat(0.5f) * e, e);
     away = sel(wide, splat(0.25f) * e, zero);
@@ -48,7 +55,7 @@ STAGE vf bed_share(const stone_constants *w, const vf p[3], vf s, vf flat2) {
     else
       sum = sum + splat(0.25f) * bed_at(w, at, e);
   }
-  return sum;
+  return sel(thin, whole, sum);
 }
 
 /* How folded the whole is: how far a family's veins lie from where they would,

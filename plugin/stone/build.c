@@ -13,6 +13,7 @@
 
 #define MEASURED 8192u     /* points, for means that have no formula; whole blocks of every width */
 #define CELLS_WHOLE 0.05f  /* cells: wider looks at that contrast are seen in quarters */
+#define SPARSE 0.15f       /* of cells in most places, a body: fewer are asked for first */
 #define CLOUDS_WHOLE 0.04f /* the same over the turbidity of what is seen */
 
 static uint32_t seed_of(const settings *s) {
@@ -271,6 +272,11 @@ static void build_layers(stone_constants *w, const settings *s, stone_measure *m
   double bedding = number_at(s, P_HOLE_BEDDING);
   if (w->layer[LAYER_HOLES].on && bedding > 0.0) set_bedding(&w->layer[LAYER_HOLES], w, bedding);
   set_looks(w, s);
+  for (int l = 0; l < STONE_LAYERS; l++) {
+    stone_cells *c = &w->layer[l];
+    float chance = c->chance[1] * (c->bedded ? c->beds.few : 1.0f);
+    c->sparse = c->on && c->shaped && bodies[l].roundness > 0.0 && chance < SPARSE;
+  }
 }
 
 /* ---- what varies slowly ----------------------------------------------- */

@@ -9,6 +9,9 @@
 #include "bodies.h"
 #include "crystals.h"
 #include "sections.h"
+#ifdef SPREADS
+#include "bodies_absent.h"
+#endif
 
 /* Shares of a footprint: of kinds 1 and 2 with their brightness; and first, of crystals
  * kind 0 with its own, of bodies what both of them cover. */
@@ -54,6 +57,7 @@ typedef struct {
 typedef struct {
   int bent, met; /* that the next is known; and the rest */
   vf fine;       /* what is left of the faces' finer bends */
+  vf wide;       /* of the look's sides the longer, cells */
   cells_near near[3];
   vm body[2];
 } cells_found;
@@ -85,6 +89,7 @@ typedef struct {
   int slot; /* of looks that are kept */
   vm there;
   vf straight[3], q[3], cloud; /* where it is, before and after the faces' bends */
+  int empty;                   /* no body is near any lane; the rest is not known then */
   cells_near near[3];          /* bodies' third; of it no one asks where it is */
 } cells_look;
 
@@ -116,8 +121,10 @@ INLINE int eye_whole(const stone_cells *c, const cells_eye *e) {
 
 STAGE void looks_find(const stone_cells *c, cells_look *looks, int count) {
   int together = looks_together(looks);
-  for (int l = 0; l < count; l++)
+  for (int l = 0; l < count; l++) {
+    if (looks[l].empty) continue;
     cells_find(c, together, !eye_whole(c, looks[l].eye), looks[l].q, looks[l].near);
+  }
 }
 
 /* Of bodies, those of kind 0 are not there. whole: that no lane's part is seen in quarters. */
@@ -127,16 +134,18 @@ INLINE void look_add_as(const stone_cells *c, int whole, const cells_look *o) {
   const int count = whole || c->shaped ? 2 : 3;
   cells_kind kind[3];
   vm body[2];
-  eye->nearest = o->near[0].h;
-  for (int n = 0; n < 2 && c->shaped; n++) {
+  body[0] = body[1] = lt(zero, zero);
+  if (!c->shaped) eye->nearest = o->near[0].h;
+  for (int n = 0; n < 2 && c->shaped && !o->empty; n++) {
     kind[n] = cells_kind_of(c, o->near[n].at);
     body[n] = or_(kind[n].first, kind[n].second);
   }
+  int some = any(or_(body[0], body[1]));
   if (c->shaped && eye->found) {
-    memcpy(eye->found->near, o->near, sizeof o->near);
+    if (some) memcpy(eye->found->near, o->near, sizeof o->near);
     memcpy(eye->found->body, body, sizeof body);
   }
-  if (c->shaped && !any(or_(body[0], body[1]))) {
+  if (c->shaped && !some) {
     for (int k = 0; k < CELLS_PARTS && eye->looks; k++) eye->looks->of[k][o->slot] = zero;
     return;
   }
@@ -188,8 +197,41 @@ STAGE void looks_add(const stone_cells *c, const cells_look *looks, int count) {
   }
 }
 
+#define CELLS_SPARSE 0.5f /* cells: of wider footprints too many lie about all lanes */
+
+/* Which looks have no body near, of one eye all together. */
+STAGE void looks_empty(const stone_cells *c, cells_look *looks, int count) {
+  for (int l = 0; l < count; l++) looks[l].empty = 0;
+#ifndef SPREADS
+  (void)c;
+#else
+  if (!c->sparse || any(gt(looks[0].eye->most, splat(CELLS_SPARSE)))) return;
+  int each = count > 1 && looks[0].eye == looks[1].eye ? count : 1;
+  for (int l = 0; l < count; l += each) {
+    vf low[3], high[3], wide, unused;
+    for (int k = 0; k < 3; k++) {
+      low[k] = high[k] = looks[l].q[k];
+      for (int i = 1; i < each; i++) {
+        low[k] = vmin(low[k], looks[l + i].q[k]);
+        high[k] = vmax(high[k], looks[l + i].q[k]);
+      }
+      if (each == 1) {
+        range_of(low[k], &low[k], &high[k]);
+      } else {
+        range_of(low[k], &low[k], &unused);
+        range_of(high[k], &unused, &high[k]);
+      }
+    }
+    range_of(looks[l].eye->part_wide, &unused, &wide);
+    int empty = bodies_absent(c, low, high, lane(wide, 0));
+    for (int i = 0; i < each; i++) looks[l + i].empty = empty;
+  }
+#endif
+}
+
 INLINE void looks_run(const stone_cells *c, cells_look *looks, int count) {
   looks_bend(c, looks, count);
+  looks_empty(c, looks, count);
   looks_find(c, looks, count);
   looks_add(c, looks, count);
 }

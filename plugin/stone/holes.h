@@ -79,8 +79,9 @@ STAGE void hole_find(const stone_cells *c, const vf p[3], cells_found *f) {
  * bends are taken as even so near by. */
 STAGE void hole_depths_by(const stone_constants *w, const vf p[3], const vf t1[3], const vf t2[3],
                           vf step, const cells_found *f, vf depth[HOLE_PLACES]) {
+  const stone_cells *c = &w->layer[LAYER_HOLES];
   vf along[2][3], by[HOLE_PLACES][3];
-  cells_slopes(&w->layer[LAYER_HOLES], f->fine, p, t1, t2, along);
+  cells_slopes(c, f->fine, p, t1, t2, along);
   for (int n = 0; n < HOLE_PLACES; n++) {
     for (int k = 0; k < 3; k++) {
       by[n][k] =
@@ -89,7 +90,14 @@ STAGE void hole_depths_by(const stone_constants *w, const vf p[3], const vf t1[3
   }
   for (int n = 0; n < 2; n++) {
     if (!any(f->body[n])) continue;
-    hole_depth_of(w, &f->near[n], &f->near[1 - n], &f->near[2], f->body[n], HOLE_PLACES, by, depth);
+    vm open = f->body[n];
+    if (c->radius < 4.0f) {
+      /* nor deeper than the look might have seen it: bodies_absent.h */
+      vf reach = cells_radius(c, f->near[n].h) + f->wide + splat(0.5f * c->blur);
+      open = and_(open, lt(dot3(f->near[n].x, f->near[n].x), reach * reach));
+      if (!any(open)) continue;
+    }
+    hole_depth_of(w, &f->near[n], &f->near[1 - n], &f->near[2], open, HOLE_PLACES, by, depth);
   }
 }
 
@@ -112,6 +120,7 @@ STAGE field hole_relief(const stone_constants *w, const vf p[3], const vf t1[3],
     cells_eye eye = {.p = p, .t1 = t1, .t2 = t2, .s = s};
     eye_open(c, &eye);
     found->fine = eye.fine;
+    found->wide = eye.part_wide;
   }
   if (any(little)) {
     if (!found->met) hole_find(c, p, found);

@@ -91,6 +91,7 @@ STAGE void stage_grain(const stone_constants *w, const kernel_io *io, block *k) 
     eye_open(c, &eye);
     cells_turn(c, k->p, look.straight);
     looks_bend(c, &look, 1);
+    look.empty = 0;
     looks_find(c, &look, 1);
     k->crystal = look.near[0].h;
   }
