@@ -22,6 +22,7 @@ typedef struct {
   int crystal_known; /* the colour has met it */
   vu crystal;        /* that the point is in */
   cells_found holes;
+  int hidden; /* how many of the layers, from below, no lane sees anything of */
   cells_cover cover[STONE_LAYERS];
   int mixed[STONE_LAYERS]; /* a bit to each layer below that it covers unevenly */
   /* covariances of what the first layer covers with the second's shares */

@@ -41,7 +41,7 @@ INLINE void stage_seen(const stone_cells *c, int layer, const cells_eye *e, bloc
 /* The layers, a bit to each, of which a footprint takes more than a look. */
 STAGE void stage_looks(const stone_constants *w, int layers, block *k) {
   cells_seen seen[STONE_LAYERS];
-  for (int n = 0; n < STONE_LAYERS; n++) {
+  for (int n = k->hidden; n < STONE_LAYERS; n++) {
     int l = fabric_order[n];
     if (!(layers >> l & 1)) continue;
     const stone_cells *c = &w->layer[l];
@@ -49,7 +49,7 @@ STAGE void stage_looks(const stone_constants *w, int layers, block *k) {
     stage_eye(c, k, &seen[l], &e);
     eye_look_about(c, &e);
     stage_seen(c, l, &e, k);
-    for (int m = 0; m < n; m++) {
+    for (int m = k->hidden; m < n; m++) {
       int below = fabric_order[m];
       if (!(layers >> below & 1)) continue;
       if (!any(gt(seen[l].weight * seen[below].weight, splat(0.0f)))) continue;
@@ -59,31 +59,46 @@ STAGE void stage_looks(const stone_constants *w, int layers, block *k) {
   }
 }
 
-/* The layers of cells, each over all of the blocks where it can. */
-STAGE void stage_cells(const stone_constants *w, block *blocks, int count) {
+/* Layer n from below, over all of the blocks where it can; else 0. What it covers to the last
+ * of the footprints is not looked at any more. */
+INLINE int stage_layer(const stone_constants *w, int n, block *blocks, int count) {
+  int l = fabric_order[n], once = 1, idle = 1, seen = 0;
+  const stone_cells *c = &w->layer[l];
   cells_eye eyes[STONE_BLOCKS];
+  block *of[STONE_BLOCKS];
+  /* what tells that a layer is wide is mostly the first block, and stage_looks opens that
+   * one's eye again: all layers' eyes would not stay near */
+  for (int b = 0; b < count && (once || idle); b++) {
+    if (n < blocks[b].hidden) continue;
+    cells_eye *e = &eyes[seen];
+    of[seen++] = &blocks[b];
+    stage_eye(c, &blocks[b], NULL, e);
+    if (l == LAYER_HOLES) e->found = &blocks[b].holes;
+    once &= e->once;
+    idle &= e->idle;
+  }
+  if (!once && !idle) return 0;
+  if (once && seen) eyes_look(c, eyes, seen);
+  for (int b = 0; b < seen; b++) {
+    stage_seen(c, l, &eyes[b], of[b]);
+    int all = c->shaped && !any(lt(of[b]->cover[l].of[0], splat(1.0f)));
+    if (!all || n <= of[b]->hidden) continue;
+    of[b]->hidden = n;
+    for (int m = 0; m < n; m++) of[b]->cover[fabric_order[m]] = cells_none();
+  }
+  return 1;
+}
+
+/* The layers of cells, from the uppermost down. */
+STAGE void stage_cells(const stone_constants *w, block *blocks, int count) {
   int wide = 0;
   for (int b = 0; b < count; b++) {
+    blocks[b].hidden = 0;
     for (int l = 0; l < STONE_LAYERS; l++) blocks[b].mixed[l] = 0;
   }
-  for (int l = 0; l < STONE_LAYERS; l++) {
-    const stone_cells *c = &w->layer[l];
-    if (!c->on) continue;
-    int once = 1, idle = 1;
-    /* what tells that a layer is wide is mostly the first block, and stage_looks opens that
-     * one's eye again: all layers' eyes would not stay near */
-    for (int b = 0; b < count && (once || idle); b++) {
-      stage_eye(c, &blocks[b], NULL, &eyes[b]);
-      if (l == LAYER_HOLES) eyes[b].found = &blocks[b].holes;
-      once &= eyes[b].once;
-      idle &= eyes[b].idle;
-    }
-    if (!once && !idle) {
-      wide |= 1 << l;
-      continue;
-    }
-    if (once) eyes_look(c, eyes, count);
-    for (int b = 0; b < count; b++) stage_seen(c, l, &eyes[b], &blocks[b]);
+  for (int n = STONE_LAYERS - 1; n >= 0; n--) {
+    int l = fabric_order[n];
+    if (w->layer[l].on && !stage_layer(w, n, blocks, count)) wide |= 1 << l;
   }
   for (int b = 0; b < count && wide; b++) stage_looks(w, wide, &blocks[b]);
 }
@@ -153,11 +168,12 @@ STAGE void stage_fabric(const stone_constants *w, block *k) {
   over.count = over.mixes = 0;
   for (int l = 0; l < STONE_LAYERS; l++) over.mixes |= k->mixed[l];
   k->speck = k->hole = zero;
-  if (w->has_beds) {
+  const int seen = !k->hidden, veins = k->hidden < STONE_LAYERS - 1;
+  if (w->has_beds && seen) {
     vf flat2 = vmax(one - k->nrm[1] * k->nrm[1], zero);
     bed = splat(w->bed_contrast) * bed_share(w, k->p, k->s, flat2);
   }
-  if (w->has_mottle) shift = one + mottle_shift(w, k->p, k->t1, k->t2, k->s);
+  if (w->has_mottle && seen) shift = one + mottle_shift(w, k->p, k->t1, k->t2, k->s);
   for (int c = 0; c < 3; c++) {
     vf base = splat(w->colour[COLOUR_BASE][c]);
     if (w->has_beds) base = mix(base, splat(w->colour[COLOUR_BED][c]), bed);
@@ -177,7 +193,7 @@ STAGE void stage_fabric(const stone_constants *w, block *k) {
     k->speck = lay_over(w, LAYER_SPECKS, COLOUR_BLACK, COLOUR_WHITE, &over, k);
   if (w->layer[LAYER_INCLUSIONS].on)
     (void)lay_over(w, LAYER_INCLUSIONS, COLOUR_INCLUSION, COLOUR_INCLUSION_SECOND, &over, k);
-  if (w->has_veins) {
+  if (w->has_veins && veins) {
     vf v = vein_share(w, k->p, k->nrm, k->t1, k->t2, k->s);
     fabric_add(&over, STONE_LAYERS, COLOUR_VEIN, COLOUR_VEIN, v, k->albedo);
     for (int c = 0; c < 3; c++)

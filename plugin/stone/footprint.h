@@ -42,6 +42,7 @@ INLINE void cells_add(const stone_cells *c, vu h, const cells_kind *kind, vf sha
 #define CELLS_FEW 5          /* the same of footprints that are not wider than */
 #define CELLS_MANY 4.0f      /* cells */
 #define CELLS_FINE 1.0f      /* cells: wider footprints do not tell the finer of the faces' bends */
+#define CELLS_SMALL 0.04f    /* cells: smaller looks are as good as points */
 #define CELLS_LOOK_MOST 0.5f /* cells: a look at bodies sees past all of their faces but one */
 
 /* What looks have seen of a layer, each by itself: the shares of which a body's first is what it
@@ -296,9 +297,9 @@ INLINE void eye_open(const stone_cells *c, cells_eye *e) {
   }
   e->sum = cells_none();
   e->nearest = splatu(0);
-  wide[0] = cells_length(all.u);
-  wide[1] = cells_length(all.v);
-  e->most = vmax(wide[0], wide[1]);
+  wide[0] = dot3(all.u, all.u);
+  wide[1] = dot3(all.v, all.v);
+  e->most = vsqrt(vmax(wide[0], wide[1]));
   if (!any(gt(e->most, splat(c->single)))) {
     e->part = all;
     e->part_wide = e->most;
@@ -309,6 +310,7 @@ INLINE void eye_open(const stone_cells *c, cells_eye *e) {
     e->idle = 0;
     return;
   }
+  for (int k = 0; k < 2; k++) wide[k] = vsqrt(wide[k]);
   eye_divide(c, e, &all, wide);
 }
 
@@ -316,7 +318,9 @@ INLINE void eye_open(const stone_cells *c, cells_eye *e) {
 INLINE void eye_close(const stone_cells *c, const cells_eye *e, cells_cover *out) {
   vf one = splat(1.0f), each = e->inverse[0] * e->inverse[1], swell = one;
   if (c->shaped) {
-    vf at = e->part_wide * splat(1.0f / CELLS_LOOK_MOST);
+    /* and nothing in excess of what fills a small look */
+    vf at = vmax(e->part_wide - splat(CELLS_SMALL), splat(0.0f)) *
+            splat(1.0f / (CELLS_LOOK_MOST - CELLS_SMALL));
     swell = one / (one + splat(c->swell) * at * at);
     each = each * swell;
   }
@@ -333,8 +337,11 @@ INLINE void eye_close(const stone_cells *c, const cells_eye *e, cells_cover *out
   }
   vf bodies = mean[0] + mean[1];
   const vf expected[CELLS_PARTS] = {c->shaped ? bodies : one - bodies, mean[0], mean[1]};
-  for (int k = 0; k < CELLS_PARTS; k++)
-    out->of[k] = sel(e->seen, mix(expected[k], e->sum.of[k] * each, e->keep), expected[k]);
+  for (int k = 0; k < CELLS_PARTS; k++) {
+    /* all of a footprint is 1 and not nearly so */
+    vf sum = e->sum.of[k] * each, some = sel(lt(e->keep, one), mix(expected[k], sum, e->keep), sum);
+    out->of[k] = sel(e->seen, some, expected[k]);
+  }
   if (e->once || !any(e->counted)) return;
   vf cut[CELLS_PARTS];
   sections_count(c, e->p, &e->all, e->counted, cut);
