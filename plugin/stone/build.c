@@ -217,7 +217,7 @@ static double layer_contrast(const settings *s, const stone_cells *c, int first,
 
 /* What differs little needs few looks, and is soon its mean. A look's edges are seen in
  * quarters, so that most of what it errs by is what lies beyond the cells that it has found:
- * that goes as the contrast, and about as its width. */
+ * that goes as the contrast, and as its width or little more. */
 static void set_looks(stone_constants *w, const settings *s) {
   static const int first[STONE_LAYERS] = {COLOUR_SECOND, COLOUR_INCLUSION, COLOUR_BLACK,
                                           COLOUR_HOLE},
@@ -238,9 +238,9 @@ static void set_looks(stone_constants *w, const settings *s) {
     if (share < 0.01) share = 0.01;
     if (share < 1.0) {
       /* three crystals to a look err less for each */
-      if (!c->shaped) c->looks = (float)(__builtin_sqrt(share) * (double)c->looks);
+      if (!c->shaped) c->looks = (float)(share * (double)c->looks);
       c->whole = (float)((double)c->whole / (share * share));
-      c->looks = (float)(share * share * (double)c->looks);
+      c->looks = (float)(__builtin_sqrt(share) * share * (double)c->looks);
       c->fade = (float)(share * (double)c->fade);
     }
     /* nor do clouds within crystals go by how much crystals differ */
