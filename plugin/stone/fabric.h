@@ -31,7 +31,7 @@ INLINE void stage_seen(const stone_cells *c, int layer, const cells_eye *e, bloc
     k->holes.bent = 1;
     k->holes.met = e->once;
     k->holes.fine = e->fine;
-    k->holes.wide = e->part_wide;
+    k->holes.wide = e->most;
   }
   if (layer != LAYER_GRAINS) return;
   k->crystal_known = e->once;

@@ -58,7 +58,7 @@ typedef struct {
 typedef struct {
   int bent, met; /* that the next is known; and the rest */
   vf fine;       /* what is left of the faces' finer bends */
-  vf wide;       /* of the look's sides the longer, cells */
+  vf wide;       /* of the footprint's sides the longer, cells */
   cells_near near[3];
   vm body[2];
 } cells_found;

@@ -120,7 +120,7 @@ STAGE field hole_relief(const stone_constants *w, const vf p[3], const vf t1[3],
     cells_eye eye = {.p = p, .t1 = t1, .t2 = t2, .s = s};
     eye_open(c, &eye);
     found->fine = eye.fine;
-    found->wide = eye.part_wide;
+    found->wide = eye.most;
   }
   if (any(little)) {
     if (!found->met) hole_find(c, p, found);
