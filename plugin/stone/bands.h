@@ -7,6 +7,7 @@
 
 #include "../core/filter.h"
 #include "../core/noise.h"
+#include "../core/vectors.h"
 #include "stone.h"
 #include "value.h"
 
@@ -24,10 +25,11 @@ INLINE vf bed_at(const stone_constants *w, vf y, vf e) {
   return clamp01(share); /* an even clamp keeps the mean */
 }
 
-#define BEDS_WIDE 4.0f /* beds: a footprint across more is seen in eight parts */
+#define BEDS_WIDE 4.0f   /* beds: a footprint across more is seen in eight parts */
+#define BEDS_THIN 0.085f /* one across less in one: a quarter of the finest noise's lattice */
 
-/* The same over the footprint, in four parts across the beds, or eight. A layer of sediment lies
- * over the last at the same height everywhere but for a slow wave: value noise across the
+/* The same over the footprint, in four parts across the beds, or eight, or one. A layer of sediment
+ * lies over the last at the same height everywhere but for a slow wave: value noise across the
  * beds, at three sizes. flat2: how much of the footprint lies across. */
 STAGE vf bed_share(const stone_constants *w, const vf p[3], vf s, vf flat2) {
   vf y = p[1], zero = splat(0.0f), sum = zero, e = splat(0.25f) * s * vsqrt(flat2), side = e,
@@ -35,7 +37,13 @@ STAGE vf bed_share(const stone_constants *w, const vf p[3], vf s, vf flat2) {
   if (w->bed_wave != 0.0f)
     y = y + beds_wave(p, w->bed_wave, w->bed_wave_frequency, w->seed_bed + 7u);
   vm wide = gt(e * splat(w->bed_frequency), splat(0.25f * BEDS_WIDE));
+  vm thin = lt(e * splat(4.0f * w->bed_frequency), splat(BEDS_THIN));
   int eight = any(wide);
+  vf whole = zero;
+  if (any(thin)) {
+    whole = bed_at(w, y, splat(4.0f) * e);
+    if (!any(not_(thin))) return whole;
+  }
   if (eight) {
     side = sel(wide, splat(0.5f) * e, e);
     away = sel(wide, splat(0.25f) * e, zero);
@@ -47,7 +55,7 @@ STAGE vf bed_share(const stone_constants *w, const vf p[3], vf s, vf flat2) {
     else
       sum = sum + splat(0.25f) * bed_at(w, at, e);
   }
-  return sum;
+  return sel(thin, whole, sum);
 }
 
 /* How folded the whole is: how far a family's veins lie from where they would,
@@ -55,6 +63,10 @@ STAGE vf bed_share(const stone_constants *w, const vf p[3], vf s, vf flat2) {
  * direction wanders by twenty degrees or so. */
 #define VEIN_FOLD 0.13f
 #define VEIN_FOLDED 2.6f
+#define VEIN_SHAKE 0.12f /* of what bends the veins, their finest bends */
+#define VEIN_STEEP                                                                                 \
+  2.0f /* of that noise's slope, 0.86 in the mean, what is made use of at least                    \
+        */
 
 typedef struct {
   vf v, g[3];
@@ -85,33 +97,39 @@ STAGE vf vein_sheet(const stone_constants *w, const vf p[3], const vf n[3], vf s
   for (int k = 0; k < 3; k++) q[k] = p[k] * splat(frequency);
   vf bend =
       noise_gradient3(q[0] * splat(0.7f), q[1] * splat(0.7f), q[2] * splat(0.7f), splatu(seed), g);
+  vf f = splat(m[0]) * q[0] + splat(m[1]) * q[1] + splat(m[2]) * q[2] + splat(w->vein_warp) * bend +
+         splat(side * finer) * fold->v;
+  for (int k = 0; k < 3; k++) {
+    g[k] = splat(m[k]) + splat(0.7f * w->vein_warp) * g[k] + splat(side) * fold->g[k];
+  }
+  /* whatever the shake adds, within its bounds, no vein is nearer than that */
+  const float shaken = VEIN_SHAKE * w->vein_warp, widest = 0.5f * w->vein_width / finer;
+  const vf soft2 = splat(w->vein_soft * w->vein_soft + 1e-12f), each = splat(1.0f / frequency);
+  vf slowest = one / (vsqrt(dot3(g, g) + splat(0.09f)) + splat(3.9f * VEIN_STEEP * shaken));
+  vi which;
+  vf least = vabs(f - vfloor(f + splat(0.5f), &which)) - splat(shaken);
+  vm near = lt(least * slowest * each - splat(0.5f) * vsqrt(s * s + soft2), splat(widest));
+  if (!any(near)) return splat(0.0f);
   vf shake = noise_gradient3(q[0] * splat(3.9f), q[1] * splat(3.9f), q[2] * splat(3.9f),
                              splatu(seed + 1u), fine);
-  vf f = splat(m[0]) * q[0] + splat(m[1]) * q[1] + splat(m[2]) * q[2] +
-         splat(w->vein_warp) * (bend + splat(0.12f) * shake) + splat(side * finer) * fold->v;
-  vi which;
+  f = f + splat(shaken) * clamp(shake, splat(-1.0f), one);
+  for (int k = 0; k < 3; k++) g[k] = g[k] + splat(3.9f * shaken) * fine[k];
   vf middle = vfloor(f + splat(0.5f), &which);
-  for (int k = 0; k < 3; k++) {
-    g[k] = splat(m[k]) + splat(w->vein_warp) * (splat(0.7f) * g[k] + splat(0.468f) * fine[k]) +
-           splat(side) * fold->g[k];
-  }
-  vf k = inverse_root(vmax(g[0] * g[0] + g[1] * g[1] + g[2] * g[2], splat(0.09f)));
-  vf d = vabs(f - middle) * k * splat(1.0f / frequency);
+  vf k = vmax(inverse_root(vmax(dot3(g, g), splat(0.09f))), slowest),
+     d = vabs(f - middle) * k * each;
   vf chance = vabs(hash_signed(hash_mix((vu)which + splatu(seed)))) * splat(1.0f / HASH_ONE);
   /* along the vein, one number to each vein: neighbours do not thin out together */
   vf way = q[0] * splat(m[1] - m[2]) + q[1] * splat(m[2] - m[0]) + q[2] * splat(m[0] - m[1]);
-  vf unused, own;
+  vf slope, own;
   noise_axis a = noise_split_cubic(way * splat(0.45f), HASH_X);
-  own = noise_value1(&a, (vu)which * splatu(HASH_Y) + splatu(seed + 3u), &unused);
+  own = noise_value1(&a, (vu)which * splatu(HASH_Y) + splatu(seed + 3u), &slope);
   vf swell = splat(family ? -0.1f : 0.2f) + splat(0.9f) * bend + splat(1.1f) * shake +
              splat(0.6f) * chance + splat(family ? -2.6f : 1.2f) * fold->many +
              splat((family ? 0.9f : 0.4f) / HASH_ONE) * own;
-  vf half = clamp01(swell) * chance * chance * splat(0.5f * w->vein_width / finer);
-  vf along = (g[0] * n[0] + g[1] * n[1] + g[2] * n[2]) * k;
-  vf e = vsqrt(s * s * vmax(one - along * along, splat(0.0f)) + splat(w->vein_soft * w->vein_soft) +
-               splat(1e-12f));
+  vf half = clamp01(swell) * chance * chance * splat(widest);
+  vf along = vmin(vabs(dot3(g, n) * k), one), e = vsqrt(s * s * (one - along * along) + soft2);
   vf high = vmin(d + splat(0.5f) * e, half), low = vmax(d - splat(0.5f) * e, splat(0.0f) - half);
-  return vmax(high - low, splat(0.0f)) / e;
+  return sel(near, vmax(high - low, splat(0.0f)) / e, splat(0.0f));
 }
 
 #define VEIN_STEPS 5

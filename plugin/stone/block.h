@@ -21,8 +21,10 @@ typedef struct {
   vf albedo[3], speck, hole;
   int crystal_known; /* the colour has met it */
   vu crystal;        /* that the point is in */
+  cells_found holes;
+  int hidden; /* how many of the layers, from below, no lane sees anything of */
   cells_cover cover[STONE_LAYERS];
-  int mixes, mixed[STONE_LAYERS]; /* any; a bit to each layer below that it covers unevenly */
+  int mixed[STONE_LAYERS]; /* a bit to each layer below that it covers unevenly */
   /* covariances of what the first layer covers with the second's shares */
   vf with[STONE_LAYERS][STONE_LAYERS][CELLS_PARTS];
   laid laid; /* where there is a paving */

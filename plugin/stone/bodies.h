@@ -84,16 +84,17 @@ INLINE cells_edge edge_of_face(const stone_cells *c, const cells_near *a, const 
 /* Those of the cells about a point. together: see cells_find_as. three: of crystals, too. */
 INLINE void cells_find(const stone_cells *c, int together, int three, const vf q[3],
                        cells_near near[3]) {
-  if (cells_asked(c) > 2)
-    cells_find_as(c, 0, 3, together, q, near); /* bodies have no weights */
-  else if (three && c->grading > 0.0f)
-    cells_find_as(c, 1, 3, together, q, near);
-  else if (three)
+  three |= cells_asked(c) > 2;
+  if (c->grading > 0.0f) { /* bodies have no weights */
+    if (three)
+      cells_find_as(c, 1, 3, together, q, near);
+    else
+      cells_find_as(c, 1, 2, together, q, near);
+  } else if (three) {
     cells_find_as(c, 0, 3, together, q, near);
-  else if (c->grading > 0.0f)
-    cells_find_as(c, 1, 2, together, q, near);
-  else
+  } else {
     cells_find_as(c, 0, 2, together, q, near);
+  }
 }
 
 /* How much of a square the bodies of its nearest two cells have. One ends at the faces to

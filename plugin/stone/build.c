@@ -13,6 +13,7 @@
 
 #define MEASURED 8192u     /* points, for means that have no formula; whole blocks of every width */
 #define CELLS_WHOLE 0.05f  /* cells: wider looks at that contrast are seen in quarters */
+#define SPARSE 0.15f       /* of cells in most places, a body: fewer are asked for first */
 #define CLOUDS_WHOLE 0.04f /* the same over the turbidity of what is seen */
 
 static uint32_t seed_of(const settings *s) {
@@ -214,8 +215,9 @@ static double layer_contrast(const settings *s, const stone_cells *c, int first,
   return most;
 }
 
-/* What differs little needs few looks, and is soon its mean: errors go as the
- * contrast, and as the square of a look's width. */
+/* What differs little needs few looks, and is soon its mean. A look's edges are seen in
+ * quarters, so that most of what it errs by is what lies beyond the cells that it has found:
+ * that goes as the contrast, and as its width or little more. */
 static void set_looks(stone_constants *w, const settings *s) {
   static const int first[STONE_LAYERS] = {COLOUR_SECOND, COLOUR_INCLUSION, COLOUR_BLACK,
                                           COLOUR_HOLE},
@@ -236,9 +238,9 @@ static void set_looks(stone_constants *w, const settings *s) {
     if (share < 0.01) share = 0.01;
     if (share < 1.0) {
       /* three crystals to a look err less for each */
-      if (!c->shaped) c->looks = (float)(__builtin_sqrt(share) * (double)c->looks);
+      if (!c->shaped) c->looks = (float)(share * (double)c->looks);
       c->whole = (float)((double)c->whole / (share * share));
-      c->looks = (float)(share * (double)c->looks);
+      c->looks = (float)(__builtin_sqrt(share) * share * (double)c->looks);
       c->fade = (float)(share * (double)c->fade);
     }
     /* nor do clouds within crystals go by how much crystals differ */
@@ -270,6 +272,11 @@ static void build_layers(stone_constants *w, const settings *s, stone_measure *m
   double bedding = number_at(s, P_HOLE_BEDDING);
   if (w->layer[LAYER_HOLES].on && bedding > 0.0) set_bedding(&w->layer[LAYER_HOLES], w, bedding);
   set_looks(w, s);
+  for (int l = 0; l < STONE_LAYERS; l++) {
+    stone_cells *c = &w->layer[l];
+    float chance = c->chance[1] * (c->bedded ? c->beds.few : 1.0f);
+    c->sparse = c->on && c->shaped && bodies[l].roundness > 0.0 && chance < SPARSE;
+  }
 }
 
 /* ---- what varies slowly ----------------------------------------------- */

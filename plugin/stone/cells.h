@@ -17,6 +17,7 @@
 #define SOZAI_STONE_CELLS_H
 
 #include "../core/patch.h"
+#include "../core/vectors.h"
 #include "stone.h"
 #include "value.h"
 
@@ -99,8 +100,7 @@ INLINE void cells_try(const stone_cells *c, int graded, int most, const cells_ab
   vu h = hash_upper(a->hash[0][x] + a->hash[1][y] + a->hash[2][z]);
   vf at[3];
   cells_centre(h, a->from[0][x], a->from[1][y], a->from[2][z], at);
-  vf d =
-      at[0] * at[0] + at[1] * at[1] + at[2] * at[2] + (graded ? cells_weight(c, h) : splat(1e-6f));
+  vf d = dot3(at, at) + (graded ? cells_weight(c, h) : splat(1e-6f));
   cells_keep(d, a->number[0][x] + a->number[1][y] + a->number[2][z], most, key);
 }
 
@@ -169,7 +169,7 @@ INLINE void cells_find_as(const stone_cells *c, int graded, int most, int togeth
                       (vu)d[2] * splatu(HASH_Z));
     cells_centre(h, about.from[0][0] + to_float(d[0]), about.from[1][0] + to_float(d[1]),
                  about.from[2][0] + to_float(d[2]), o->x);
-    o->d = o->x[0] * o->x[0] + o->x[1] * o->x[1] + o->x[2] * o->x[2];
+    o->d = dot3(o->x, o->x);
     if (graded) o->d = o->d + cells_weight(c, h);
     o->h = h;
   }
@@ -257,24 +257,45 @@ INLINE void cells_turn(const stone_cells *c, const vf v[3], vf out[3]) {
 /* Bends the cells' faces: moves a point, in cells, by two noises, of the finer of which
  * `finer` is left. Their sum is as good for what is uneven within a crystal: sd 0.22 of
  * each, mean 0. */
+#define CELLS_MOVE (0.45f / VALUE_SD_CUBIC / HASH_ONE)
 INLINE vf cells_bend(const stone_cells *c, vf finer, int together, vf q[3]) {
   if (c->warp == 0.0f) return splat(0.0f);
   const vf coarse = splat(CELLS_BEND), fine = splat(CELLS_BEND_FINE);
-  const float move = 0.45f / VALUE_SD_CUBIC / HASH_ONE;
   const vf at[3] = {q[0] * coarse, q[1] * coarse, q[2] * coarse},
            finely[3] = {q[0] * fine, q[1] * fine, q[2] * fine};
   vf g[3], sum = value_three(at, splatu(c->seed_warp), together, g) * splat(1.0f / HASH_ONE);
-  for (int k = 0; k < 3; k++) q[k] = q[k] + splat(c->warp * move) * g[k];
+  for (int k = 0; k < 3; k++) q[k] = q[k] + splat(c->warp * CELLS_MOVE) * g[k];
   if (!any(gt(finer, splat(0.0f)))) return sum;
   vf b = value_three(finely, splatu(c->seed_warp + 1u), together, g) * splat(1.0f / HASH_ONE);
-  for (int k = 0; k < 3; k++) q[k] = q[k] + finer * splat(c->warp_fine * move) * g[k];
+  for (int k = 0; k < 3; k++) q[k] = q[k] + finer * splat(c->warp_fine * CELLS_MOVE) * g[k];
   return sum + finer * b;
 }
 
 /* A point in cells, their faces bent. */
-INLINE void cells_place(const stone_cells *c, const vf p[3], vf q[3]) {
+INLINE void cells_place(const stone_cells *c, vf finer, const vf p[3], vf q[3]) {
   cells_turn(c, p, q);
-  (void)cells_bend(c, splat(1.0f), 1, q);
+  (void)cells_bend(c, finer, 1, q);
+}
+
+/* How that place changes along two directions. t: mm. */
+INLINE void cells_slopes(const stone_cells *c, vf finer, const vf p[3], const vf t1[3],
+                         const vf t2[3], vf out[2][3]) {
+  const float frequency[2] = {CELLS_BEND, CELLS_BEND_FINE};
+  vf q[3], way[2][3];
+  cells_turn(c, p, q);
+  cells_turn(c, t1, way[0]);
+  cells_turn(c, t2, way[1]);
+  memcpy(out, way, sizeof way);
+  for (uint32_t o = 0; o < 2 && c->warp != 0.0f; o++) {
+    if (o == 1 && !any(gt(finer, splat(0.0f)))) return;
+    vf f = splat(frequency[o]), at[3] = {q[0] * f, q[1] * f, q[2] * f}, d[2][3];
+    vf far = splat((o ? c->warp_fine : c->warp) * frequency[o] * CELLS_MOVE);
+    if (o == 1) far = far * finer;
+    value_slopes(at, splatu(c->seed_warp + o), way, d);
+    for (int i = 0; i < 2; i++) {
+      for (int k = 0; k < 3; k++) out[i][k] = out[i][k] + far * d[i][k];
+    }
+  }
 }
 
 #endif

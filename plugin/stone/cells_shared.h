@@ -99,10 +99,10 @@ INLINE int cells_nearest_shared(const stone_cells *c, int graded, int most, cons
   if (!left) return 0;
   for (; left; left &= left - 1) {
     int n = __builtin_ctzll(left);
-    vf x = splat(list.jitter[0][n]) + list.from[0][n & 3];
-    vf y = splat(list.jitter[1][n]) + list.from[1][n >> 2 & 3];
-    vf z = splat(list.jitter[2][n]) + list.from[2][n >> 4];
-    cells_keep(x * x + y * y + z * z + splat(list.weight[n]), splati(list.number[n]), most, key);
+    const vf x[3] = {splat(list.jitter[0][n]) + list.from[0][n & 3],
+                     splat(list.jitter[1][n]) + list.from[1][n >> 2 & 3],
+                     splat(list.jitter[2][n]) + list.from[2][n >> 4]};
+    cells_keep(dot3(x, x) + splat(list.weight[n]), splati(list.number[n]), most, key);
   }
   return 1;
 }

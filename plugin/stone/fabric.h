@@ -21,11 +21,18 @@ INLINE void stage_eye(const stone_cells *c, const block *k, cells_seen *looks, c
   e->t2 = k->t2;
   e->s = k->s;
   e->looks = looks;
+  e->found = NULL;
   eye_open(c, e);
 }
 
 INLINE void stage_seen(const stone_cells *c, int layer, const cells_eye *e, block *k) {
   eye_close(c, e, &k->cover[layer]);
+  if (layer == LAYER_HOLES) {
+    k->holes.bent = 1;
+    k->holes.met = e->once;
+    k->holes.fine = e->fine;
+    k->holes.wide = e->most;
+  }
   if (layer != LAYER_GRAINS) return;
   k->crystal_known = e->once;
   k->crystal = e->nearest;
@@ -34,7 +41,7 @@ INLINE void stage_seen(const stone_cells *c, int layer, const cells_eye *e, bloc
 /* The layers, a bit to each, of which a footprint takes more than a look. */
 STAGE void stage_looks(const stone_constants *w, int layers, block *k) {
   cells_seen seen[STONE_LAYERS];
-  for (int n = 0; n < STONE_LAYERS; n++) {
+  for (int n = k->hidden; n < STONE_LAYERS; n++) {
     int l = fabric_order[n];
     if (!(layers >> l & 1)) continue;
     const stone_cells *c = &w->layer[l];
@@ -42,46 +49,63 @@ STAGE void stage_looks(const stone_constants *w, int layers, block *k) {
     stage_eye(c, k, &seen[l], &e);
     eye_look_about(c, &e);
     stage_seen(c, l, &e, k);
-    for (int m = 0; m < n; m++) {
+    for (int m = k->hidden; m < n; m++) {
       int below = fabric_order[m];
       if (!(layers >> below & 1)) continue;
       if (!any(gt(seen[l].weight * seen[below].weight, splat(0.0f)))) continue;
       k->mixed[l] |= 1 << below;
-      k->mixes = 1;
       seen_covariance(&seen[l], &seen[below], k->with[l][below]);
     }
   }
 }
 
-/* The layers of cells, each over all of the blocks where it can. */
-STAGE void stage_cells(const stone_constants *w, block *blocks, int count) {
+/* Layer n from below, over all of the blocks where it can; else 0. What it covers to the last
+ * of the footprints is not looked at any more. */
+INLINE int stage_layer(const stone_constants *w, int n, block *blocks, int count) {
+  int l = fabric_order[n], once = 1, idle = 1, seen = 0;
+  const stone_cells *c = &w->layer[l];
   cells_eye eyes[STONE_BLOCKS];
+  block *of[STONE_BLOCKS];
+  /* what tells that a layer is wide is mostly the first block, and stage_looks opens that
+   * one's eye again: all layers' eyes would not stay near */
+  for (int b = 0; b < count && (once || idle); b++) {
+    if (n < blocks[b].hidden) continue;
+    cells_eye *e = &eyes[seen];
+    of[seen++] = &blocks[b];
+    stage_eye(c, &blocks[b], NULL, e);
+    if (l == LAYER_HOLES) e->found = &blocks[b].holes;
+    once &= e->once;
+    idle &= e->idle;
+  }
+  if (!once && !idle) return 0;
+  if (once && seen) eyes_look(c, eyes, seen);
+  for (int b = 0; b < seen; b++) {
+    stage_seen(c, l, &eyes[b], of[b]);
+    int all = c->shaped && !any(lt(of[b]->cover[l].of[0], splat(1.0f)));
+    if (!all || n <= of[b]->hidden) continue;
+    of[b]->hidden = n;
+    for (int m = 0; m < n; m++) of[b]->cover[fabric_order[m]] = cells_none();
+  }
+  return 1;
+}
+
+/* The layers of cells, from the uppermost down. */
+STAGE void stage_cells(const stone_constants *w, block *blocks, int count) {
   int wide = 0;
   for (int b = 0; b < count; b++) {
-    blocks[b].mixes = 0;
+    blocks[b].hidden = 0;
     for (int l = 0; l < STONE_LAYERS; l++) blocks[b].mixed[l] = 0;
   }
-  for (int l = 0; l < STONE_LAYERS; l++) {
-    const stone_cells *c = &w->layer[l];
-    if (!c->on) continue;
-    int once = 1, idle = 1;
-    for (int b = 0; b < count; b++) {
-      stage_eye(c, &blocks[b], NULL, &eyes[b]);
-      once &= eyes[b].once;
-      idle &= eyes[b].idle;
-    }
-    if (!once && !idle) {
-      wide |= 1 << l;
-      continue;
-    }
-    if (once) eyes_look(c, eyes, count);
-    for (int b = 0; b < count; b++) stage_seen(c, l, &eyes[b], &blocks[b]);
+  for (int n = STONE_LAYERS - 1; n >= 0; n--) {
+    int l = fabric_order[n];
+    if (w->layer[l].on && !stage_layer(w, n, blocks, count)) wide |= 1 << l;
   }
   for (int b = 0; b < count && wide; b++) stage_looks(w, wide, &blocks[b]);
 }
 
 /* What has been laid so far, for what is laid over it. */
 typedef struct {
+  int mixes; /* whether any layer covers another unevenly */
   int count, layer[STONE_LAYERS + 1], colour[STONE_LAYERS + 1][2];
   vf cover[STONE_LAYERS + 1], under[STONE_LAYERS + 1][3]; /* and what it was laid over */
   vf grains[CELLS_PARTS][3];                              /* the crystals' colours */
@@ -108,6 +132,7 @@ INLINE void fabric_with(const stone_constants *w, const fabric_stack *o, const b
 
 INLINE void fabric_add(fabric_stack *o, int layer, int first, int second, vf cover,
                        const vf under[3]) {
+  if (!o->mixes) return;
   int n = o->count++;
   o->layer[n] = layer;
   o->colour[n][0] = first;
@@ -124,7 +149,7 @@ INLINE vf lay_over(const stone_constants *w, int layer, int first, int second, f
   int mixed = k->mixed[layer];
   vf cover = vmin(q->of[0], one);
   if (mixed) fabric_with(w, o, k, layer, with);
-  if (k->mixes) fabric_add(o, layer, first, second, cover, k->albedo);
+  fabric_add(o, layer, first, second, cover, k->albedo);
   for (int c = 0; c < 3; c++) {
     k->albedo[c] = k->albedo[c] * (one - cover) + q->of[1] * splat(w->colour[first][c]) +
                    q->of[2] * splat(w->colour[second][c]);
@@ -140,17 +165,19 @@ INLINE vf lay_over(const stone_constants *w, int layer, int first, int second, f
 STAGE void stage_fabric(const stone_constants *w, block *k) {
   vf zero = splat(0.0f), one = splat(1.0f), bed = zero, shift = one;
   fabric_stack over;
-  over.count = 0;
+  over.count = over.mixes = 0;
+  for (int l = 0; l < STONE_LAYERS; l++) over.mixes |= k->mixed[l];
   k->speck = k->hole = zero;
-  if (w->has_beds) {
+  const int seen = !k->hidden, veins = k->hidden < STONE_LAYERS - 1;
+  if (w->has_beds && seen) {
     vf flat2 = vmax(one - k->nrm[1] * k->nrm[1], zero);
     bed = splat(w->bed_contrast) * bed_share(w, k->p, k->s, flat2);
   }
-  if (w->has_mottle) shift = one + mottle_shift(w, k->p, k->t1, k->t2, k->s);
+  if (w->has_mottle && seen) shift = one + mottle_shift(w, k->p, k->t1, k->t2, k->s);
   for (int c = 0; c < 3; c++) {
     vf base = splat(w->colour[COLOUR_BASE][c]);
     if (w->has_beds) base = mix(base, splat(w->colour[COLOUR_BED][c]), bed);
-    if (k->mixes) {
+    if (over.mixes) {
       over.grains[0][c] = base * shift;
       over.grains[1][c] = splat(w->colour[COLOUR_SECOND][c]) * shift;
       over.grains[2][c] = splat(w->colour[COLOUR_THIRD][c]) * shift;
@@ -166,9 +193,9 @@ STAGE void stage_fabric(const stone_constants *w, block *k) {
     k->speck = lay_over(w, LAYER_SPECKS, COLOUR_BLACK, COLOUR_WHITE, &over, k);
   if (w->layer[LAYER_INCLUSIONS].on)
     (void)lay_over(w, LAYER_INCLUSIONS, COLOUR_INCLUSION, COLOUR_INCLUSION_SECOND, &over, k);
-  if (w->has_veins) {
+  if (w->has_veins && veins) {
     vf v = vein_share(w, k->p, k->nrm, k->t1, k->t2, k->s);
-    if (k->mixes) fabric_add(&over, STONE_LAYERS, COLOUR_VEIN, COLOUR_VEIN, v, k->albedo);
+    fabric_add(&over, STONE_LAYERS, COLOUR_VEIN, COLOUR_VEIN, v, k->albedo);
     for (int c = 0; c < 3; c++)
       k->albedo[c] = mix(k->albedo[c], splat(w->colour[COLOUR_VEIN][c]), v);
     k->speck = k->speck * (one - v);

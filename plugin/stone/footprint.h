@@ -9,6 +9,9 @@
 #include "bodies.h"
 #include "crystals.h"
 #include "sections.h"
+#ifdef SPREADS
+#include "bodies_absent.h"
+#endif
 
 /* Shares of a footprint: of kinds 1 and 2 with their brightness; and first, of crystals
  * kind 0 with its own, of bodies what both of them cover. */
@@ -39,6 +42,7 @@ INLINE void cells_add(const stone_cells *c, vu h, const cells_kind *kind, vf sha
 #define CELLS_FEW 5          /* the same of footprints that are not wider than */
 #define CELLS_MANY 4.0f      /* cells */
 #define CELLS_FINE 1.0f      /* cells: wider footprints do not tell the finer of the faces' bends */
+#define CELLS_SMALL 0.04f    /* cells: smaller looks are as good as points */
 #define CELLS_LOOK_MOST 0.5f /* cells: a look at bodies sees past all of their faces but one */
 
 /* What looks have seen of a layer, each by itself: the shares of which a body's first is what it
@@ -48,6 +52,16 @@ typedef struct {
   vf n[2];   /* looks along each side */
   vf weight; /* what the footprint's shares have of theirs; 0 where there is one look, or none */
 } cells_seen;
+
+/* What the one look at a footprint's middle has found of bodies, for who asks how deep they
+ * are. */
+typedef struct {
+  int bent, met; /* that the next is known; and the rest */
+  vf fine;       /* what is left of the faces' finer bends */
+  vf wide;       /* of the footprint's sides the longer, cells */
+  cells_near near[3];
+  vm body[2];
+} cells_found;
 
 /* A footprint on a layer, and what has been seen of it. Its looks are parts side by
  * side, each well below a cell's size. Lengths in cells but for s. */
@@ -60,9 +74,10 @@ typedef struct {
   vf keep, fine;      /* how much the looks count beside the mean; of the faces' finer bends */
   vm seen, counted;   /* by looks; cell by cell */
   cells_square all;
-  cells_seen *looks; /* to be kept there, or NULL */
-  int once;          /* one look at the middle is all, to every lane */
-  int idle;          /* no look is any use */
+  cells_seen *looks;  /* to be kept there, or NULL */
+  cells_found *found; /* likewise, of the last look */
+  int once;           /* one look at the middle is all, to every lane */
+  int idle;           /* no look is any use */
   vu nearest;
   cells_cover sum;
 } cells_eye;
@@ -75,6 +90,7 @@ typedef struct {
   int slot; /* of looks that are kept */
   vm there;
   vf straight[3], q[3], cloud; /* where it is, before and after the faces' bends */
+  int empty;                   /* no body is near any lane; the rest is not known then */
   cells_near near[3];          /* bodies' third; of it no one asks where it is */
 } cells_look;
 
@@ -106,8 +122,10 @@ INLINE int eye_whole(const stone_cells *c, const cells_eye *e) {
 
 STAGE void looks_find(const stone_cells *c, cells_look *looks, int count) {
   int together = looks_together(looks);
-  for (int l = 0; l < count; l++)
+  for (int l = 0; l < count; l++) {
+    if (looks[l].empty) continue;
     cells_find(c, together, !eye_whole(c, looks[l].eye), looks[l].q, looks[l].near);
+  }
 }
 
 /* Of bodies, those of kind 0 are not there. whole: that no lane's part is seen in quarters. */
@@ -117,12 +135,18 @@ INLINE void look_add_as(const stone_cells *c, int whole, const cells_look *o) {
   const int count = whole || c->shaped ? 2 : 3;
   cells_kind kind[3];
   vm body[2];
-  eye->nearest = o->near[0].h;
-  for (int n = 0; n < 2 && c->shaped; n++) {
+  body[0] = body[1] = lt(zero, zero);
+  if (!c->shaped) eye->nearest = o->near[0].h;
+  for (int n = 0; n < 2 && c->shaped && !o->empty; n++) {
     kind[n] = cells_kind_of(c, o->near[n].at);
     body[n] = or_(kind[n].first, kind[n].second);
   }
-  if (c->shaped && !any(or_(body[0], body[1]))) {
+  int some = any(or_(body[0], body[1]));
+  if (c->shaped && eye->found) {
+    if (some) memcpy(eye->found->near, o->near, sizeof o->near);
+    memcpy(eye->found->body, body, sizeof body);
+  }
+  if (c->shaped && !some) {
     for (int k = 0; k < CELLS_PARTS && eye->looks; k++) eye->looks->of[k][o->slot] = zero;
     return;
   }
@@ -174,8 +198,41 @@ STAGE void looks_add(const stone_cells *c, const cells_look *looks, int count) {
   }
 }
 
+#define CELLS_SPARSE 0.5f /* cells: of wider footprints too many lie about all lanes */
+
+/* Which looks have no body near, of one eye all together. */
+STAGE void looks_empty(const stone_cells *c, cells_look *looks, int count) {
+  for (int l = 0; l < count; l++) looks[l].empty = 0;
+#ifndef SPREADS
+  (void)c;
+#else
+  if (!c->sparse || any(gt(looks[0].eye->most, splat(CELLS_SPARSE)))) return;
+  int each = count > 1 && looks[0].eye == looks[1].eye ? count : 1;
+  for (int l = 0; l < count; l += each) {
+    vf low[3], high[3], wide, unused;
+    for (int k = 0; k < 3; k++) {
+      low[k] = high[k] = looks[l].q[k];
+      for (int i = 1; i < each; i++) {
+        low[k] = vmin(low[k], looks[l + i].q[k]);
+        high[k] = vmax(high[k], looks[l + i].q[k]);
+      }
+      if (each == 1) {
+        range_of(low[k], &low[k], &high[k]);
+      } else {
+        range_of(low[k], &low[k], &unused);
+        range_of(high[k], &unused, &high[k]);
+      }
+    }
+    range_of(looks[l].eye->part_wide, &unused, &wide);
+    int empty = bodies_absent(c, low, high, lane(wide, 0));
+    for (int i = 0; i < each; i++) looks[l + i].empty = empty;
+  }
+#endif
+}
+
 INLINE void looks_run(const stone_cells *c, cells_look *looks, int count) {
   looks_bend(c, looks, count);
+  looks_empty(c, looks, count);
   looks_find(c, looks, count);
   looks_add(c, looks, count);
 }
@@ -240,9 +297,9 @@ INLINE void eye_open(const stone_cells *c, cells_eye *e) {
   }
   e->sum = cells_none();
   e->nearest = splatu(0);
-  wide[0] = cells_length(all.u);
-  wide[1] = cells_length(all.v);
-  e->most = vmax(wide[0], wide[1]);
+  wide[0] = dot3(all.u, all.u);
+  wide[1] = dot3(all.v, all.v);
+  e->most = vsqrt(vmax(wide[0], wide[1]));
   if (!any(gt(e->most, splat(c->single)))) {
     e->part = all;
     e->part_wide = e->most;
@@ -253,6 +310,7 @@ INLINE void eye_open(const stone_cells *c, cells_eye *e) {
     e->idle = 0;
     return;
   }
+  for (int k = 0; k < 2; k++) wide[k] = vsqrt(wide[k]);
   eye_divide(c, e, &all, wide);
 }
 
@@ -260,7 +318,9 @@ INLINE void eye_open(const stone_cells *c, cells_eye *e) {
 INLINE void eye_close(const stone_cells *c, const cells_eye *e, cells_cover *out) {
   vf one = splat(1.0f), each = e->inverse[0] * e->inverse[1], swell = one;
   if (c->shaped) {
-    vf at = e->part_wide * splat(1.0f / CELLS_LOOK_MOST);
+    /* and nothing in excess of what fills a small look */
+    vf at = vmax(e->part_wide - splat(CELLS_SMALL), splat(0.0f)) *
+            splat(1.0f / (CELLS_LOOK_MOST - CELLS_SMALL));
     swell = one / (one + splat(c->swell) * at * at);
     each = each * swell;
   }
@@ -277,8 +337,11 @@ INLINE void eye_close(const stone_cells *c, const cells_eye *e, cells_cover *out
   }
   vf bodies = mean[0] + mean[1];
   const vf expected[CELLS_PARTS] = {c->shaped ? bodies : one - bodies, mean[0], mean[1]};
-  for (int k = 0; k < CELLS_PARTS; k++)
-    out->of[k] = sel(e->seen, mix(expected[k], e->sum.of[k] * each, e->keep), expected[k]);
+  for (int k = 0; k < CELLS_PARTS; k++) {
+    /* all of a footprint is 1 and not nearly so */
+    vf sum = e->sum.of[k] * each, some = sel(lt(e->keep, one), mix(expected[k], sum, e->keep), sum);
+    out->of[k] = sel(e->seen, some, expected[k]);
+  }
   if (e->once || !any(e->counted)) return;
   vf cut[CELLS_PARTS];
   sections_count(c, e->p, &e->all, e->counted, cut);

@@ -34,9 +34,7 @@ INLINE void square_sides(const vf n[3], vf t1[3], vf t2[3]) {
   t1[0] = (sel(use_x, splat(1.0f), zero) - a * n[0]) * k;
   t1[1] = (sel(use_x, zero, splat(1.0f)) - a * n[1]) * k;
   t1[2] = (zero - a * n[2]) * k;
-  t2[0] = n[1] * t1[2] - n[2] * t1[1];
-  t2[1] = n[2] * t1[0] - n[0] * t1[2];
-  t2[2] = n[0] * t1[1] - n[1] * t1[0];
+  cross3(n, t1, t2);
 }
 
 INLINE void stage_load(const stone_constants *w, int paved, const kernel_io *io, block *k) {
@@ -93,6 +91,7 @@ STAGE void stage_grain(const stone_constants *w, const kernel_io *io, block *k) 
     eye_open(c, &eye);
     cells_turn(c, k->p, look.straight);
     looks_bend(c, &look, 1);
+    look.empty = 0;
     looks_find(c, &look, 1);
     k->crystal = look.near[0].h;
   }
@@ -133,7 +132,8 @@ INLINE void stage_surface(const stone_constants *w, int paved, const kernel_io *
     q->steep = vsqrt(vmax(splat(w->relief_steep) - q->lost, splat(0.0f)));
   }
   if (w->layer[LAYER_HOLES].on && w->hole_depth > 0.0f) {
-    relief = field_add(relief, hole_relief(w, k->p, k->t1, k->t2, k->s, k->hole, &q->lost));
+    relief =
+        field_add(relief, hole_relief(w, k->p, k->t1, k->t2, k->s, k->hole, &k->holes, &q->lost));
   }
   from_bed(w, paved, k, relief.g);
   surface_lay(w, paved, &k->laid, k->at, k->s, relief, q);
@@ -245,7 +245,7 @@ INLINE void evaluate_as(int paved, const stone_constants *w, const kernel_io *io
       block *k = &blocks[count];
       k->i = i;
       k->n = to - i < LANES ? to - i : LANES;
-      k->crystal_known = 0;
+      k->crystal_known = k->holes.bent = k->holes.met = 0;
       stage_load(w, paved, io, k);
       stage_laid(w, paved, io, k);
     }

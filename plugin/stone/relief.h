@@ -6,8 +6,8 @@
 #ifndef SOZAI_STONE_RELIEF_H
 #define SOZAI_STONE_RELIEF_H
 
-#include "../core/noise.h"
 #include "stone.h"
+#include "value.h"
 
 /* Height in mm, its gradient, the variance of slope along one axis that the
  * footprint averages out, and of the height what it leaves. */
@@ -17,12 +17,12 @@ STAGE vf relief_at(const stone_constants *w, const vf p[3], vf s, vf slope[3], v
   *square = splat(1e-12f);
   slope[0] = slope[1] = slope[2] = *lost = height;
   for (int o = 0; o < w->relief_octaves; o++) {
-    vf f = splat(w->relief_frequency[o]), g[3];
+    vf f = splat(w->relief_frequency[o]), g[3], at[3] = {p[0] * f, p[1] * f, p[2] * f};
     vf keep = one - smooth_step(splat(0.25f), splat(1.0f), s * f);
     *lost = *lost + (one - keep * keep) * splat(w->relief_slope2[o]);
     if (!any(gt(keep, splat(0.0f)))) continue;
     *square = *square + keep * keep * splat(0.05f * w->relief[o] * w->relief[o]);
-    vf v = noise_gradient3(p[0] * f, p[1] * f, p[2] * f, splatu(w->seed_relief + (uint32_t)o), g);
+    vf v = value_gradient(at, splatu(w->seed_relief + (uint32_t)o), g);
     vf scale = one;
     if (w->pitted && o < 2) {
       /* bumps between the pits that a hammer's points leave */

@@ -79,6 +79,7 @@ typedef struct {
   float whole;         /* cells: wider looks are seen in quarters */
   int32_t on, shaped;  /* shaped: eroded, or cut to a ball */
   int32_t bedded;      /* bodies keep to certain beds */
+  int32_t sparse;      /* bodies are few, and end */
   stone_bedding beds;
   uint32_t seed, seed_warp;
 } stone_cells;

@@ -7,6 +7,7 @@
 #define SOZAI_STONE_VALUE_H
 
 #include "../core/noise.h"
+#include "../core/vectors.h"
 
 /* sd of each, of all places, over HASH_ONE: corners' 1/3, times the mean of the blends'
  * squares, which is 26/35 along an axis for the cubic and 181/231 for the quintic. */
@@ -87,6 +88,78 @@ INLINE vf value_three(const vf p[3], vu seed, int together, vf out[3]) {
   vf sum = splat(0.0f);
   for (int k = 0; k < 3; k++) sum = sum + (out[k] * a[k].f - ends[k] * a[k].w);
   return sum;
+}
+
+/* The three numbers of each corner, within +-HASH_ONE: of lanes that share a cell made one to a
+ * lane. */
+INLINE void value_corners(const noise_axis a[3], vu seed, vf v[3][8]) {
+#ifdef SPREADS
+  vu base = value_corner(a, 0, seed);
+  if (alike((vi)base)) {
+    vu h = hash_upper(base + noise_corners());
+    UNROLL(3)
+    for (uint32_t k = 0; k < 3; k++) {
+      spread of = spread_of(to_float((vi)(h << (10 * k))));
+      for (int c = 0; c < 8; c++) v[k][c] = splat(of.of[c]);
+    }
+    return;
+  }
+#endif
+  for (int c = 0; c < 8; c++) {
+    vu h = hash_upper(value_corner(a, c, seed));
+    v[0][c] = to_float((vi)h);
+    v[1][c] = to_float((vi)(h << 10));
+    v[2][c] = to_float((vi)(h << 20));
+  }
+}
+
+/* Numbers at the corners, blended; and how that grows along each axis. */
+INLINE vf value_blend(const noise_axis a[3], const vf v[8], vf grows[3]) {
+  vf dx[4], e[4], dy[2], s[2];
+  for (int i = 0; i < 4; i++) {
+    dx[i] = v[2 * i + 1] - v[2 * i];
+    e[i] = v[2 * i] + dx[i] * a[0].w;
+  }
+  for (int i = 0; i < 2; i++) {
+    dy[i] = e[2 * i + 1] - e[2 * i];
+    s[i] = e[2 * i] + dy[i] * a[1].w;
+  }
+  grows[0] = mix(mix(dx[0], dx[1], a[1].w), mix(dx[2], dx[3], a[1].w), a[2].w) * a[0].dw;
+  grows[1] = mix(dy[0], dy[1], a[2].w) * a[1].dw;
+  grows[2] = (s[1] - s[0]) * a[2].dw;
+  return mix(s[0], s[1], a[2].w);
+}
+
+/* Of value_three's numbers, how they change along two directions. */
+INLINE void value_slopes(const vf p[3], vu seed, const vf along[2][3], vf out[2][3]) {
+  static const uint32_t prime[3] = {HASH_X, HASH_Y, HASH_Z};
+  noise_axis a[3];
+  vf v[3][8], g[3];
+  for (int k = 0; k < 3; k++) a[k] = noise_split_cubic(p[k], prime[k]);
+  value_corners(a, seed, v);
+  for (int k = 0; k < 3; k++) {
+    (void)value_blend(a, v[k], g);
+    for (int i = 0; i < 2; i++) out[i][k] = dot3(g, along[i]);
+  }
+}
+
+/* Gradient noise with its gradient, as core's of other corners: theirs are numbers left unscaled.
+ */
+INLINE vf value_gradient(const vf p[3], vu seed, vf out[3]) {
+  static const uint32_t prime[3] = {HASH_X, HASH_Y, HASH_Z};
+  const vf one = splat(1.0f), each = splat(1.0f / HASH_ONE);
+  noise_axis a[3];
+  vf v[3][8], height[8], unused[3];
+  for (int k = 0; k < 3; k++) a[k] = noise_split(p[k], prime[k]);
+  value_corners(a, seed, v);
+  for (int c = 0; c < 8; c++) {
+    const vf from[3] = {c & 1 ? a[0].f - one : a[0].f, c & 2 ? a[1].f - one : a[1].f,
+                        c & 4 ? a[2].f - one : a[2].f};
+    height[c] = v[0][c] * from[0] + v[1][c] * from[1] + v[2][c] * from[2];
+  }
+  vf n = value_blend(a, height, out);
+  for (int k = 0; k < 3; k++) out[k] = (out[k] + value_blend(a, v[k], unused)) * each;
+  return n * each;
 }
 
 /* How far beds rise and fall: a height over the plane that they lay in. sd 0.224 of

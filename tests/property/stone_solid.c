@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * Solid stone: one fabric through a block, whatever face shows it; shares that
- * are shares of area; and albedo linear in the palette.
+ * are shares of area; albedo linear in the palette; and a point the same whoever is beside it.
  */
 #include <math.h>
 #include <string.h>
@@ -152,9 +152,47 @@ static void crystals_keep_their_mean(void **state) {
   }
 }
 
+/* Points beside each other, as a raster's are, tell each other what is not near any of them, and
+ * what covers them all. Each alone has to say the same. */
+static void neighbours_see_what_each_sees(void **state) {
+  (void)state;
+  static const char *const ids[] = {"travertino", "oya", "nero_marquina", "terrazzo"};
+  enum { ROWS = 120, ROW = 64, OUT = 11 };
+  for (unsigned k = 0; k < sizeof ids / sizeof *ids; k++) {
+    sozai_texture *t = make(ids[k], NULL, 0);
+    points p = {0};
+    uniform_seed(29 + k);
+    for (int j = 0; j < ROWS; j++) {
+      double s = j % 3 == 0 ? 0.02 : j % 3 == 1 ? 0.0625 : 0.25;
+      double x = 400 * uniform(), y = 400 * uniform(), z = 400 * uniform();
+      for (int i = 0; i < ROW; i++) points_add(&p, x + i * s, y, z, s);
+    }
+    points_ask(&p, t);
+    unsigned differ = 0;
+    for (unsigned i = 0; i < p.count; i++) {
+      float own[OUT], *out[OUT];
+      for (int c = 0; c < OUT; c++) out[c] = c >= 3 && c < 6 ? NULL : &own[c];
+      sozai_batch b = {.size = sizeof b, .count = 1, .footprint = &p.footprint[i]};
+      for (int c = 0; c < 3; c++) {
+        b.point[c] = &p.point[c][i];
+        b.normal[c] = &p.normal[c][i];
+      }
+      b.out = out;
+      b.out_count = OUT;
+      assert_int_equal(textures->evaluate(t, &b), SOZAI_OK);
+      for (int c = 0; c < OUT; c++) differ += out[c] && memcmp(&own[c], &p.out[c][i], sizeof *own);
+    }
+    CHECK(differ == 0, "%s: %u numbers of %u points differ from each point's alone\n", ids[k],
+          differ, p.count);
+    points_free(&p);
+    textures->destroy(t);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(any_face_shows_the_same), cmocka_unit_test(shares_are_of_area),
-      cmocka_unit_test(linear_in_the_palette), cmocka_unit_test(crystals_keep_their_mean)};
+      cmocka_unit_test(linear_in_the_palette), cmocka_unit_test(crystals_keep_their_mean),
+      cmocka_unit_test(neighbours_see_what_each_sees)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }
