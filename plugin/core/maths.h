@@ -24,8 +24,7 @@ INLINE void quarter_turns(vf r, vi k, vf *sine, vf *cosine) {
          z * (splat(-0.49999999615f) +
               z * (splat(0.041666616693f) +
                    z * (splat(-0.0013886617999f) + z * splat(2.4379831235e-5f))));
-  vm odd = odd_(k);
-  vf a = sel(odd, c, s), b = sel(odd, s, c);
+  vf a = sel_odd(k, c, s), b = sel_odd(k, s, c);
   *sine = flip_by_bit(a, k, 1);
   *cosine = flip_by_bit(b, k + splati(1), 1);
 }
@@ -55,18 +54,18 @@ INLINE vf arctan2(vf y, vf x) {
   vf ax = vabs(x), ay = vabs(y);
   vf small = vmin(ax, ay), large = vmax(ax, ay);
   /* beyond tan(pi/8) turn by pi/4, so that one division serves both */
-  vm steep = gt(small, large * splat(0.41421356f));
-  vf num = sel(steep, small - large, small);
-  vf den = sel(steep, small + large, large);
+  vf flat = large * splat(0.41421356f);
+  vf num = sel_lt(flat, small, small - large, small);
+  vf den = sel_lt(flat, small, small + large, large);
   vf t = num / vmax(den, splat(1e-30f));
   vf z = t * t;
   vf a = t * (splat(0.99999998126f) +
               z * (splat(-0.33332785772f) +
                    z * (splat(0.19974082416f) +
                         z * (splat(-0.13848490212f) + z * splat(0.079762918074f)))));
-  a = sel(steep, a + splat(0.78539816f), a);
-  a = sel(gt(ay, ax), splat(1.57079633f) - a, a);
-  a = sel(lt(x, splat(0.0f)), splat(3.14159265f) - a, a);
+  a = sel_lt(flat, small, a + splat(0.78539816f), a);
+  a = sel_lt(ax, ay, splat(1.57079633f) - a, a);
+  a = sel_lt(x, splat(0.0f), splat(3.14159265f) - a, a);
   return float_of(bits_of(a) | (bits_of(y) & splati(INT32_MIN)));
 }
 

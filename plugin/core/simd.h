@@ -15,7 +15,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#if defined(SOZAI_ISA_SSE2) || defined(SOZAI_ISA_AVX2) || defined(SOZAI_ISA_AVX512)
+#if defined(__SSE2__)
 #include <immintrin.h>
 #endif
 
@@ -73,8 +73,38 @@ INLINE vm not_(vm a) { return !a; }
 INLINE int any(vm m) { return m; }
 INLINE vf sel(vm m, vf a, vf b) { return m ? a : b; }
 INLINE vi seli(vm m, vi a, vi b) { return m ? a : b; }
+#if defined(__SSE2__)
+/* As instructions: of the comparisons that a clamp is made of GCC makes branches, which
+ * nobody can guess. The number stays where it is, in the lowest lane; to GCC
+ * _mm_set_ss is an instruction. */
+INLINE __m128 alone_(vf x) {
+#ifdef __clang__
+  return _mm_set_ss(x);
+#else
+  __m128 v;
+  __asm__("" : "=x"(v) : "0"(x));
+  return v;
+#endif
+}
+INLINE vf vmin(vf a, vf b) { return _mm_cvtss_f32(_mm_min_ss(alone_(a), alone_(b))); }
+INLINE vf vmax(vf a, vf b) { return _mm_cvtss_f32(_mm_max_ss(alone_(a), alone_(b))); }
+#else
 INLINE vf vmin(vf a, vf b) { return a < b ? a : b; }
 INLINE vf vmax(vf a, vf b) { return a > b ? a : b; }
+#endif
+#if defined(SOZAI_ISA_AVX512)
+INLINE vf sel_lt(vf a, vf b, vf x, vf y) {
+  __mmask8 m = _mm_cmp_ss_mask(alone_(a), alone_(b), _CMP_LT_OQ);
+  return _mm_cvtss_f32(_mm_mask_move_ss(alone_(y), m, alone_(y), alone_(x)));
+}
+#define SEL_LT_
+#elif defined(__SSE2__)
+INLINE vf sel_lt(vf a, vf b, vf x, vf y) {
+  __m128 m = _mm_cmplt_ss(alone_(a), alone_(b));
+  return _mm_cvtss_f32(_mm_or_ps(_mm_and_ps(m, alone_(x)), _mm_andnot_ps(m, alone_(y))));
+}
+#define SEL_LT_
+#endif
 INLINE vf vsqrt(vf a) { return __builtin_sqrtf(a); }
 INLINE vf gather(const float *t, vi i) { return t[i]; }
 INLINE vi gatheri(const int32_t *t, vi i) { return t[i]; }
@@ -89,7 +119,7 @@ INLINE void gather4(const float (*t)[4], vi i, vf out[4]) {
 INLINE vf sel_top(vu m, vf a, vf b) { return m >> 31 ? a : b; }
 #if defined(SOZAI_ISA_AVX2) || defined(SOZAI_ISA_AVX512)
 INLINE vf ROUND_DOWN_(vf x) {
-  __m128 v = _mm_set_ss(x);
+  __m128 v = alone_(x);
   return _mm_cvtss_f32(_mm_floor_ss(v, v));
 }
 #define ROUND_DOWN_ ROUND_DOWN_
@@ -372,6 +402,11 @@ INLINE int idle(vm m) { return LANES < 4 && !any(m); }
 
 INLINE vm gt(vf a, vf b) { return lt(b, a); }
 
+/* x where a < b, else y: for where a point alone could not guess which. */
+#ifndef SEL_LT_
+INLINE vf sel_lt(vf a, vf b, vf x, vf y) { return sel(lt(a, b), x, y); }
+#endif
+
 /* Whether all lanes hold the same number. Never with one lane, which has nothing to
  * share. */
 INLINE int alike(vi i) {
@@ -485,12 +520,15 @@ INLINE vf flip_by_bit(vf x, vi k, int bit) {
 #endif
 }
 
-/* Where x is odd. */
-INLINE vm odd_(vi x) {
+/* a where x is odd, else b. */
+INLINE vf sel_odd(vi x, vf a, vf b) {
 #if defined(SOZAI_ISA_AVX512) && LANES == 16
-  return _mm512_test_epi32_mask((__m512i)x, _mm512_set1_epi32(1));
+  return sel(_mm512_test_epi32_mask((__m512i)x, _mm512_set1_epi32(1)), a, b);
+#elif LANES == 1 && defined(__SSE2__)
+  __m128 m = _mm_castsi128_ps(_mm_cvtsi32_si128(-(x & 1))); /* as in sel_lt */
+  return _mm_cvtss_f32(_mm_or_ps(_mm_and_ps(m, alone_(a)), _mm_andnot_ps(m, alone_(b))));
 #else
-  return eqi(x & splati(1), splati(1));
+  return sel(eqi(x & splati(1), splati(1)), a, b);
 #endif
 }
 
