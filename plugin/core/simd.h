@@ -136,6 +136,24 @@ typedef float f8 __attribute__((vector_size(32)));
 typedef int32_t i8 __attribute__((vector_size(32)));
 typedef uint32_t u8 __attribute__((vector_size(32)));
 
+INLINE f4 all_f4(float x) { return (f4){x, x, x, x}; }
+INLINE u4 all_u4(uint32_t x) { return (u4){x, x, x, x}; }
+INLINE f4 load_f4(const float *p) { return (f4)_mm_loadu_ps(p); }
+INLINE u4 load_u4(const uint32_t *p) { return (u4)_mm_loadu_si128((const __m128i *)(const void *)p); }
+INLINE f4 floor_f4(f4 x, i4 *whole) {
+  f4 f = (f4)_mm_floor_ps((__m128)x);
+  *whole = __builtin_convertvector(f, i4);
+  return f;
+}
+INLINE f4 to_f4(i4 x) { return __builtin_convertvector(x, f4); }
+INLINE f4 max_f4(f4 a, f4 b) { return (f4)_mm_max_ps((__m128)a, (__m128)b); }
+/* The even lanes of a and the odd ones of b. */
+INLINE f4 even_odd(f4 a, f4 b) { return (f4)_mm_blend_ps((__m128)a, (__m128)b, 0xa); }
+/* a - b in the even lanes, a + b in the odd ones. */
+INLINE f4 less_more(f4 a, f4 b) { return (f4)_mm_addsub_ps((__m128)a, (__m128)b); }
+/* The sums of a's pairs of lanes, and of b's. */
+INLINE f4 pairs_f4(f4 a, f4 b) { return (f4)_mm_hadd_ps((__m128)a, (__m128)b); }
+
 INLINE f8 join_f4(f4 a, f4 b) { return (f8)_mm256_set_m128((__m128)b, (__m128)a); }
 INLINE u8 join_u4(u4 a, u4 b) { return (u8)_mm256_set_m128i((__m128i)b, (__m128i)a); }
 INLINE f4 half_f8(f8 a, int upper) {

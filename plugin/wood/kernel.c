@@ -3,6 +3,7 @@
  * Wood's evaluate: compiled once for each instruction set and width.
  */
 #include "../core/lanes.h"
+#include "alone.h"
 #include "boards.h"
 #include "canals.h"
 #include "cells.h"
@@ -316,16 +317,26 @@ INLINE void stage_load(const wood_constants *w, int boards, const wood_io *io,
 }
 
 INLINE void stage_pith(const wood_constants *w, int boards, block *k) {
+#ifdef WITHIN_A_POINT
+  k->stem.pith = pith_alone(w, own_of(boards, k), k->p[1]);
+#else
   k->stem.pith = pith_at(w, own_of(boards, k), k->p[1]);
+#endif
   k->stem.lost = k->stem.lost_slope = k->stem.eye = splat(0.0f);
   k->undulation = undulation_none();
 }
 
 INLINE void stage_about(block *k) { stem_about(k->p[0], k->p[2], &k->stem); }
 
+#ifdef WITHIN_A_POINT
+INLINE void stage_undulation(const wood_constants *w, int boards, block *k) {
+  k->undulation = undulation_alone(w, own_of(boards, k), k->p[1], k->s, &k->stem);
+}
+#else
 INLINE void stage_undulation(const undulation_octave *q, int boards, block *k) {
   undulation_add(q, own_of(boards, k), k->p[1], k->s, &k->stem, &k->undulation);
 }
+#endif
 
 INLINE void stage_figure(const wood_constants *w, int boards, block *k) {
   figure_add(w, own_of(boards, k), k->p[1], k->s, k->extent, &k->stem, &k->undulation);
@@ -400,9 +411,15 @@ INLINE void stage_interlocked(const wood_constants *w, int boards, block *k) {
   grain_interlocked(w, own_of(boards, k), k->p[1], k->years, &k->grain);
 }
 
+#ifdef WITHIN_A_POINT
+INLINE void stage_grain_noise(const wood_constants *w, int boards, block *k) {
+  grain_noise_alone(w, own_of(boards, k), k->p[1], &k->at, k->extent, &k->grain);
+}
+#else
 INLINE void stage_grain_noise(const grain_octave *q, int boards, block *k) {
   grain_noise(q, own_of(boards, k), k->p[1], &k->at, k->extent, &k->grain);
 }
+#endif
 
 INLINE void stage_turn(block *k) {
   k->phase = k->grain.d * k->divisor;
@@ -635,12 +652,19 @@ INLINE void stage_section_footprint(const wood_constants *w, int boards, const w
   k->f = footprint_after_reach(w, boards, io, k);
 }
 
+#ifdef WITHIN_A_POINT
+INLINE void stage_bundle(const wood_constants *w, int boards, block *k) {
+  k->bundle = fibre_alone(w, own_of(boards, k), k->x, k->z, &k->f);
+  k->shift = k->bundle.shift;
+}
+#else
 /* One octave of the fibres' noise. */
 INLINE void stage_bundle(const fibre_octave *q, int boards, int o, block *k) {
   if (o == 0) k->bundle = fibre_start(&k->f);
   fibre_add(q, own_of(boards, k), k->x, k->z, &k->bundle);
   k->shift = k->bundle.shift;
 }
+#endif
 
 /* Where the latewood strays from its ring: it is as it would be that much nearer to the
  * pith or farther from it. */
@@ -1110,12 +1134,19 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
   if (boards) memset(&sawn, 0, sizeof sawn);
   EACH(stage_load(w, boards, io, want, &sawn, &blocks[k]));
   EACH(stage_pith(w, boards, &blocks[k]));
+#ifdef WITHIN_A_POINT
+  EACH({
+    stage_about(&blocks[k]);
+    stage_undulation(w, boards, &blocks[k]);
+  });
+#else
   undulation_octave octaves[2] = {undulation_octave_of(w, 0), undulation_octave_of(w, 1)};
   EACH({
     stage_about(&blocks[k]);
     stage_undulation(&octaves[0], boards, &blocks[k]);
   });
   EACH(stage_undulation(&octaves[1], boards, &blocks[k]));
+#endif
   if (w->has_curl || w->has_quilt || w->has_eyes) EACH(stage_figure(w, boards, &blocks[k]));
   EACH(stage_rho(w, &blocks[k]));
   if (w->knots) {
@@ -1131,9 +1162,13 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
     if (w->has_wave) EACH(stage_wave(w, &blocks[k]));
     if (w->has_interlocked) EACH(stage_interlocked(w, boards, &blocks[k]));
     if (w->has_slope_noise) {
+#ifdef WITHIN_A_POINT
+      EACH(stage_grain_noise(w, boards, &blocks[k]));
+#else
       grain_octave slopes[2] = {grain_octave_of(w, 0), grain_octave_of(w, 1)};
       EACH(stage_grain_noise(&slopes[0], boards, &blocks[k]));
       EACH(stage_grain_noise(&slopes[1], boards, &blocks[k]));
+#endif
     }
     EACH(stage_turn(&blocks[k]));
     EACH(stage_section(w, io, &blocks[k]));
@@ -1146,6 +1181,9 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
     EACH(stage_reach(w, boards, io, &blocks[k]));
     if (has_bent_boards(w, boards)) EACH(stage_wide(w, boards, io, &blocks[k], &wides[k]));
     if (want->vessel || want->bundle) EACH(stage_section_footprint(w, boards, io, &blocks[k]));
+#ifdef WITHIN_A_POINT
+    if (want->bundle) EACH(stage_bundle(w, boards, &blocks[k]));
+#else
     if (want->bundle) {
       UNROLL(3)
       for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) {
@@ -1153,6 +1191,7 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
         EACH(stage_bundle(&octave, boards, o, &blocks[k]));
       }
     }
+#endif
     if (w->has_front) EACH(stage_stray(w, &blocks[k]));
     EACH(stage_rings(w, boards, io, &blocks[k]));
   }
