@@ -124,6 +124,13 @@ INLINE vf ROUND_DOWN_(vf x) {
 }
 #define ROUND_DOWN_ ROUND_DOWN_
 #endif
+#if defined(SOZAI_ISA_AVX512)
+/* beside the rounding, not after it */
+INLINE vi WHOLE_DOWN_(vf x) {
+  return _mm_cvt_roundss_i32(alone_(x), _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC);
+}
+#define WHOLE_DOWN_ WHOLE_DOWN_
+#endif
 
 /* Work of one point that is the same eight times over, in eight lanes: each
  * does what a lane would in its turn. */
@@ -520,7 +527,7 @@ INLINE vf vfloor(vf x, vi *whole) {
 /* vfloor of x + 1/2, which is never -0. */
 INLINE vf vnearest(vf x, vi *whole) {
   vf up = x + splat(0.5f);
-#ifdef WHOLE_DOWN_
+#if defined(WHOLE_DOWN_) && LANES > 1
   *whole = WHOLE_DOWN_(up);
   return to_float(*whole);
 #else

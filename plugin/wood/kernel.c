@@ -1127,90 +1127,9 @@ INLINE void stage_radiance(const wood_constants *w, const wood_io *io, block *k)
 
 /* restrict: what is stored is no constant, so that those are loaded before the
  * loops and not in them. */
-INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood_io *restrict io,
-                        const wood_wants *restrict want, block *blocks, surface_relief *reliefs,
-                        wide_rings *wides, uint32_t count) {
-  board_sawn sawn;
-  if (boards) memset(&sawn, 0, sizeof sawn);
-  EACH(stage_load(w, boards, io, want, &sawn, &blocks[k]));
-  EACH(stage_pith(w, boards, &blocks[k]));
-#ifdef WITHIN_A_POINT
-  EACH({
-    stage_about(&blocks[k]);
-    stage_undulation(w, boards, &blocks[k]);
-  });
-#else
-  undulation_octave octaves[2] = {undulation_octave_of(w, 0), undulation_octave_of(w, 1)};
-  EACH({
-    stage_about(&blocks[k]);
-    stage_undulation(&octaves[0], boards, &blocks[k]);
-  });
-  EACH(stage_undulation(&octaves[1], boards, &blocks[k]));
-#endif
-  if (w->has_curl || w->has_quilt || w->has_eyes) EACH(stage_figure(w, boards, &blocks[k]));
-  EACH(stage_rho(w, &blocks[k]));
-  if (w->knots) {
-    EACH(stage_knots(w, io, boards && !w->peeled ? knot_shift(&blocks[k]) : splat(0.0f),
-                     &blocks[k]));
-  } else {
-    EACH(store_lanes(io, WOOD_KNOT, &blocks[k], splat(0.0f)));
-  }
-  EACH(stage_ring_find(w, &blocks[k]));
-  EACH(stage_ring(w, io, &blocks[k]));
-  if (want->section) {
-    EACH(stage_years(w, boards, &blocks[k]));
-    if (w->has_wave) EACH(stage_wave(w, &blocks[k]));
-    if (w->has_interlocked) EACH(stage_interlocked(w, boards, &blocks[k]));
-    if (w->has_slope_noise) {
-#ifdef WITHIN_A_POINT
-      EACH(stage_grain_noise(w, boards, &blocks[k]));
-#else
-      grain_octave slopes[2] = {grain_octave_of(w, 0), grain_octave_of(w, 1)};
-      EACH(stage_grain_noise(&slopes[0], boards, &blocks[k]));
-      EACH(stage_grain_noise(&slopes[1], boards, &blocks[k]));
-#endif
-    }
-    EACH(stage_turn(&blocks[k]));
-    EACH(stage_section(w, io, &blocks[k]));
-  }
-  if (want->direction) {
-    EACH(stage_fibre(&blocks[k]));
-    EACH(stage_direction(w, boards, io, want, &blocks[k]));
-  }
-  if (want->late) {
-    EACH(stage_reach(w, boards, io, &blocks[k]));
-    if (has_bent_boards(w, boards)) EACH(stage_wide(w, boards, io, &blocks[k], &wides[k]));
-    if (want->vessel || want->bundle) EACH(stage_section_footprint(w, boards, io, &blocks[k]));
-#ifdef WITHIN_A_POINT
-    if (want->bundle) EACH(stage_bundle(w, boards, &blocks[k]));
-#else
-    if (want->bundle) {
-      UNROLL(3)
-      for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) {
-        fibre_octave octave = fibre_octave_of(w, o);
-        EACH(stage_bundle(&octave, boards, o, &blocks[k]));
-      }
-    }
-#endif
-    if (w->has_front) EACH(stage_stray(w, &blocks[k]));
-    EACH(stage_rings(w, boards, io, &blocks[k]));
-  }
-  if ((want->vessel || want->relief) && place_has_turn(w)) EACH(stage_turns(&blocks[k]));
-  if (want->vessel) {
-    EACH(stage_vessel_parts(w, boards, &blocks[k]));
-    EACH(stage_disc(w, boards, &blocks[k]));
-    EACH(stage_pores(w, boards, &blocks[k]));
-    EACH(stage_rows(w, boards, &blocks[k]));
-    EACH(stage_cover(w, boards, io, &blocks[k]));
-    if (w->has_rays) {
-      EACH(stage_ray_turn(w, boards, &blocks[k]));
-      EACH(stage_ray_shell(w, boards, &blocks[k]));
-      EACH(ray_cell_at(w, &blocks[k].ray_at));
-      EACH(stage_ray_seat(w, boards, &blocks[k]));
-      EACH(stage_ray_body(w, boards, &blocks[k]));
-      EACH(stage_rays(w, boards, io, &blocks[k]));
-    }
-  }
+INLINE void evaluate_shade(int boards, const wood_constants *restrict w,
+                           const wood_io *restrict io, const wood_wants *restrict want,
+                           block *blocks, surface_relief *reliefs, uint32_t count) {
   if (w->has_canals && want->vessel) EACH(stage_canals(w, boards, io, &blocks[k]));
   if (want->vessel && !w->has_canals) EACH(store_lanes(io, WOOD_CANAL, &blocks[k], splat(0.0f)));
   if (want->colour && w->has_cells && !want->picture) EACH(stage_cells(w, boards, &blocks[k]));
@@ -1238,6 +1157,165 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
   }
 }
 
+#if LANES == 1
+/* For a point alone in another order: the chain from the turn through the rays is the longest,
+ * and what does not wait for it stands between its steps, where the processor sees both. */
+INLINE void evaluate_one(int boards, const wood_constants *restrict w, const wood_io *restrict io,
+                         const wood_wants *restrict want, block *k, surface_relief *relief,
+                         wide_rings *wide) {
+  board_sawn sawn;
+  if (boards) memset(&sawn, 0, sizeof sawn);
+  stage_load(w, boards, io, want, &sawn, k);
+  stage_pith(w, boards, k);
+  stage_about(k);
+#ifdef WITHIN_A_POINT
+  stage_undulation(w, boards, k);
+#else
+  for (int o = 0; o < 2; o++) {
+    undulation_octave octave = undulation_octave_of(w, o);
+    stage_undulation(&octave, boards, k);
+  }
+#endif
+  if (w->has_curl || w->has_quilt || w->has_eyes) stage_figure(w, boards, k);
+  stage_rho(w, k);
+  if (w->knots) {
+    stage_knots(w, io, boards && !w->peeled ? knot_shift(k) : splat(0.0f), k);
+  } else {
+    store_lanes(io, WOOD_KNOT, k, splat(0.0f));
+  }
+  stage_ring_find(w, k);
+  stage_ring(w, io, k);
+  if (want->section) {
+    stage_years(w, boards, k);
+    if (w->has_wave) stage_wave(w, k);
+    if (w->has_interlocked) stage_interlocked(w, boards, k);
+    if (w->has_slope_noise) {
+#ifdef WITHIN_A_POINT
+      stage_grain_noise(w, boards, k);
+#else
+      for (int o = 0; o < 2; o++) {
+        grain_octave octave = grain_octave_of(w, o);
+        stage_grain_noise(&octave, boards, k);
+      }
+#endif
+    }
+    stage_turn(k);
+    stage_section(w, io, k);
+  }
+  if ((want->vessel || want->relief) && place_has_turn(w)) stage_turns(k);
+  int rays = want->vessel && w->has_rays;
+  if (want->direction) {
+    stage_fibre(k);
+    stage_direction(w, boards, io, want, k);
+  }
+  if (want->late) {
+    stage_reach(w, boards, io, k);
+    if (has_bent_boards(w, boards)) stage_wide(w, boards, io, k, wide);
+    if (want->vessel || want->bundle) stage_section_footprint(w, boards, io, k);
+    if (rays) stage_ray_turn(w, boards, k);
+    if (want->bundle) {
+#ifdef WITHIN_A_POINT
+      stage_bundle(w, boards, k);
+#else
+      for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) {
+        fibre_octave octave = fibre_octave_of(w, o);
+        stage_bundle(&octave, boards, o, k);
+      }
+#endif
+    }
+    if (rays) {
+      stage_ray_shell(w, boards, k);
+      ray_cell_at(w, &k->ray_at);
+    }
+    if (w->has_front) stage_stray(w, k);
+    stage_rings(w, boards, io, k);
+  }
+  if (rays) stage_ray_seat(w, boards, k);
+  if (want->vessel) {
+    stage_vessel_parts(w, boards, k);
+    stage_disc(w, boards, k);
+    stage_pores(w, boards, k);
+    if (rays) stage_ray_body(w, boards, k);
+    stage_rows(w, boards, k);
+    stage_cover(w, boards, io, k);
+    if (rays) stage_rays(w, boards, io, k);
+  }
+  evaluate_shade(boards, w, io, want, k, relief, 1);
+}
+#else
+INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood_io *restrict io,
+                        const wood_wants *restrict want, block *blocks, surface_relief *reliefs,
+                        wide_rings *wides, uint32_t count) {
+  board_sawn sawn;
+  if (boards) memset(&sawn, 0, sizeof sawn);
+  EACH(stage_load(w, boards, io, want, &sawn, &blocks[k]));
+  EACH(stage_pith(w, boards, &blocks[k]));
+  undulation_octave octaves[2] = {undulation_octave_of(w, 0), undulation_octave_of(w, 1)};
+  EACH({
+    stage_about(&blocks[k]);
+    stage_undulation(&octaves[0], boards, &blocks[k]);
+  });
+  EACH(stage_undulation(&octaves[1], boards, &blocks[k]));
+  if (w->has_curl || w->has_quilt || w->has_eyes) EACH(stage_figure(w, boards, &blocks[k]));
+  EACH(stage_rho(w, &blocks[k]));
+  if (w->knots) {
+    EACH(stage_knots(w, io, boards && !w->peeled ? knot_shift(&blocks[k]) : splat(0.0f),
+                     &blocks[k]));
+  } else {
+    EACH(store_lanes(io, WOOD_KNOT, &blocks[k], splat(0.0f)));
+  }
+  EACH(stage_ring_find(w, &blocks[k]));
+  EACH(stage_ring(w, io, &blocks[k]));
+  if (want->section) {
+    EACH(stage_years(w, boards, &blocks[k]));
+    if (w->has_wave) EACH(stage_wave(w, &blocks[k]));
+    if (w->has_interlocked) EACH(stage_interlocked(w, boards, &blocks[k]));
+    if (w->has_slope_noise) {
+      grain_octave slopes[2] = {grain_octave_of(w, 0), grain_octave_of(w, 1)};
+      EACH(stage_grain_noise(&slopes[0], boards, &blocks[k]));
+      EACH(stage_grain_noise(&slopes[1], boards, &blocks[k]));
+    }
+    EACH(stage_turn(&blocks[k]));
+    EACH(stage_section(w, io, &blocks[k]));
+  }
+  if (want->direction) {
+    EACH(stage_fibre(&blocks[k]));
+    EACH(stage_direction(w, boards, io, want, &blocks[k]));
+  }
+  if (want->late) {
+    EACH(stage_reach(w, boards, io, &blocks[k]));
+    if (has_bent_boards(w, boards)) EACH(stage_wide(w, boards, io, &blocks[k], &wides[k]));
+    if (want->vessel || want->bundle) EACH(stage_section_footprint(w, boards, io, &blocks[k]));
+    if (want->bundle) {
+      UNROLL(3)
+      for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) {
+        fibre_octave octave = fibre_octave_of(w, o);
+        EACH(stage_bundle(&octave, boards, o, &blocks[k]));
+      }
+    }
+    if (w->has_front) EACH(stage_stray(w, &blocks[k]));
+    EACH(stage_rings(w, boards, io, &blocks[k]));
+  }
+  if ((want->vessel || want->relief) && place_has_turn(w)) EACH(stage_turns(&blocks[k]));
+  if (want->vessel) {
+    EACH(stage_vessel_parts(w, boards, &blocks[k]));
+    EACH(stage_disc(w, boards, &blocks[k]));
+    EACH(stage_pores(w, boards, &blocks[k]));
+    EACH(stage_rows(w, boards, &blocks[k]));
+    EACH(stage_cover(w, boards, io, &blocks[k]));
+    if (w->has_rays) {
+      EACH(stage_ray_turn(w, boards, &blocks[k]));
+      EACH(stage_ray_shell(w, boards, &blocks[k]));
+      EACH(ray_cell_at(w, &blocks[k].ray_at));
+      EACH(stage_ray_seat(w, boards, &blocks[k]));
+      EACH(stage_ray_body(w, boards, &blocks[k]));
+      EACH(stage_rays(w, boards, io, &blocks[k]));
+    }
+  }
+  evaluate_shade(boards, w, io, want, blocks, reliefs, count);
+}
+#endif
+
 /* Twice in the code, with boards and without: a wood that is one piece pays
  * nothing for them. */
 static __attribute__((noinline)) void evaluate_piece(const wood_constants *restrict w,
@@ -1245,7 +1323,12 @@ static __attribute__((noinline)) void evaluate_piece(const wood_constants *restr
                                                      const wood_wants *restrict want, block *blocks,
                                                      surface_relief *reliefs, wide_rings *wides,
                                                      uint32_t count) {
+#if LANES == 1
+  (void)count;
+  evaluate_one(0, w, io, want, blocks, reliefs, wides);
+#else
   evaluate_as(0, w, io, want, blocks, reliefs, wides, count);
+#endif
 }
 
 static __attribute__((noinline)) void evaluate_boards(const wood_constants *restrict w,
@@ -1253,7 +1336,12 @@ static __attribute__((noinline)) void evaluate_boards(const wood_constants *rest
                                                       const wood_wants *restrict want,
                                                       block *blocks, surface_relief *reliefs,
                                                       wide_rings *wides, uint32_t count) {
+#if LANES == 1
+  (void)count;
+  evaluate_one(1, w, io, want, blocks, reliefs, wides);
+#else
   evaluate_as(1, w, io, want, blocks, reliefs, wides, count);
+#endif
 }
 
 typedef struct {
