@@ -66,7 +66,7 @@ INLINE vf arctan2(vf y, vf x) {
   a = sel_lt(flat, small, a + splat(0.78539816f), a);
   a = sel_lt(ax, ay, splat(1.57079633f) - a, a);
   a = sel_lt(x, splat(0.0f), splat(3.14159265f) - a, a);
-  return float_of(bits_of(a) | (bits_of(y) & splati(INT32_MIN)));
+  return signed_as(a, y);
 }
 
 /* The arc sine of x, clamped to -1..1; absolute error below 5e-7. */
@@ -84,7 +84,7 @@ INLINE vf arcsin(vf x) {
                         z * (splat(0.045520635636f) +
                              z * (splat(0.023993999637f) + z * splat(0.042417373785f))))));
   vf r = sel(large, splat(1.57079633f) - (p + p), p);
-  return float_of(bits_of(r) | (bits_of(x) & splati(INT32_MIN)));
+  return signed_as(r, x);
 }
 
 /* Base-two logarithm of a normal positive x, relative error below 3e-7. */
