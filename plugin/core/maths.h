@@ -32,6 +32,14 @@ INLINE void quarter_turns(vf r, vi k, vf *sine, vf *cosine) {
 /* Sine and cosine. |x| < 20,000: absolute error below 2e-7 for |x| < 8, and
  * growing with the spacing of floats beyond. */
 INLINE void sine_cosine(vf x, vf *sine, vf *cosine) {
+#if LANES == 1
+  /* of the first quarter the nearest is 0, and nothing is taken off: a point alone does not
+   * wait for that */
+  if (vabs(x) < 0.78f) {
+    quarter_turns(x, 0, sine, cosine);
+    return;
+  }
+#endif
   vi k;
   vf n = vnearest(x * splat(0.63661977f), &k);
   /* pi/2 in three parts, the first two short enough for n * part to be exact */

@@ -1145,13 +1145,18 @@ INLINE void evaluate_shade(int boards, const wood_constants *restrict w,
   }
   if (want->relief) EACH(stage_bump(w, boards, io, &blocks[k], &reliefs[k]));
   if (want->cone) EACH(stage_cone(w, io, &blocks[k]));
-  if (want->lobe) EACH(stage_lobe(w, boards, io, &blocks[k]));
+#if LANES == 1
+  int lit = !want->relief; /* seen to before the rays */
+#else
+  int lit = 0;
+#endif
+  if (want->lobe && !lit) EACH(stage_lobe(w, boards, io, &blocks[k]));
   if (want->radiance) {
-    EACH(stage_light(w, boards, io, &blocks[k]));
+    if (!lit) EACH(stage_light(w, boards, io, &blocks[k]));
     if (w->cone) {
       EACH(stage_cone_radiance(w, boards, io, &blocks[k]));
     } else {
-      EACH(stage_gloss(&blocks[k]));
+      if (!lit) EACH(stage_gloss(&blocks[k]));
       EACH(stage_radiance(w, io, &blocks[k]));
     }
   }
@@ -1236,6 +1241,13 @@ INLINE void evaluate_one(int boards, const wood_constants *restrict w, const woo
     stage_disc(w, boards, k);
     stage_pores(w, boards, k);
     if (rays) stage_ray_body(w, boards, k);
+    if (!want->relief) {
+      if (want->lobe) stage_lobe(w, boards, io, k);
+      if (want->radiance) {
+        stage_light(w, boards, io, k);
+        if (!w->cone) stage_gloss(k);
+      }
+    }
     stage_rows(w, boards, k);
     stage_cover(w, boards, io, k);
     if (rays) stage_rays(w, boards, io, k);
