@@ -174,7 +174,7 @@ typedef struct {
   int crossed;
   vf shift; /* of brightness, a factor */
   vf late, over_late, cover, ray, albedo[3];
-  vf exponent, strength, incident, tilted, power; /* figure */
+  vf exponent, strength, incident, rise, tilted, power; /* figure */
   vf light[3];                                    /* log space */
   vf streak, pigment;                             /* share of minerals; depth of bands */
   vf lost;                                        /* variance of the surface's slopes */
@@ -1027,7 +1027,7 @@ INLINE void stage_lobe(const wood_constants *w, int boards, const wood_io *io, b
 }
 
 INLINE void stage_light(const wood_constants *w, int boards, const wood_io *io, block *k) {
-  vf one = splat(1.0f), zero = splat(0.0f), light[3], *l = k->light;
+  vf zero = splat(0.0f), light[3], *l = k->light;
   if (!boards && k->o && as_before(io->in->light, k)) {
     for (int c = 0; c < 3; c++) l[c] = k[-1].light[c];
   } else {
@@ -1038,9 +1038,12 @@ INLINE void stage_light(const wood_constants *w, int boards, const wood_io *io, 
   k->incident = l[0] * k->nrm[0] + l[1] * k->nrm[1] + l[2] * k->nrm[2];
   /* up the stem within the surface */
   vf rise = (l[1] - k->nrm[1] * k->incident) * k->inverse_up;
-  rise = sel(gt(k->up2, splat(1e-6f)), rise, zero);
-  vf cosine = vsqrt(vmax(one - k->sine * k->sine, zero));
-  k->tilted = clamp01(k->incident * cosine + rise * k->sine);
+  k->rise = sel(gt(k->up2, splat(1e-6f)), rise, zero);
+}
+
+INLINE void stage_tilt(block *k) {
+  vf cosine = vsqrt(vmax(splat(1.0f) - k->sine * k->sine, splat(0.0f)));
+  k->tilted = clamp01(k->incident * cosine + k->rise * k->sine);
 }
 
 /* Radiance of a channel, under the light's colour. */
@@ -1152,7 +1155,12 @@ INLINE void evaluate_shade(int boards, const wood_constants *restrict w,
 #endif
   if (want->lobe && !lit) EACH(stage_lobe(w, boards, io, &blocks[k]));
   if (want->radiance) {
-    if (!lit) EACH(stage_light(w, boards, io, &blocks[k]));
+    if (!lit) {
+      EACH({
+        stage_light(w, boards, io, &blocks[k]);
+        stage_tilt(&blocks[k]);
+      });
+    }
     if (w->cone) {
       EACH(stage_cone_radiance(w, boards, io, &blocks[k]));
     } else {
@@ -1172,6 +1180,7 @@ INLINE void evaluate_one(int boards, const wood_constants *restrict w, const woo
   if (boards) memset(&sawn, 0, sizeof sawn);
   stage_load(w, boards, io, want, &sawn, k);
   stage_pith(w, boards, k);
+  if (want->radiance && !want->relief) stage_light(w, boards, io, k);
   stage_about(k);
 #ifdef WITHIN_A_POINT
   stage_undulation(w, boards, k);
@@ -1244,7 +1253,7 @@ INLINE void evaluate_one(int boards, const wood_constants *restrict w, const woo
     if (!want->relief) {
       if (want->lobe) stage_lobe(w, boards, io, k);
       if (want->radiance) {
-        stage_light(w, boards, io, k);
+        stage_tilt(k);
         if (!w->cone) stage_gloss(k);
       }
     }
