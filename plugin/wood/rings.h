@@ -23,9 +23,15 @@ typedef struct {
 /* In two steps, so that the kernel can take a few blocks through each: which ring it
  * is, and rho within the table, */
 INLINE vf ring_find(const wood_constants *w, vf rho, ring_place *p) {
-  vi turns;
-  p->turns = vfloor(rho * splat(w->inverse_ring_period), &turns);
-  vf m = clamp(rho - p->turns * splat(w->ring_period), splat(0.0f), splat(w->ring_period));
+  vi turns = splati(0);
+  vf m = rho, repeats = rho * splat(w->inverse_ring_period);
+  p->turns = splat(0.0f);
+  /* a point alone goes by the guess that the table has not repeated: less to wait for */
+  if (LANES > 1 || !any(lt(repeats, splat(1.0f)))) {
+    p->turns = vfloor(repeats, &turns);
+    m = rho - p->turns * splat(w->ring_period);
+  }
+  m = clamp(m, splat(0.0f), splat(w->ring_period));
   vi bin = to_int(vmin(m * splat(w->bin_scale), splat((float)w->bin_last)));
   /* a bin is narrower than any ring: at most one boundary lies in it */
   vf at[2];
