@@ -203,8 +203,7 @@ typedef struct {
 INLINE noise_stems noise_split_axial2(f4 y, uint32_t multiplier) {
   i4 i;
   f4 f = y - floor_f4(y, &i), back = f - 1.0f, bump = f * back;
-  f4 v =
-      f * f * f * (10.0f / HASH_ONE + f * (-15.0f / HASH_ONE + f * all_f4(6.0f / HASH_ONE)));
+  f4 v = f * f * f * (10.0f / HASH_ONE + f * (-15.0f / HASH_ONE + f * all_f4(6.0f / HASH_ONE)));
   f4 dw = 30.0f / HASH_ONE * bump * bump, u = 1.0f / HASH_ONE - v;
   f4 place = even_odd(f, back), weight = even_odd(u, v);
   noise_stems s = {(u4)i * multiplier + (u4){0, multiplier, 0, multiplier}, place * weight,

@@ -146,7 +146,9 @@ typedef uint32_t u8 __attribute__((vector_size(32)));
 INLINE f4 all_f4(float x) { return (f4){x, x, x, x}; }
 INLINE u4 all_u4(uint32_t x) { return (u4){x, x, x, x}; }
 INLINE f4 load_f4(const float *p) { return (f4)_mm_loadu_ps(p); }
-INLINE u4 load_u4(const uint32_t *p) { return (u4)_mm_loadu_si128((const __m128i *)(const void *)p); }
+INLINE u4 load_u4(const uint32_t *p) {
+  return (u4)_mm_loadu_si128((const __m128i *)(const void *)p);
+}
 INLINE f4 floor_f4(f4 x, i4 *whole) {
   f4 f = (f4)_mm_floor_ps((__m128)x);
   *whole = __builtin_convertvector(f, i4);
@@ -508,9 +510,7 @@ INLINE vf signed_as(vf a, vf b) {
 }
 #else
 INLINE vf vabs(vf a) { return float_of(bits_of(a) & splati(0x7fffffff)); }
-INLINE vf signed_as(vf a, vf b) {
-  return float_of(bits_of(a) | (bits_of(b) & splati(INT32_MIN)));
-}
+INLINE vf signed_as(vf a, vf b) { return float_of(bits_of(a) | (bits_of(b) & splati(INT32_MIN))); }
 #endif
 INLINE vf clamp(vf x, vf lo, vf hi) { return vmin(vmax(x, lo), hi); }
 INLINE vf clamp01(vf x) { return vmin(vmax(x, splat(0.0f)), splat(1.0f)); }

@@ -175,9 +175,9 @@ typedef struct {
   vf shift; /* of brightness, a factor */
   vf late, over_late, cover, ray, albedo[3];
   vf exponent, strength, incident, rise, tilted, power; /* figure */
-  vf light[3];                                    /* log space */
-  vf streak, pigment;                             /* share of minerals; depth of bands */
-  vf lost;                                        /* variance of the surface's slopes */
+  vf light[3];                                          /* log space */
+  vf streak, pigment;                                   /* share of minerals; depth of bands */
+  vf lost;                                              /* variance of the surface's slopes */
   ray_turn ray_from;
   ray_cells ray_at;
   ray_seat ray_on;
@@ -1130,9 +1130,9 @@ INLINE void stage_radiance(const wood_constants *w, const wood_io *io, block *k)
 
 /* restrict: what is stored is no constant, so that those are loaded before the
  * loops and not in them. */
-INLINE void evaluate_shade(int boards, const wood_constants *restrict w,
-                           const wood_io *restrict io, const wood_wants *restrict want,
-                           block *blocks, surface_relief *reliefs, uint32_t count) {
+INLINE void evaluate_shade(int boards, const wood_constants *restrict w, const wood_io *restrict io,
+                           const wood_wants *restrict want, block *blocks, surface_relief *reliefs,
+                           uint32_t count) {
   if (w->has_canals && want->vessel) EACH(stage_canals(w, boards, io, &blocks[k]));
   if (want->vessel && !w->has_canals) EACH(store_lanes(io, WOOD_CANAL, &blocks[k], splat(0.0f)));
   if (want->colour && w->has_cells && !want->picture) EACH(stage_cells(w, boards, &blocks[k]));
