@@ -1128,54 +1128,11 @@ INLINE void stage_radiance(const wood_constants *w, const wood_io *io, block *k)
 #define EACH(...)                                                                                  \
   for (uint32_t k = 0; k < count; k++) __VA_ARGS__
 
-/* restrict: what is stored is no constant, so that those are loaded before the
- * loops and not in them. */
-INLINE void evaluate_shade(int boards, const wood_constants *restrict w, const wood_io *restrict io,
-                           const wood_wants *restrict want, block *blocks, surface_relief *reliefs,
-                           uint32_t count) {
-  if (w->has_canals && want->vessel) EACH(stage_canals(w, boards, io, &blocks[k]));
-  if (want->vessel && !w->has_canals) EACH(store_lanes(io, WOOD_CANAL, &blocks[k], splat(0.0f)));
-  if (want->colour && w->has_cells && !want->picture) EACH(stage_cells(w, boards, &blocks[k]));
-  if (want->colour && w->has_spalt && !want->picture) EACH(stage_spalt(w, boards, io, &blocks[k]));
-  if (want->picture) {
-    EACH(stage_picture(w, boards, io, &blocks[k]));
-    if (want->relief) EACH(stage_relief(w, boards, io, &blocks[k], &reliefs[k]));
-  } else {
-    if (want->relief) EACH(stage_relief(w, boards, io, &blocks[k], &reliefs[k]));
-    if (want->colour && w->has_pigment) EACH(stage_pigment(w, boards, &blocks[k]));
-    if (want->colour && w->streaks.share > 0.0f) EACH(stage_streaks(w, boards, &blocks[k]));
-    if (want->colour) EACH(stage_colour(w, boards, io, &blocks[k]));
-  }
-  if (want->relief) EACH(stage_bump(w, boards, io, &blocks[k], &reliefs[k]));
-  if (want->cone) EACH(stage_cone(w, io, &blocks[k]));
-#if LANES == 1
-  int lit = !want->relief; /* seen to before the rays */
-#else
-  int lit = 0;
-#endif
-  if (want->lobe && !lit) EACH(stage_lobe(w, boards, io, &blocks[k]));
-  if (want->radiance) {
-    if (!lit) {
-      EACH({
-        stage_light(w, boards, io, &blocks[k]);
-        stage_tilt(&blocks[k]);
-      });
-    }
-    if (w->cone) {
-      EACH(stage_cone_radiance(w, boards, io, &blocks[k]));
-    } else {
-      if (!lit) EACH(stage_gloss(&blocks[k]));
-      EACH(stage_radiance(w, io, &blocks[k]));
-    }
-  }
-}
-
 #if LANES == 1
 /* For a point alone in another order: the chain from the turn through the rays is the longest,
  * and what does not wait for it stands between its steps, where the processor sees both. */
 INLINE void evaluate_one(int boards, const wood_constants *restrict w, const wood_io *restrict io,
-                         const wood_wants *restrict want, block *k, surface_relief *relief,
-                         wide_rings *wide) {
+                         const wood_wants *restrict want, block *k, wide_rings *wide) {
   board_sawn sawn;
   if (boards) memset(&sawn, 0, sizeof sawn);
   stage_load(w, boards, io, want, &sawn, k);
@@ -1250,23 +1207,30 @@ INLINE void evaluate_one(int boards, const wood_constants *restrict w, const woo
     stage_disc(w, boards, k);
     stage_pores(w, boards, k);
     if (rays) stage_ray_body(w, boards, k);
-    if (!want->relief) {
-      if (want->lobe) stage_lobe(w, boards, io, k);
-      if (want->radiance) {
-        stage_tilt(k);
-        if (!w->cone) stage_gloss(k);
-      }
+  }
+  if (!want->relief) {
+    if (want->lobe) stage_lobe(w, boards, io, k);
+    if (want->radiance) {
+      stage_tilt(k);
+      if (!w->cone) stage_gloss(k);
     }
+  }
+  if (want->vessel) {
     stage_rows(w, boards, k);
     stage_cover(w, boards, io, k);
     if (rays) stage_rays(w, boards, io, k);
   }
-  evaluate_shade(boards, w, io, want, k, relief, 1);
 }
-#else
+#endif
+
+/* restrict: what is stored is no constant, so that those are loaded before the
+ * loops and not in them. */
 INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood_io *restrict io,
                         const wood_wants *restrict want, block *blocks, surface_relief *reliefs,
                         wide_rings *wides, uint32_t count) {
+#if LANES == 1
+  evaluate_one(boards, w, io, want, &blocks[0], &wides[0]);
+#else
   board_sawn sawn;
   if (boards) memset(&sawn, 0, sizeof sawn);
   EACH(stage_load(w, boards, io, want, &sawn, &blocks[k]));
@@ -1333,9 +1297,43 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
       EACH(stage_rays(w, boards, io, &blocks[k]));
     }
   }
-  evaluate_shade(boards, w, io, want, blocks, reliefs, count);
-}
 #endif
+  if (w->has_canals && want->vessel) EACH(stage_canals(w, boards, io, &blocks[k]));
+  if (want->vessel && !w->has_canals) EACH(store_lanes(io, WOOD_CANAL, &blocks[k], splat(0.0f)));
+  if (want->colour && w->has_cells && !want->picture) EACH(stage_cells(w, boards, &blocks[k]));
+  if (want->colour && w->has_spalt && !want->picture) EACH(stage_spalt(w, boards, io, &blocks[k]));
+  if (want->picture) {
+    EACH(stage_picture(w, boards, io, &blocks[k]));
+    if (want->relief) EACH(stage_relief(w, boards, io, &blocks[k], &reliefs[k]));
+  } else {
+    if (want->relief) EACH(stage_relief(w, boards, io, &blocks[k], &reliefs[k]));
+    if (want->colour && w->has_pigment) EACH(stage_pigment(w, boards, &blocks[k]));
+    if (want->colour && w->streaks.share > 0.0f) EACH(stage_streaks(w, boards, &blocks[k]));
+    if (want->colour) EACH(stage_colour(w, boards, io, &blocks[k]));
+  }
+  if (want->relief) EACH(stage_bump(w, boards, io, &blocks[k], &reliefs[k]));
+  if (want->cone) EACH(stage_cone(w, io, &blocks[k]));
+#if LANES == 1
+  int lit = !want->relief; /* seen to before the rays */
+#else
+  int lit = 0;
+#endif
+  if (want->lobe && !lit) EACH(stage_lobe(w, boards, io, &blocks[k]));
+  if (want->radiance) {
+    if (!lit) {
+      EACH({
+        stage_light(w, boards, io, &blocks[k]);
+        stage_tilt(&blocks[k]);
+      });
+    }
+    if (w->cone) {
+      EACH(stage_cone_radiance(w, boards, io, &blocks[k]));
+    } else {
+      if (!lit) EACH(stage_gloss(&blocks[k]));
+      EACH(stage_radiance(w, io, &blocks[k]));
+    }
+  }
+}
 
 /* Twice in the code, with boards and without: a wood that is one piece pays
  * nothing for them. */
@@ -1344,12 +1342,7 @@ static __attribute__((noinline)) void evaluate_piece(const wood_constants *restr
                                                      const wood_wants *restrict want, block *blocks,
                                                      surface_relief *reliefs, wide_rings *wides,
                                                      uint32_t count) {
-#if LANES == 1
-  (void)count;
-  evaluate_one(0, w, io, want, blocks, reliefs, wides);
-#else
   evaluate_as(0, w, io, want, blocks, reliefs, wides, count);
-#endif
 }
 
 static __attribute__((noinline)) void evaluate_boards(const wood_constants *restrict w,
@@ -1357,12 +1350,7 @@ static __attribute__((noinline)) void evaluate_boards(const wood_constants *rest
                                                       const wood_wants *restrict want,
                                                       block *blocks, surface_relief *reliefs,
                                                       wide_rings *wides, uint32_t count) {
-#if LANES == 1
-  (void)count;
-  evaluate_one(1, w, io, want, blocks, reliefs, wides);
-#else
   evaluate_as(1, w, io, want, blocks, reliefs, wides, count);
-#endif
 }
 
 typedef struct {
