@@ -3,6 +3,9 @@
  * The functions of sozai.textures/1, for every material alike.
  */
 #include <string.h>
+#if defined(__x86_64__)
+#include <emmintrin.h>
+#endif
 
 #include "core/colour.h"
 #include "core/images.h"
@@ -25,7 +28,7 @@ struct sozai_texture {
     uint64_t channels;
     uint32_t inputs;
   } needs[CHANNEL_KINDS_MAX];
-  uint32_t kinds;
+  uint32_t kinds, all_needs; /* of all kinds together */
 };
 
 static uint32_t count(void) { return textures_ready() ? registry_count : 0; }
@@ -78,6 +81,7 @@ static void collect_needs(sozai_texture *t) {
     while (k < t->kinds && t->needs[k].inputs != c->needs && k < CHANNEL_KINDS_MAX - 1) k++;
     if (k == t->kinds) t->kinds++;
     t->needs[k].inputs |= c->needs;
+    t->all_needs |= c->needs;
     t->needs[k].channels |= ((1ull << c->components) - 1) << c->first;
   }
 }
@@ -133,20 +137,24 @@ int32_t texture_memory(const sozai_host *host, const char *id, const char *prese
   return r ? r : make(host, id, preset, values, value_count, &none, out);
 }
 
-static uint32_t inputs_of(const sozai_batch *b) {
-  uint32_t has = 0;
-  if (b->point[0] && b->point[1] && b->point[2]) has |= SOZAI_INPUT_POINT;
-  if (b->normal[0] && b->normal[1] && b->normal[2]) has |= SOZAI_INPUT_NORMAL;
-  if (b->light[0] && b->light[1] && b->light[2]) has |= SOZAI_INPUT_LIGHT;
-  if (b->view[0] && b->view[1] && b->view[2]) has |= SOZAI_INPUT_VIEW;
-  if (b->light_colour[0] && b->light_colour[1] && b->light_colour[2]) {
-    has |= SOZAI_INPUT_LIGHT_COLOUR;
-  }
-  if (b->footprint) has |= SOZAI_INPUT_FOOTPRINT;
-  return has;
+static inline uint32_t missing(const float *const v[3]) {
+  return (uint32_t)(v[0] == NULL) + (uint32_t)(v[1] == NULL) + (uint32_t)(v[2] == NULL);
 }
 
-static int in_part(const float *const v[3]) { return !v[0] != !v[1] || !v[1] != !v[2]; }
+/* Bits of what there is; part: not 0 where of a vector but the point a part is missing. */
+static inline uint32_t inputs_of(const sozai_batch *b, uint32_t *part) {
+  uint32_t point = missing(b->point), normal = missing(b->normal), light = missing(b->light);
+  uint32_t colour = missing(b->light_colour), view = missing(b->view), has = 0;
+  if (!point) has |= SOZAI_INPUT_POINT;
+  if (!normal) has |= SOZAI_INPUT_NORMAL;
+  if (!light) has |= SOZAI_INPUT_LIGHT;
+  if (!colour) has |= SOZAI_INPUT_LIGHT_COLOUR;
+  if (!view) has |= SOZAI_INPUT_VIEW;
+  if (b->footprint) has |= SOZAI_INPUT_FOOTPRINT;
+  /* 1 and 2, but not 0 and 3 */
+  *part = ((normal + 1) | (light + 1) | (colour + 1) | (view + 1)) & 2;
+  return has;
+}
 
 static const char *input_name(uint32_t bit) {
   switch (bit & (~bit + 1u)) {
@@ -177,17 +185,34 @@ static int32_t missing_input(const sozai_texture *t, uint64_t wanted, uint32_t h
   return fail(SOZAI_ERROR_ARGUMENT, "evaluate: an input is missing");
 }
 
-/* Bit k says that out[k] is not NULL; by fours, which do not wait for one another. */
-static uint64_t wanted_of(float *const *out, uint32_t components) {
-  uint64_t wanted = 0;
-  uint32_t i = 0;
-  for (; i + 4 <= components; i += 4) {
-    uint32_t four = (uint32_t)(out[i] != NULL) + (uint32_t)(out[i + 1] != NULL) * 2u +
-                    (uint32_t)(out[i + 2] != NULL) * 4u + (uint32_t)(out[i + 3] != NULL) * 8u;
-    wanted |= (uint64_t)four << i;
+/* Bit k says that out[k] is NULL, of sixteen. */
+static inline uint32_t absent16(float *const *out) {
+#if defined(__x86_64__)
+  /* a pointer is NULL where both its halves together are 0 */
+  const __m128 *at = (const __m128 *)(const void *)out;
+  __m128i zero = _mm_setzero_si128(), four[4];
+  for (int k = 0; k < 4; k++) {
+    __m128 a = _mm_loadu_ps((const float *)(at + 2 * k));
+    __m128 b = _mm_loadu_ps((const float *)(at + 2 * k + 1));
+    __m128 both = _mm_or_ps(_mm_shuffle_ps(a, b, 0x88), _mm_shuffle_ps(a, b, 0xdd));
+    four[k] = _mm_cmpeq_epi32(_mm_castps_si128(both), zero);
   }
-  for (; i < components; i++) wanted |= (uint64_t)(out[i] != NULL) << i;
-  return wanted;
+  __m128i low = _mm_packs_epi32(four[0], four[1]), high = _mm_packs_epi32(four[2], four[3]);
+  return (uint32_t)_mm_movemask_epi8(_mm_packs_epi16(low, high));
+#else
+  uint32_t absent = 0;
+  for (int k = 0; k < 16; k++) absent |= (uint32_t)(out[k] == NULL) << k;
+  return absent;
+#endif
+}
+
+/* Bit k says that out[k] is not NULL. */
+static inline uint64_t wanted_of(float *const *out, uint32_t components) {
+  uint64_t absent = 0;
+  uint32_t i = 0;
+  for (; i + 16 <= components; i += 16) absent |= (uint64_t)absent16(out + i) << i;
+  for (; i < components; i++) absent |= (uint64_t)(out[i] == NULL) << i;
+  return absent ^ ~0ull >> (64 - components);
 }
 
 /* On the path of every single point: a look at each wanted output, and no
@@ -215,13 +240,15 @@ static int32_t evaluate(const sozai_texture *t, const sozai_batch *batch) {
   }
   uint64_t wanted = wanted_of(out, components);
 
-  uint32_t has = inputs_of(batch), needs = 0;
-  for (uint32_t k = 0; k < t->kinds; k++) {
-    if (wanted & t->needs[k].channels) needs |= t->needs[k].inputs;
+  uint32_t part, has = inputs_of(batch, &part);
+  if (t->all_needs & ~has) {
+    uint32_t needs = 0;
+    for (uint32_t k = 0; k < t->kinds; k++) {
+      if (wanted & t->needs[k].channels) needs |= t->needs[k].inputs;
+    }
+    if (needs & ~has) return missing_input(t, wanted, has);
   }
-  if (needs & ~has) return missing_input(t, wanted, has);
-  if (in_part(batch->normal) || in_part(batch->light) || in_part(batch->light_colour) ||
-      in_part(batch->view)) {
+  if (part) {
     /* a vector with a part missing is none */
     if (batch != &copy) {
       copy = *batch;

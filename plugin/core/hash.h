@@ -47,4 +47,12 @@ INLINE vf hash_signed(vu h) {
   return to_float((vi)h);
 }
 
+#ifdef WITHIN_A_POINT
+INLINE f4 hash_signed4(u4 h) {
+  h ^= h >> 15;
+  h *= 0x2c1b3c6du;
+  return to_f4((i4)h);
+}
+#endif
+
 #endif

@@ -9,6 +9,10 @@ int32_t kernel_choose(const kernel_set table[CPU_COUNT], kernel_set *out) {
 }
 
 void kernel_run(const kernel_set *use, const void *constants, const kernel_io *io) {
+  if (io->in->count == 1) { /* on the path of every point alone: without the division */
+    use->single->evaluate(constants, io, 0, 1);
+    return;
+  }
   uint32_t count = io->in->count, lanes = use->wide->lanes;
   uint32_t whole = count / lanes * lanes, rest = count - whole;
   /* from half a block up the wide kernel is the cheaper */

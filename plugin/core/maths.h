@@ -24,8 +24,7 @@ INLINE void quarter_turns(vf r, vi k, vf *sine, vf *cosine) {
          z * (splat(-0.49999999615f) +
               z * (splat(0.041666616693f) +
                    z * (splat(-0.0013886617999f) + z * splat(2.4379831235e-5f))));
-  vm odd = odd_(k);
-  vf a = sel(odd, c, s), b = sel(odd, s, c);
+  vf a = sel_odd(k, c, s), b = sel_odd(k, s, c);
   *sine = flip_by_bit(a, k, 1);
   *cosine = flip_by_bit(b, k + splati(1), 1);
 }
@@ -33,6 +32,14 @@ INLINE void quarter_turns(vf r, vi k, vf *sine, vf *cosine) {
 /* Sine and cosine. |x| < 20,000: absolute error below 2e-7 for |x| < 8, and
  * growing with the spacing of floats beyond. */
 INLINE void sine_cosine(vf x, vf *sine, vf *cosine) {
+#if LANES == 1
+  /* of the first quarter the nearest is 0, and nothing is taken off: a point alone does not
+   * wait for that */
+  if (vabs(x) < 0.78f) {
+    quarter_turns(x, 0, sine, cosine);
+    return;
+  }
+#endif
   vi k;
   vf n = vnearest(x * splat(0.63661977f), &k);
   /* pi/2 in three parts, the first two short enough for n * part to be exact */
@@ -55,19 +62,19 @@ INLINE vf arctan2(vf y, vf x) {
   vf ax = vabs(x), ay = vabs(y);
   vf small = vmin(ax, ay), large = vmax(ax, ay);
   /* beyond tan(pi/8) turn by pi/4, so that one division serves both */
-  vm steep = gt(small, large * splat(0.41421356f));
-  vf num = sel(steep, small - large, small);
-  vf den = sel(steep, small + large, large);
+  vf flat = large * splat(0.41421356f);
+  vf num = sel_lt(flat, small, small - large, small);
+  vf den = sel_lt(flat, small, small + large, large);
   vf t = num / vmax(den, splat(1e-30f));
   vf z = t * t;
   vf a = t * (splat(0.99999998126f) +
               z * (splat(-0.33332785772f) +
                    z * (splat(0.19974082416f) +
                         z * (splat(-0.13848490212f) + z * splat(0.079762918074f)))));
-  a = sel(steep, a + splat(0.78539816f), a);
-  a = sel(gt(ay, ax), splat(1.57079633f) - a, a);
-  a = sel(lt(x, splat(0.0f)), splat(3.14159265f) - a, a);
-  return float_of(bits_of(a) | (bits_of(y) & splati(INT32_MIN)));
+  a = sel_lt(flat, small, a + splat(0.78539816f), a);
+  a = sel_lt(ax, ay, splat(1.57079633f) - a, a);
+  a = sel_lt(x, splat(0.0f), splat(3.14159265f) - a, a);
+  return signed_as(a, y);
 }
 
 /* The arc sine of x, clamped to -1..1; absolute error below 5e-7. */
@@ -85,7 +92,7 @@ INLINE vf arcsin(vf x) {
                         z * (splat(0.045520635636f) +
                              z * (splat(0.023993999637f) + z * splat(0.042417373785f))))));
   vf r = sel(large, splat(1.57079633f) - (p + p), p);
-  return float_of(bits_of(r) | (bits_of(x) & splati(INT32_MIN)));
+  return signed_as(r, x);
 }
 
 /* Base-two logarithm of a normal positive x, relative error below 3e-7. */

@@ -174,6 +174,82 @@ INLINE vf noise_axial3(const noise_axis *x, const noise_stem *y, const noise_axi
 }
 #endif
 
+#ifdef WITHIN_A_POINT
+/* Of one point, what is the same for several octaves or noises: one to a lane. */
+typedef struct {
+  u4 low, high;
+  f4 w, dw;
+} noise_axes;
+
+/* noise_split_cubic */
+INLINE noise_axes noise_split_cubic4(f4 x, uint32_t multiplier) {
+  i4 i;
+  f4 f = x - floor_f4(x, &i);
+  noise_axes a;
+  a.low = (u4)i * multiplier;
+  a.high = a.low + multiplier;
+  a.w = f * f * (3.0f - f - f);
+  a.dw = 6.0f * (f - f * f);
+  return a;
+}
+
+/* noise_split_axial of two: the lanes are the low and the high end of the first's cell,
+ * then the second's. y: each twice. */
+typedef struct {
+  u4 end;
+  f4 n, d;
+} noise_stems;
+
+INLINE noise_stems noise_split_axial2(f4 y, uint32_t multiplier) {
+  i4 i;
+  f4 f = y - floor_f4(y, &i), back = f - 1.0f, bump = f * back;
+  f4 v = f * f * f * (10.0f / HASH_ONE + f * (-15.0f / HASH_ONE + f * all_f4(6.0f / HASH_ONE)));
+  f4 dw = 30.0f / HASH_ONE * bump * bump, u = 1.0f / HASH_ONE - v;
+  f4 place = even_odd(f, back), weight = even_odd(u, v);
+  noise_stems s = {(u4)i * multiplier + (u4){0, multiplier, 0, multiplier}, place * weight,
+                   less_more(weight, place * dw)};
+  return s;
+}
+
+/* Both noises, then both slopes. */
+INLINE f4 noise_axial1_two(const noise_stems *y, u4 seed) {
+  f4 g = hash_signed4(y->end + seed);
+  return pairs_f4(g * y->n, g * y->d);
+}
+
+/* noise_axial2 of two over one t. dt: its lower two lanes. */
+INLINE f4 noise_axial2_two(const noise_stems *y, const noise_axis *t, u4 seed, f4 *dt) {
+  u4 s = y->end + seed;
+  f4 a = hash_signed4(s + t->low), d = hash_signed4(s + t->high) - a;
+  f4 g = a + d * t->w, slope = d * t->dw * y->n;
+  *dt = pairs_f4(slope, slope);
+  return pairs_f4(g * y->n, g * y->d);
+}
+
+/* noise_value2 without slopes. */
+INLINE f4 noise_value2_four(const noise_axes *x, const noise_axes *z, u4 seed) {
+  u4 s0 = z->low + seed, s1 = z->high + seed;
+  f4 a = hash_signed4(x->low + s0), b = hash_signed4(x->high + s0) - a;
+  f4 c = hash_signed4(x->low + s1), d = hash_signed4(x->high + s1) - c;
+  f4 p = a + b * x->w, q = c + d * x->w - p;
+  return p + q * z->w;
+}
+
+/* noise_axial3 of two, x and z each twice as y is. Both noises, then both slopes along y;
+ * across: both along x, then both along z. */
+INLINE f4 noise_axial3_two(const noise_axes *x, const noise_stems *y, const noise_axes *z, u4 seed,
+                           f4 *across) {
+  seed += y->end;
+  u4 s0 = z->low + seed, s1 = z->high + seed;
+  f4 a = hash_signed4(x->low + s0), b = hash_signed4(x->high + s0) - a;
+  f4 c = hash_signed4(x->low + s1), d = hash_signed4(x->high + s1) - c;
+  f4 p = a + b * x->w, q = c + d * x->w - p;
+  f4 gx = (b + (d - b) * z->w) * x->dw, gz = q * z->dw, g = p + q * z->w;
+  *across = pairs_f4(gx * y->n, gz * y->n);
+  return pairs_f4(g * y->n, g * y->d);
+}
+#endif
+
 /* One corner of gradient noise: a gradient of three components within +-1
  * from ten bits each, times the offset. */
 INLINE void noise_corner(vu h, vf x, vf y, vf z, vf *value, vf *gx, vf *gy, vf *gz) {

@@ -15,7 +15,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#if defined(SOZAI_ISA_SSE2) || defined(SOZAI_ISA_AVX2) || defined(SOZAI_ISA_AVX512)
+#if defined(__SSE2__)
 #include <immintrin.h>
 #endif
 
@@ -73,8 +73,38 @@ INLINE vm not_(vm a) { return !a; }
 INLINE int any(vm m) { return m; }
 INLINE vf sel(vm m, vf a, vf b) { return m ? a : b; }
 INLINE vi seli(vm m, vi a, vi b) { return m ? a : b; }
+#if defined(__SSE2__)
+/* As instructions: of the comparisons that a clamp is made of GCC makes branches, which
+ * nobody can guess. The number stays where it is, in the lowest lane; to GCC
+ * _mm_set_ss is an instruction. */
+INLINE __m128 alone_(vf x) {
+#ifdef __clang__
+  return _mm_set_ss(x);
+#else
+  __m128 v;
+  __asm__("" : "=x"(v) : "0"(x));
+  return v;
+#endif
+}
+INLINE vf vmin(vf a, vf b) { return _mm_cvtss_f32(_mm_min_ss(alone_(a), alone_(b))); }
+INLINE vf vmax(vf a, vf b) { return _mm_cvtss_f32(_mm_max_ss(alone_(a), alone_(b))); }
+#else
 INLINE vf vmin(vf a, vf b) { return a < b ? a : b; }
 INLINE vf vmax(vf a, vf b) { return a > b ? a : b; }
+#endif
+#if defined(SOZAI_ISA_AVX512)
+INLINE vf sel_lt(vf a, vf b, vf x, vf y) {
+  __mmask8 m = _mm_cmp_ss_mask(alone_(a), alone_(b), _CMP_LT_OQ);
+  return _mm_cvtss_f32(_mm_mask_move_ss(alone_(y), m, alone_(y), alone_(x)));
+}
+#define SEL_LT_
+#elif defined(__SSE2__)
+INLINE vf sel_lt(vf a, vf b, vf x, vf y) {
+  __m128 m = _mm_cmplt_ss(alone_(a), alone_(b));
+  return _mm_cvtss_f32(_mm_or_ps(_mm_and_ps(m, alone_(x)), _mm_andnot_ps(m, alone_(y))));
+}
+#define SEL_LT_
+#endif
 INLINE vf vsqrt(vf a) { return __builtin_sqrtf(a); }
 INLINE vf gather(const float *t, vi i) { return t[i]; }
 INLINE vi gatheri(const int32_t *t, vi i) { return t[i]; }
@@ -89,10 +119,17 @@ INLINE void gather4(const float (*t)[4], vi i, vf out[4]) {
 INLINE vf sel_top(vu m, vf a, vf b) { return m >> 31 ? a : b; }
 #if defined(SOZAI_ISA_AVX2) || defined(SOZAI_ISA_AVX512)
 INLINE vf ROUND_DOWN_(vf x) {
-  __m128 v = _mm_set_ss(x);
+  __m128 v = alone_(x);
   return _mm_cvtss_f32(_mm_floor_ss(v, v));
 }
 #define ROUND_DOWN_ ROUND_DOWN_
+#endif
+#if defined(SOZAI_ISA_AVX512)
+/* beside the rounding, not after it */
+INLINE vi WHOLE_DOWN_(vf x) {
+  return _mm_cvt_roundss_i32(alone_(x), _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC);
+}
+#define WHOLE_DOWN_ WHOLE_DOWN_
 #endif
 
 /* Work of one point that is the same eight times over, in eight lanes: each
@@ -105,6 +142,26 @@ typedef uint32_t u4 __attribute__((vector_size(16)));
 typedef float f8 __attribute__((vector_size(32)));
 typedef int32_t i8 __attribute__((vector_size(32)));
 typedef uint32_t u8 __attribute__((vector_size(32)));
+
+INLINE f4 all_f4(float x) { return (f4){x, x, x, x}; }
+INLINE u4 all_u4(uint32_t x) { return (u4){x, x, x, x}; }
+INLINE f4 load_f4(const float *p) { return (f4)_mm_loadu_ps(p); }
+INLINE u4 load_u4(const uint32_t *p) {
+  return (u4)_mm_loadu_si128((const __m128i *)(const void *)p);
+}
+INLINE f4 floor_f4(f4 x, i4 *whole) {
+  f4 f = (f4)_mm_floor_ps((__m128)x);
+  *whole = __builtin_convertvector(f, i4);
+  return f;
+}
+INLINE f4 to_f4(i4 x) { return __builtin_convertvector(x, f4); }
+INLINE f4 max_f4(f4 a, f4 b) { return (f4)_mm_max_ps((__m128)a, (__m128)b); }
+/* The even lanes of a and the odd ones of b. */
+INLINE f4 even_odd(f4 a, f4 b) { return (f4)_mm_blend_ps((__m128)a, (__m128)b, 0xa); }
+/* a - b in the even lanes, a + b in the odd ones. */
+INLINE f4 less_more(f4 a, f4 b) { return (f4)_mm_addsub_ps((__m128)a, (__m128)b); }
+/* The sums of a's pairs of lanes, and of b's. */
+INLINE f4 pairs_f4(f4 a, f4 b) { return (f4)_mm_hadd_ps((__m128)a, (__m128)b); }
 
 INLINE f8 join_f4(f4 a, f4 b) { return (f8)_mm256_set_m128((__m128)b, (__m128)a); }
 INLINE u8 join_u4(u4 a, u4 b) { return (u8)_mm256_set_m128i((__m128i)b, (__m128i)a); }
@@ -372,6 +429,11 @@ INLINE int idle(vm m) { return LANES < 4 && !any(m); }
 
 INLINE vm gt(vf a, vf b) { return lt(b, a); }
 
+/* x where a < b, else y: for where a point alone could not guess which. */
+#ifndef SEL_LT_
+INLINE vf sel_lt(vf a, vf b, vf x, vf y) { return sel(lt(a, b), x, y); }
+#endif
+
 /* Whether all lanes hold the same number. Never with one lane, which has nothing to
  * share. */
 INLINE int alike(vi i) {
@@ -437,7 +499,19 @@ INLINE void gather4_near(const float (*t)[4], vi i, vf out[4]) {
   gather4(t, i, out);
 }
 
+/* With one lane the compiler takes what is done to a number's bits to the unit for whole
+ * numbers and back, which takes six cycles more. */
+#if LANES == 1 && defined(__SSE2__)
+INLINE __m128 bits1_(int32_t x) { return _mm_castsi128_ps(_mm_cvtsi32_si128(x)); }
+INLINE vf vabs(vf a) { return _mm_cvtss_f32(_mm_and_ps(alone_(a), bits1_(0x7fffffff))); }
+/* a, which has no sign, with that of b. */
+INLINE vf signed_as(vf a, vf b) {
+  return _mm_cvtss_f32(_mm_or_ps(alone_(a), _mm_and_ps(alone_(b), bits1_(INT32_MIN))));
+}
+#else
 INLINE vf vabs(vf a) { return float_of(bits_of(a) & splati(0x7fffffff)); }
+INLINE vf signed_as(vf a, vf b) { return float_of(bits_of(a) | (bits_of(b) & splati(INT32_MIN))); }
+#endif
 INLINE vf clamp(vf x, vf lo, vf hi) { return vmin(vmax(x, lo), hi); }
 INLINE vf clamp01(vf x) { return vmin(vmax(x, splat(0.0f)), splat(1.0f)); }
 /* a where t = 0, b where t = 1. */
@@ -467,7 +541,7 @@ INLINE vf vfloor(vf x, vi *whole) {
 /* vfloor of x + 1/2, which is never -0. */
 INLINE vf vnearest(vf x, vi *whole) {
   vf up = x + splat(0.5f);
-#ifdef WHOLE_DOWN_
+#if defined(WHOLE_DOWN_) && LANES > 1
   *whole = WHOLE_DOWN_(up);
   return to_float(*whole);
 #else
@@ -480,17 +554,22 @@ INLINE vf flip_by_bit(vf x, vi k, int bit) {
 #if defined(SOZAI_ISA_AVX512) && LANES == 16
   return (vf)_mm512_ternarylogic_epi32((__m512i)x, (__m512i)(k << (31 - bit)),
                                        _mm512_set1_epi32(INT32_MIN), 0x78); /* a ^ (b & c) */
+#elif LANES == 1 && defined(__SSE2__)
+  return _mm_cvtss_f32(_mm_xor_ps(alone_(x), bits1_((k & 1 << bit) << (31 - bit))));
 #else
   return float_of(bits_of(x) ^ ((k & splati(1 << bit)) << (31 - bit)));
 #endif
 }
 
-/* Where x is odd. */
-INLINE vm odd_(vi x) {
+/* a where x is odd, else b. */
+INLINE vf sel_odd(vi x, vf a, vf b) {
 #if defined(SOZAI_ISA_AVX512) && LANES == 16
-  return _mm512_test_epi32_mask((__m512i)x, _mm512_set1_epi32(1));
+  return sel(_mm512_test_epi32_mask((__m512i)x, _mm512_set1_epi32(1)), a, b);
+#elif LANES == 1 && defined(__SSE2__)
+  __m128 m = _mm_castsi128_ps(_mm_cvtsi32_si128(-(x & 1))); /* as in sel_lt */
+  return _mm_cvtss_f32(_mm_or_ps(_mm_and_ps(m, alone_(a)), _mm_andnot_ps(m, alone_(b))));
 #else
-  return eqi(x & splati(1), splati(1));
+  return sel(eqi(x & splati(1), splati(1)), a, b);
 #endif
 }
 

@@ -814,6 +814,34 @@ static int32_t build_grown(wood_constants *w, const sozai_host *host, const sett
   return r;
 }
 
+/* Once all of it is known. Products as the kernels of many lanes round them. */
+static void build_fours(wood_constants *w) {
+  wood_fours *q = &w->fours;
+  for (int i = 0; i < 4; i++) {
+    int both = i & 1, twice = i >> 1; /* which of two: both of them twice; each of them twice */
+    q->pith[i] = i < 2 ? w->pith_amplitude : w->pith_amplitude * w->pith_frequency;
+    q->pith_seed[i] = w->seeds[twice ? SEED_PITH_Z : SEED_PITH_X];
+    q->section[i] = w->undulation_frequency_section[twice];
+    q->axis[i] = w->undulation_frequency_axis[twice];
+    q->height[i] = w->undulation[both];
+    q->slope_y[i] = i < 2 ? 1.0f : w->undulation_frequency_axis[both];
+    q->slope[i] = w->undulation_frequency_section[both];
+    q->undulation_seed[i] = w->seeds[SEED_UNDULATION + twice];
+    q->often[i] = w->slope_noise_frequency[twice];
+    q->far[i] = w->slope_noise[both] * (i < 2 ? 1.0f : w->slope_noise_frequency[both]);
+    q->by_years[i] = w->slope_noise[both] * w->slope_noise_years;
+    q->slope_seed[i] = w->seeds[SEED_SLOPE + twice];
+    if (i == WOOD_FIBRE_OCTAVES) break;
+    q->blur[i] = w->fibre_blur[i];
+    q->blur2[i] = w->fibre_blur[i] * w->fibre_blur[i];
+    q->frequency[i] = w->fibre_frequency[i];
+    q->scale[i] = w->fibre_scale[i];
+    q->front[i] = w->fibre_front[i];
+    q->variance[i] = w->fibre_variance[i];
+    q->fibre_seed[i] = w->seeds[SEED_FIBRE + i];
+  }
+}
+
 int32_t wood_build(wood_constants *w, const sozai_host *host, const settings *s,
                    const float (*colours)[3], const image_set *images) {
   w->seed = seed_of(s);
@@ -841,8 +869,9 @@ int32_t wood_build(wood_constants *w, const sozai_host *host, const settings *s,
   build_cone(w, s);
   r = wood_build_boards(w, s, colours);
   if (!r) r = plies_build(w, s, colours);
-  if (r) return r;
-  return images->service && images->list[P_SECTION]
-             ? section_build(w, host, s, images->service, images->list[P_SECTION])
-             : SOZAI_OK;
+  if (!r && images->service && images->list[P_SECTION]) {
+    r = section_build(w, host, s, images->service, images->list[P_SECTION]);
+  }
+  build_fours(w);
+  return r;
 }

@@ -3,6 +3,7 @@
  * Wood's evaluate: compiled once for each instruction set and width.
  */
 #include "../core/lanes.h"
+#include "alone.h"
 #include "boards.h"
 #include "canals.h"
 #include "cells.h"
@@ -173,10 +174,10 @@ typedef struct {
   int crossed;
   vf shift; /* of brightness, a factor */
   vf late, over_late, cover, ray, albedo[3];
-  vf exponent, strength, incident, tilted, power; /* figure */
-  vf light[3];                                    /* log space */
-  vf streak, pigment;                             /* share of minerals; depth of bands */
-  vf lost;                                        /* variance of the surface's slopes */
+  vf exponent, strength, incident, rise, tilted, power; /* figure */
+  vf light[3];                                          /* log space */
+  vf streak, pigment;                                   /* share of minerals; depth of bands */
+  vf lost;                                              /* variance of the surface's slopes */
   ray_turn ray_from;
   ray_cells ray_at;
   ray_seat ray_on;
@@ -317,16 +318,26 @@ INLINE void stage_load(const wood_constants *w, int boards, const wood_io *io,
 }
 
 INLINE void stage_pith(const wood_constants *w, int boards, block *k) {
+#ifdef WITHIN_A_POINT
+  k->stem.pith = pith_alone(w, own_of(boards, k), k->p[1]);
+#else
   k->stem.pith = pith_at(w, own_of(boards, k), k->p[1]);
+#endif
   k->stem.lost = k->stem.lost_slope = k->stem.eye = splat(0.0f);
   k->undulation = undulation_none();
 }
 
 INLINE void stage_about(block *k) { stem_about(k->p[0], k->p[2], &k->stem); }
 
+#ifdef WITHIN_A_POINT
+INLINE void stage_undulation(const wood_constants *w, int boards, block *k) {
+  k->undulation = undulation_alone(w, own_of(boards, k), k->p[1], k->s, &k->stem);
+}
+#else
 INLINE void stage_undulation(const undulation_octave *q, int boards, block *k) {
   undulation_add(q, own_of(boards, k), k->p[1], k->s, &k->stem, &k->undulation);
 }
+#endif
 
 INLINE void stage_figure(const wood_constants *w, int boards, block *k) {
   figure_add(w, own_of(boards, k), k->p[1], k->s, k->extent, &k->stem, &k->undulation);
@@ -401,9 +412,15 @@ INLINE void stage_interlocked(const wood_constants *w, int boards, block *k) {
   grain_interlocked(w, own_of(boards, k), k->p[1], k->years, &k->grain);
 }
 
+#ifdef WITHIN_A_POINT
+INLINE void stage_grain_noise(const wood_constants *w, int boards, block *k) {
+  grain_noise_alone(w, own_of(boards, k), k->p[1], &k->at, k->extent, &k->grain);
+}
+#else
 INLINE void stage_grain_noise(const grain_octave *q, int boards, block *k) {
   grain_noise(q, own_of(boards, k), k->p[1], &k->at, k->extent, &k->grain);
 }
+#endif
 
 INLINE void stage_turn(block *k) {
   k->phase = k->grain.d * k->divisor;
@@ -636,12 +653,19 @@ INLINE void stage_section_footprint(const wood_constants *w, int boards, const w
   k->f = footprint_after_reach(w, boards, io, k);
 }
 
+#ifdef WITHIN_A_POINT
+INLINE void stage_bundle(const wood_constants *w, int boards, block *k) {
+  k->bundle = fibre_alone(w, own_of(boards, k), k->x, k->z, &k->f);
+  k->shift = k->bundle.shift;
+}
+#else
 /* One octave of the fibres' noise. */
 INLINE void stage_bundle(const fibre_octave *q, int boards, int o, block *k) {
   if (o == 0) k->bundle = fibre_start(&k->f);
   fibre_add(q, own_of(boards, k), k->x, k->z, &k->bundle);
   k->shift = k->bundle.shift;
 }
+#endif
 
 /* Where the latewood strays from its ring: it is as it would be that much nearer to the
  * pith or farther from it. */
@@ -1009,7 +1033,7 @@ INLINE void stage_lobe(const wood_constants *w, int boards, const wood_io *io, b
 }
 
 INLINE void stage_light(const wood_constants *w, int boards, const wood_io *io, block *k) {
-  vf one = splat(1.0f), zero = splat(0.0f), light[3], *l = k->light;
+  vf zero = splat(0.0f), light[3], *l = k->light;
   if (!boards && k->o && as_before(io->in->light, k)) {
     for (int c = 0; c < 3; c++) l[c] = k[-1].light[c];
   } else {
@@ -1020,9 +1044,12 @@ INLINE void stage_light(const wood_constants *w, int boards, const wood_io *io, 
   k->incident = l[0] * k->nrm[0] + l[1] * k->nrm[1] + l[2] * k->nrm[2];
   /* up the stem within the surface */
   vf rise = (l[1] - k->nrm[1] * k->incident) * k->inverse_up;
-  rise = sel(gt(k->up2, splat(1e-6f)), rise, zero);
-  vf cosine = vsqrt(vmax(one - k->sine * k->sine, zero));
-  k->tilted = clamp01(k->incident * cosine + rise * k->sine);
+  k->rise = sel(gt(k->up2, splat(1e-6f)), rise, zero);
+}
+
+INLINE void stage_tilt(block *k) {
+  vf cosine = vsqrt(vmax(splat(1.0f) - k->sine * k->sine, splat(0.0f)));
+  k->tilted = clamp01(k->incident * cosine + k->rise * k->sine);
 }
 
 /* Radiance of a channel, under the light's colour. */
@@ -1107,11 +1134,109 @@ INLINE void stage_radiance(const wood_constants *w, const wood_io *io, block *k)
 #define EACH(...)                                                                                  \
   for (uint32_t k = 0; k < count; k++) __VA_ARGS__
 
+#if LANES == 1
+/* For a point alone in another order: the chain from the turn through the rays is the longest,
+ * and what does not wait for it stands between its steps, where the processor sees both. */
+INLINE void evaluate_one(int boards, const wood_constants *restrict w, const wood_io *restrict io,
+                         const wood_wants *restrict want, block *k, wide_rings *wide) {
+  board_sawn sawn;
+  if (boards) memset(&sawn, 0, sizeof sawn);
+  stage_load(w, boards, io, want, &sawn, k);
+  stage_pith(w, boards, k);
+  if (want->radiance && !want->relief) stage_light(w, boards, io, k);
+  stage_about(k);
+#ifdef WITHIN_A_POINT
+  stage_undulation(w, boards, k);
+#else
+  for (int o = 0; o < 2; o++) {
+    undulation_octave octave = undulation_octave_of(w, o);
+    stage_undulation(&octave, boards, k);
+  }
+#endif
+  if (w->has_curl || w->has_quilt || w->has_eyes) stage_figure(w, boards, k);
+  stage_rho(w, k);
+  if (w->knots) {
+    stage_knots(w, io, boards && !w->peeled ? knot_shift(k) : splat(0.0f), k);
+  } else {
+    store_lanes(io, WOOD_KNOT, k, splat(0.0f));
+  }
+  stage_ring_find(w, k);
+  stage_ring(w, io, k);
+  if (want->section) {
+    stage_years(w, boards, k);
+    if (w->has_wave) stage_wave(w, k);
+    if (w->has_interlocked) stage_interlocked(w, boards, k);
+    if (w->has_slope_noise) {
+#ifdef WITHIN_A_POINT
+      stage_grain_noise(w, boards, k);
+#else
+      for (int o = 0; o < 2; o++) {
+        grain_octave octave = grain_octave_of(w, o);
+        stage_grain_noise(&octave, boards, k);
+      }
+#endif
+    }
+    stage_turn(k);
+    stage_section(w, io, k);
+  }
+  if ((want->vessel || want->relief) && place_has_turn(w)) stage_turns(k);
+  int rays = want->vessel && w->has_rays;
+  if (want->direction) {
+    stage_fibre(k);
+    stage_direction(w, boards, io, want, k);
+  }
+  if (want->late) {
+    stage_reach(w, boards, io, k);
+    if (has_bent_boards(w, boards)) stage_wide(w, boards, io, k, wide);
+    if (want->vessel || want->bundle) stage_section_footprint(w, boards, io, k);
+    if (rays) stage_ray_turn(w, boards, k);
+    if (want->bundle) {
+#ifdef WITHIN_A_POINT
+      stage_bundle(w, boards, k);
+#else
+      for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) {
+        fibre_octave octave = fibre_octave_of(w, o);
+        stage_bundle(&octave, boards, o, k);
+      }
+#endif
+    }
+    if (rays) {
+      stage_ray_shell(w, boards, k);
+      ray_cell_at(w, &k->ray_at);
+    }
+    if (w->has_front) stage_stray(w, k);
+    stage_rings(w, boards, io, k);
+  }
+  if (rays) stage_ray_seat(w, boards, k);
+  if (want->vessel) {
+    stage_vessel_parts(w, boards, k);
+    stage_disc(w, boards, k);
+    stage_pores(w, boards, k);
+    if (rays) stage_ray_body(w, boards, k);
+  }
+  if (!want->relief) {
+    if (want->lobe) stage_lobe(w, boards, io, k);
+    if (want->radiance) {
+      stage_tilt(k);
+      if (!w->cone) stage_gloss(k);
+    }
+  }
+  if (want->vessel) {
+    stage_rows(w, boards, k);
+    stage_cover(w, boards, io, k);
+    if (rays) stage_rays(w, boards, io, k);
+  }
+}
+#endif
+
 /* restrict: what is stored is no constant, so that those are loaded before the
  * loops and not in them. */
 INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood_io *restrict io,
                         const wood_wants *restrict want, block *blocks, surface_relief *reliefs,
                         wide_rings *wides, uint32_t count) {
+#if LANES == 1
+  evaluate_one(boards, w, io, want, &blocks[0], &wides[0]);
+#else
   board_sawn sawn;
   if (boards) memset(&sawn, 0, sizeof sawn);
   EACH(stage_load(w, boards, io, want, &sawn, &blocks[k]));
@@ -1178,6 +1303,7 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
       EACH(stage_rays(w, boards, io, &blocks[k]));
     }
   }
+#endif
   if (w->has_canals && want->vessel) EACH(stage_canals(w, boards, io, &blocks[k]));
   if (want->vessel && !w->has_canals) EACH(store_lanes(io, WOOD_CANAL, &blocks[k], splat(0.0f)));
   if (want->colour && w->has_cells && !want->picture) EACH(stage_cells(w, boards, &blocks[k]));
@@ -1193,13 +1319,23 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
   }
   if (want->relief) EACH(stage_bump(w, boards, io, &blocks[k], &reliefs[k]));
   if (want->cone) EACH(stage_cone(w, io, &blocks[k]));
-  if (want->lobe) EACH(stage_lobe(w, boards, io, &blocks[k]));
+#if LANES == 1
+  int lit = !want->relief; /* seen to before the rays */
+#else
+  int lit = 0;
+#endif
+  if (want->lobe && !lit) EACH(stage_lobe(w, boards, io, &blocks[k]));
   if (want->radiance) {
-    EACH(stage_light(w, boards, io, &blocks[k]));
+    if (!lit) {
+      EACH({
+        stage_light(w, boards, io, &blocks[k]);
+        stage_tilt(&blocks[k]);
+      });
+    }
     if (w->cone) {
       EACH(stage_cone_radiance(w, boards, io, &blocks[k]));
     } else {
-      EACH(stage_gloss(&blocks[k]));
+      if (!lit) EACH(stage_gloss(&blocks[k]));
       EACH(stage_radiance(w, io, &blocks[k]));
     }
   }

@@ -24,8 +24,21 @@ typedef struct {
  * is, and rho within the table, */
 INLINE vf ring_find(const wood_constants *w, vf rho, ring_place *p) {
   vi turns;
-  p->turns = vfloor(rho * splat(w->inverse_ring_period), &turns);
+  vf repeats = rho * splat(w->inverse_ring_period);
+#if LANES == 1
+  /* a point alone goes by the guess that the table has not repeated: less to wait for */
+  vf m = rho;
+  turns = 0;
+  p->turns = 0.0f;
+  if (!(repeats < 1.0f)) {
+    p->turns = vfloor(repeats, &turns);
+    m = rho - p->turns * w->ring_period;
+  }
+  m = clamp(m, 0.0f, w->ring_period);
+#else
+  p->turns = vfloor(repeats, &turns);
   vf m = clamp(rho - p->turns * splat(w->ring_period), splat(0.0f), splat(w->ring_period));
+#endif
   vi bin = to_int(vmin(m * splat(w->bin_scale), splat((float)w->bin_last)));
   /* a bin is narrower than any ring: at most one boundary lies in it */
   vf at[2];

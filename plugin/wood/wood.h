@@ -125,6 +125,22 @@ typedef struct {
   int32_t flip, end;
 } wood_boards;
 
+/* What one point alone takes in four lanes; see alone.h. Of two octaves, or of the pith's two
+ * coordinates, as the noises of two have them. */
+typedef struct {
+  float pith[4]; /* amplitude, of both; of their slopes */
+  uint32_t pith_seed[4];
+  float section[4], axis[4];             /* 1/mm: of the undulation, each octave twice */
+  float height[4], slope_y[4], slope[4]; /* mm, both octaves twice; factors of slopes */
+  uint32_t undulation_seed[4];
+  float often[4];            /* 1/mm: of the slope's noise, each octave twice */
+  float far[4], by_years[4]; /* mm, both octaves; of their slopes; mm per year */
+  uint32_t slope_seed[4];
+  /* the fibres' octaves, and an idle one */
+  float blur[4], blur2[4], frequency[4], scale[4], front[4], variance[4];
+  uint32_t fibre_seed[4];
+} wood_fours;
+
 typedef struct {
   /* object -> log: rows, then the shift. The rows are a rotation's. */
   float turn[3][3];
@@ -310,6 +326,8 @@ typedef struct {
   float pigment_row[PIGMENT_SAMPLES][4];
   /* of the bin: the ring that its start lies in, and where the next one begins */
   float bin[WOOD_BINS_MAX][2];
+
+  wood_fours fours;
 } wood_constants;
 
 /* Components of the output channels, in their order. */

@@ -162,7 +162,8 @@ static void every_way(const char *cpu, const reference *r) {
     const char *words;
   } others[] = {{4096, 2, ""},     {16, 5, ",misaligned"},
                 {5, 2, ",masked"}, {4096, 1, ",subset"},
-                {2, 5, ",subset"}, {1000, 5, ",misaligned,masked,subset"}};
+                {2, 5, ",subset"}, {1000, 5, ",misaligned,masked,subset"},
+                {1, 3, ",subset"}};
   const unsigned points = (at_length ? SOME : PART) / SHARE;
   const answer *wanted = at_length ? &r->some : &r->part;
   ways w = {.cpu = cpu};
