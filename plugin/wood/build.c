@@ -591,6 +591,8 @@ static void build_rays(wood_constants *w, const settings *s) {
   /* broad rays are uneven: fibres pass between their cells */
   double broad = limited((height - 3.0) / 9.0, 0.0, 1.0), uneven = 0.35 * broad;
   w->ray_uneven = (float)uneven;
+  /* a footprint with few of them in it is not one with their mean */
+  w->ray_sides = broad > 0.5 ? 2 : 1;
   double one = RAYS_ONE + (RAYS_ONE_BROAD - RAYS_ONE) * broad;
   double sectors = (int)limited(TWO_PI * one / arc, 8.0, 4096.0);
   w->ray_sectors = (float)sectors;
@@ -602,7 +604,8 @@ static void build_rays(wood_constants *w, const settings *s) {
   if (half > 0.2 * arc) half = 0.2 * arc;
   if (half > room / most * arc) half = room / most * arc;
   w->ray_half = (float)half;
-  w->ray_clear = (float)(room - most * half / arc);
+  w->ray_room = (float)room;
+  w->ray_thickest = (float)(most * half);
   /* Sheets sway along the fibre: fine ones little, broad ones by slopes of some degrees
    * over more than their height, for which a cut along them shows ribbons. Along the
    * radius they are nearly straight. */

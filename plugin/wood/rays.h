@@ -226,20 +226,32 @@ INLINE void ray_next(const wood_constants *w, const ray_place *p, vm up, vf far,
   q->at = sel(up, zero - far, q->arc + far);
 }
 
+/* mm that rays keep from the edges of their cells at a point's radius, whichever sector's. */
+INLINE vf ray_clear(const wood_constants *w, const ray_place *p) {
+  vf length = splat(w->ray_length);
+  vf farthest = vmax(p->rho + splat(0.5f) * length, splat(0.8f) * length);
+  vf most = farthest * splat(w->ray_per_radius) + splat(1.0f); /* cells to a sector */
+  return splat(w->ray_room) * ray_sector_arc(w, p) / most - splat(w->ray_thickest);
+}
+
 /* Cover by rays, nearest: by that of the point's own cell. A ray keeps clear of
- * its cell's edge, so that most footprints meet no other cell's; others look at the next cell
- * to either side. */
+ * its cell's edge, so that most footprints meet no other cell's; others look at the next to
+ * either side. */
 INLINE vf rays_cover(const wood_constants *w, const ray_place *p, const ray_cells *q, vf nearest) {
-  vf sum = nearest, clear = splat(w->ray_clear);
-  vf left = q->at, right = q->arc - q->at, far = vmin(left, right);
-  vm up = lt(right, left), meets = gt(q->reach, far + clear * q->arc);
-  for (int side = 0; side < 2 && any(meets); side++) {
+  vf sum = nearest, left = q->at, right = q->arc - q->at, zero = splat(0.0f);
+  vf beyond = q->reach - vmax(ray_clear(w, p), zero), far = vmin(left, right);
+  vm up = lt(right, left);
+  for (int side = 0; side < 2; side++) {
     ray_cells n = *q;
-    ray_next(w, p, up, far, &n);
-    sum = sum + sel(meets, ray_of_cell(w, p, &n), splat(0.0f));
+    for (int k = 0; k < w->ray_sides; k++) {
+      vm meets = gt(beyond, far);
+      if (!any(meets)) break;
+      ray_next(w, p, up, far, &n);
+      far = far + n.arc;
+      sum = sum + sel(meets, ray_of_cell(w, p, &n), zero);
+    }
     up = not_(up);
     far = vmax(left, right);
-    meets = gt(q->reach, far);
   }
   return sum;
 }
@@ -275,8 +287,7 @@ INLINE ray_turn ray_turn_of(const wood_constants *w, vu own, vf rho, vf turn, vf
 /* How far the expected cover stands in for the rays of the cells looked at; far: for the arc's
  * sake. */
 INLINE vf rays_fade(const wood_constants *w, const ray_place *p, vf *far) {
-  const float from = 0.45f, most = 1.0f;
-  float arc = 0.5f * w->inverse_ray_arc;
+  float arc = 0.5f * w->inverse_ray_arc, most = (float)w->ray_sides, from = most - 0.55f;
   vm wide = or_(gt(p->aa * splat(arc * arc), splat(0.98f * from * from)),
                 gt(p->along * splat(w->inverse_ray_cell), splat(0.44f)));
   *far = splat(0.0f);

@@ -248,12 +248,14 @@ typedef struct {
   float inverse_ray_arc, inverse_ray_cell; /* 1/mm: of a cell, along the arc and along y */
   float ray_tall;                          /* half the mean height, in cells */
   float ray_half;                          /* mm: half the mean width */
-  float ray_clear;                         /* of a cell's arc, that its ray keeps from the edge */
-  float ray_cover;                         /* expected */
-  float ray_stray;                         /* mm of a sheet's waves, over HASH_ONE */
-  float ray_wave_radial, ray_wave_along;   /* 1/mm */
-  float ray_sharp2;                        /* mm2: no edge is sharper */
-  float ray_uneven;                        /* of the thickness, within which it varies */
+  int32_t ray_sides;                       /* cells to either side that are looked at */
+  float ray_room;     /* of its cell's arc, that a ray's middle keeps from the edge */
+  float ray_thickest; /* mm: half the width of the widest */
+  float ray_cover;    /* expected */
+  float ray_stray;    /* mm of a sheet's waves, over HASH_ONE */
+  float ray_wave_radial, ray_wave_along; /* 1/mm */
+  float ray_sharp2;                      /* mm2: no edge is sharper */
+  float ray_uneven;                      /* of the thickness, within which it varies */
 
   /* shifted brightness */
   float fibre_scale[WOOD_FIBRE_OCTAVES];     /* amplitude, over the noise's bound */
