@@ -77,8 +77,10 @@ static void spaced(void **state) {
 static void within_heartwood(void **state) {
   (void)state;
   points whole = {0}, half = {0};
-  sozai_texture *a = wood_make("walnut", BARE "pigment=1; heartwood_years=40; heartwood_stray=0");
-  sozai_texture *b = wood_make("walnut", BARE "pigment=0.5; heartwood_years=40; heartwood_stray=0");
+  sozai_texture *a = wood_make("walnut", BARE "pigment=1; heartwood_years=40; heartwood_stray=0; "
+                                              "heartwood_edge=0.8");
+  sozai_texture *b = wood_make("walnut", BARE "pigment=0.5; heartwood_years=40; heartwood_stray=0; "
+                                              "heartwood_edge=0.8");
   ask_radius(&whole, a, 1);
   ask_radius(&half, b, 1);
   double worst = 0, sap = 0, most = 0;
