@@ -29,7 +29,7 @@ INLINE void stage_seen(const stone_cells *c, int layer, const cells_eye *e, bloc
   eye_close(c, e, &k->cover[layer]);
   if (layer == LAYER_HOLES) {
     k->holes.bent = 1;
-    k->holes.met = e->once;
+    k->holes.met = e->once && e->found; /* where other blocks' looks were many, nobody kept it */
     k->holes.fine = e->fine;
     k->holes.wide = e->most;
   }
