@@ -64,9 +64,8 @@ STAGE vf bed_share(const stone_constants *w, const vf p[3], vf s, vf flat2) {
 #define VEIN_FOLD 0.13f
 #define VEIN_FOLDED 2.6f
 #define VEIN_SHAKE 0.12f /* of what bends the veins, their finest bends */
-#define VEIN_STEEP                                                                                 \
-  2.0f /* of that noise's slope, 0.86 in the mean, what is made use of at least                    \
-        */
+/* Of that noise's slope, 0.86 in the mean, what is made use of at least. */
+#define VEIN_STEEP 2.0f
 
 typedef struct {
   vf v, g[3];
