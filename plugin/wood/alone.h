@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * What a point alone does otherwise than many: octaves of a noise, and noises of one
- * place, lie in the lanes of one vector. Each lane does what stem.h, grain.h and fibre.h
- * do one after another, and the sums are taken in their order, so that the bits are the
- * same. Octaves of no height and such as the footprint leaves nothing of add zeros here.
+ * All octaves of a noise for a point alone. Where the processor has vectors for it they lie
+ * in the lanes of one: each lane does what stem.h, grain.h and fibre.h do one after another,
+ * and the sums are taken in their order, so that the bits are the same. Octaves of no height
+ * and such as the footprint leaves nothing of add zeros here.
  */
 #ifndef SOZAI_WOOD_ALONE_H
 #define SOZAI_WOOD_ALONE_H
@@ -86,6 +86,37 @@ INLINE fibre_sum fibre_alone(const wood_constants *w, vu own, vf x, vf z, const 
     f4 front = load_f4(q->front) * n;
     sum.lost = sum.lost + lost[0] + lost[1] + lost[2];
     sum.front = sum.front + front[0] + front[1] + front[2];
+  }
+  return sum;
+}
+
+#else
+
+INLINE stem_pith pith_alone(const wood_constants *w, vu own, vf y) { return pith_at(w, own, y); }
+
+INLINE undulation_sum undulation_alone(const wood_constants *w, vu own, vf y, vf footprint,
+                                       stem_place *p) {
+  undulation_sum sum = undulation_none();
+  for (int o = 0; o < 2; o++) {
+    undulation_octave octave = undulation_octave_of(w, o);
+    undulation_add(&octave, own, y, footprint, p, &sum);
+  }
+  return sum;
+}
+
+INLINE void grain_noise_alone(const wood_constants *w, vu own, vf y, const noise_axis *at,
+                              vf extent, grain_place *p) {
+  for (int o = 0; o < 2; o++) {
+    grain_octave octave = grain_octave_of(w, o);
+    grain_noise(&octave, own, y, at, extent, p);
+  }
+}
+
+INLINE fibre_sum fibre_alone(const wood_constants *w, vu own, vf x, vf z, const footprint2 *f) {
+  fibre_sum sum = fibre_start(f);
+  for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) {
+    fibre_octave octave = fibre_octave_of(w, o);
+    fibre_add(&octave, own, x, z, &sum);
   }
   return sum;
 }

@@ -318,7 +318,7 @@ INLINE void stage_load(const wood_constants *w, int boards, const wood_io *io,
 }
 
 INLINE void stage_pith(const wood_constants *w, int boards, block *k) {
-#ifdef WITHIN_A_POINT
+#if LANES == 1
   k->stem.pith = pith_alone(w, own_of(boards, k), k->p[1]);
 #else
   k->stem.pith = pith_at(w, own_of(boards, k), k->p[1]);
@@ -329,13 +329,14 @@ INLINE void stage_pith(const wood_constants *w, int boards, block *k) {
 
 INLINE void stage_about(block *k) { stem_about(k->p[0], k->p[2], &k->stem); }
 
-#ifdef WITHIN_A_POINT
-INLINE void stage_undulation(const wood_constants *w, int boards, block *k) {
-  k->undulation = undulation_alone(w, own_of(boards, k), k->p[1], k->s, &k->stem);
-}
-#else
+/* One octave; and, as below, all of them where a block is a point alone. */
 INLINE void stage_undulation(const undulation_octave *q, int boards, block *k) {
   undulation_add(q, own_of(boards, k), k->p[1], k->s, &k->stem, &k->undulation);
+}
+
+#if LANES == 1
+INLINE void stage_undulations(const wood_constants *w, int boards, block *k) {
+  k->undulation = undulation_alone(w, own_of(boards, k), k->p[1], k->s, &k->stem);
 }
 #endif
 
@@ -412,13 +413,13 @@ INLINE void stage_interlocked(const wood_constants *w, int boards, block *k) {
   grain_interlocked(w, own_of(boards, k), k->p[1], k->years, &k->grain);
 }
 
-#ifdef WITHIN_A_POINT
-INLINE void stage_grain_noise(const wood_constants *w, int boards, block *k) {
-  grain_noise_alone(w, own_of(boards, k), k->p[1], &k->at, k->extent, &k->grain);
-}
-#else
 INLINE void stage_grain_noise(const grain_octave *q, int boards, block *k) {
   grain_noise(q, own_of(boards, k), k->p[1], &k->at, k->extent, &k->grain);
+}
+
+#if LANES == 1
+INLINE void stage_grain_noises(const wood_constants *w, int boards, block *k) {
+  grain_noise_alone(w, own_of(boards, k), k->p[1], &k->at, k->extent, &k->grain);
 }
 #endif
 
@@ -653,16 +654,16 @@ INLINE void stage_section_footprint(const wood_constants *w, int boards, const w
   k->f = footprint_after_reach(w, boards, io, k);
 }
 
-#ifdef WITHIN_A_POINT
-INLINE void stage_bundle(const wood_constants *w, int boards, block *k) {
-  k->bundle = fibre_alone(w, own_of(boards, k), k->x, k->z, &k->f);
-  k->shift = k->bundle.shift;
-}
-#else
 /* One octave of the fibres' noise. */
 INLINE void stage_bundle(const fibre_octave *q, int boards, int o, block *k) {
   if (o == 0) k->bundle = fibre_start(&k->f);
   fibre_add(q, own_of(boards, k), k->x, k->z, &k->bundle);
+  k->shift = k->bundle.shift;
+}
+
+#if LANES == 1
+INLINE void stage_bundles(const wood_constants *w, int boards, block *k) {
+  k->bundle = fibre_alone(w, own_of(boards, k), k->x, k->z, &k->f);
   k->shift = k->bundle.shift;
 }
 #endif
@@ -1145,14 +1146,7 @@ INLINE void evaluate_one(int boards, const wood_constants *restrict w, const woo
   stage_pith(w, boards, k);
   if (want->radiance && !want->relief) stage_light(w, boards, io, k);
   stage_about(k);
-#ifdef WITHIN_A_POINT
-  stage_undulation(w, boards, k);
-#else
-  for (int o = 0; o < 2; o++) {
-    undulation_octave octave = undulation_octave_of(w, o);
-    stage_undulation(&octave, boards, k);
-  }
-#endif
+  stage_undulations(w, boards, k);
   if (w->has_curl || w->has_quilt || w->has_eyes) stage_figure(w, boards, k);
   stage_rho(w, k);
   if (w->knots) {
@@ -1166,16 +1160,7 @@ INLINE void evaluate_one(int boards, const wood_constants *restrict w, const woo
     stage_years(w, boards, k);
     if (w->has_wave) stage_wave(w, k);
     if (w->has_interlocked) stage_interlocked(w, boards, k);
-    if (w->has_slope_noise) {
-#ifdef WITHIN_A_POINT
-      stage_grain_noise(w, boards, k);
-#else
-      for (int o = 0; o < 2; o++) {
-        grain_octave octave = grain_octave_of(w, o);
-        stage_grain_noise(&octave, boards, k);
-      }
-#endif
-    }
+    if (w->has_slope_noise) stage_grain_noises(w, boards, k);
     stage_turn(k);
     stage_section(w, io, k);
   }
@@ -1190,16 +1175,7 @@ INLINE void evaluate_one(int boards, const wood_constants *restrict w, const woo
     if (has_bent_boards(w, boards)) stage_wide(w, boards, io, k, wide);
     if (want->vessel || want->bundle) stage_section_footprint(w, boards, io, k);
     if (rays) stage_ray_turn(w, boards, k);
-    if (want->bundle) {
-#ifdef WITHIN_A_POINT
-      stage_bundle(w, boards, k);
-#else
-      for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) {
-        fibre_octave octave = fibre_octave_of(w, o);
-        stage_bundle(&octave, boards, o, k);
-      }
-#endif
-    }
+    if (want->bundle) stage_bundles(w, boards, k);
     if (rays) {
       stage_ray_shell(w, boards, k);
       ray_cell_at(w, &k->ray_at);
