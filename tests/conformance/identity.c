@@ -26,9 +26,9 @@
 #include <cmocka.h>
 
 #define MANY 10000000u
-#define SOME 1000000u /* 245 blocks: every wood and fibre, and three stones */
-#define PART 262144u  /* every wood, some fibres and a stone */
-#define FEW 131072u   /* every wood and some fibres; emulation is slow */
+#define SOME 1000000u /* 245 blocks: every wood, fibre and stone */
+#define PART 262144u  /* every wood, some fibres and stones */
+#define FEW 98304u    /* sixteen woods, four stones and four fibres; emulation is slow */
 /* instrumented code is many times slower, and its bits are the same */
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define SHARE 20u
@@ -240,7 +240,7 @@ static void same_as_other_processor(void **unused) {
     ways w = {.cpu = other[i], .foreign = 1};
     add(&w, FEW, 4096, 1, "", &few);
     /* the ways that are not the processor's are shown at home */
-    if (i == 1) add(&w, FEW, 3, 1, ",misaligned,masked", &few);
+    if (i == 1) add(&w, FEW, 7, 1, ",misaligned,masked", &few);
     run(&w, NULL);
   }
   assert_int_equal(failures, 0);

@@ -95,9 +95,9 @@ static int make_layouts(void) {
   return r;
 }
 
-/* Every third preset, which among them have all that a stone can have, every
- * finish, most layouts and weathers, and both of the paper's modes of colour,
- * with a tile and without. */
+/* Every preset, every finish, layout and weather, and both of the paper's modes of colour, with a
+ * tile and without. The stride takes the first few blocks to stones of all kinds. */
+#define STONE_STRIDE 12u
 static int make_stones(void) {
   static const char *const worked[] = {"split", "flamed", "bush_hammered",
                                        "sawn",  "honed",  "polished"};
@@ -108,13 +108,11 @@ static int make_stones(void) {
   static const char *const patterns[] = {"igeta", "chidori"};
   const sozai_texture_info *info = host->textures->find("stone");
   int r = info ? 0 : 1;
-  for (uint32_t i = 0; !r && i < info->preset_count; i += 3) {
+  for (uint32_t i = 0; !r && i < info->preset_count; i++) {
     const sozai_value values[] = {
-        {.id = "finish", .kind = SOZAI_KIND_CHOICE, .text = worked[i / 3 % 6u]},
-        {.id = "bed", .kind = SOZAI_KIND_CHOICE, .text = beds[i / 3 % 3u]},
-        {.id = "hole_share", .kind = SOZAI_KIND_FLOAT, .number = {i % 2u * 0.05}},
-        {.id = "vein_width", .kind = SOZAI_KIND_FLOAT, .number = {i % 2u ? 0.0 : 4.0}},
-        {.id = "layout", .kind = SOZAI_KIND_CHOICE, .text = layouts[i / 3 % 10u]},
+        {.id = "finish", .kind = SOZAI_KIND_CHOICE, .text = worked[i % 6u]},
+        {.id = "bed", .kind = SOZAI_KIND_CHOICE, .text = beds[i / 6 % 3u]},
+        {.id = "layout", .kind = SOZAI_KIND_CHOICE, .text = layouts[i % 10u]},
         {.id = "stone_length", .kind = SOZAI_KIND_FLOAT},
         {.id = "stone_width", .kind = SOZAI_KIND_FLOAT},
         {.id = "joint_width", .kind = SOZAI_KIND_FLOAT, .number = {9}},
@@ -126,8 +124,12 @@ static int make_stones(void) {
         {.id = "moss", .kind = SOZAI_KIND_FLOAT, .number = {i % 4u * 0.2}},
         {.id = "wet", .kind = SOZAI_KIND_FLOAT, .number = {i % 2u * 0.7}},
         {.id = "water_level", .kind = SOZAI_KIND_FLOAT, .number = {i % 3u ? -1000.0 : -2.0}},
-        {.id = "wear", .kind = SOZAI_KIND_FLOAT, .number = {i % 2u * 0.5}}};
-    r = make("stone", info->presets[i]->id, values, sizeof values / sizeof *values);
+        {.id = "wear", .kind = SOZAI_KIND_FLOAT, .number = {i % 2u * 0.5}},
+        /* every third has its own holes and veins */
+        {.id = "hole_share", .kind = SOZAI_KIND_FLOAT, .number = {i % 2u * 0.05}},
+        {.id = "vein_width", .kind = SOZAI_KIND_FLOAT, .number = {i % 2u ? 0.0 : 4.0}}};
+    uint32_t count = sizeof values / sizeof *values;
+    r = make("stone", info->presets[i]->id, values, i % 3u ? count : count - 2);
   }
   for (int i = 0; !r && i < 2; i++) {
     const sozai_value values[] = {
@@ -169,13 +171,13 @@ static int make_all(void) {
   return r ? r : make_fibers();
 }
 
-/* A block's texture: of 64 blocks 60 are wood's, 3 fibre's and one stone's, since a
- * stone under a wide footprint takes many times as long. */
+/* A block's texture: of six blocks four are wood's, one a stone's and one a fibre's. */
 static uint32_t number_of(uint64_t block) {
+  uint64_t six = block / 6, of = block % 6;
   uint32_t others = wood_count + stone_count;
-  if (block % 16 < 15) return (uint32_t)((block - block / 16) % wood_count);
-  if (block % 64 == 63) return wood_count + (uint32_t)(block / 64 % stone_count);
-  return others + (uint32_t)((block / 16 - block / 64) % (texture_count - others));
+  if (of == 3) return wood_count + (uint32_t)(six * STONE_STRIDE % stone_count);
+  if (of == 5) return others + (uint32_t)(six % (texture_count - others));
+  return (uint32_t)((4 * six + of - (of == 4)) % wood_count);
 }
 
 int textures_make(const plugin *p, uint64_t blocks) {
