@@ -34,7 +34,7 @@ static void against_1024_samples(void **state) {
         sozai_texture *t = wood_make(wood_preset(k), text);
         for (int place = 0; place < PLACES; place++) {
           double x = 160 * (uniform() - 0.5), y = (c == 3 ? 80 : 1200) * (uniform() - 0.5);
-          truth_ask(&p, t, x, y, 2 * PI * uniform(), sizes[f]);
+          truth_ask(&p, t, ONLY3(ALBEDO), x, y, 2 * PI * uniform(), sizes[f]);
           truth_add(&errors, &p);
         }
         textures->destroy(t);

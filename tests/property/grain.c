@@ -151,7 +151,7 @@ static double walk(const sozai_texture *t, double step) {
         for (int c = 0; c < 3; c++) q[c] = at[w][c] + (stage ? h * k[stage - 1][w][c] : 0);
         points_add(&p, q[0], q[1], q[2], 0);
       }
-      points_ask(&p, t);
+      points_ask_only(&p, t, ONLY3(FIBER) | ONLY(REFERENCE) | ONLY(REFERENCE + 1));
       for (int w = 0; w < WALKERS; w++) {
         for (int c = 0; c < 3; c++) k[stage][w][c] = (double)p.out[FIBER + c][w];
         if (stage == 0) {

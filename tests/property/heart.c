@@ -83,7 +83,7 @@ static void filtered(void **state) {
       sozai_texture *t = wood_make("onigurumi", text);
       for (int place = 0; place < 400; place++) {
         double x = 80 * (uniform() - 0.5), y = (c ? 80 : 1200) * (uniform() - 0.5);
-        truth_ask(&p, t, x, y, 0, sizes[f]);
+        truth_ask(&p, t, ONLY3(ALBEDO), x, y, 0, sizes[f]);
         truth_add(&errors, &p);
       }
       textures->destroy(t);

@@ -373,7 +373,7 @@ static void against_1024_samples(void **state) {
         uniform_seed(7);
         for (int i = 0; i < PLACES; i++) {
           double x = 160 * (uniform() - 0.5), y = 3000 * (uniform() - 0.5), turn = PI * uniform();
-          truth_ask(&p, t, x, y, turn, sizes[f]);
+          truth_ask(&p, t, ONLY3(ALBEDO) | ONLY(KNOT), x, y, turn, sizes[f]);
           truth_add(&e, &p);
           double share = truth_error(&p, KNOT);
           square += share * share / PLACES;

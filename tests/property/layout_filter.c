@@ -53,7 +53,7 @@ static void against_1024_samples(void **state) {
           x += sizes[f] * (uniform() - 0.5);
           y += sizes[f] * (uniform() - 0.5);
         }
-        truth_ask(&p, t, x, y, 0, sizes[f]);
+        truth_ask(&p, t, ONLY3(ALBEDO), x, y, 0, sizes[f]);
         truth_add(&errors, &p);
       }
       double rms = truth_rms(&errors), mean = truth_mean(&errors);

@@ -140,7 +140,7 @@ static void filtered(void **state) {
       sozai_texture *t = wood_make(presets[k / 3], text);
       for (int place = 0; place < 60; place++) {
         double x = 80 * (uniform() - 0.5), y = (k % 3 < 2 ? 1200 : 80) * (uniform() - 0.5);
-        truth_ask(&p, t, x, y, 6.2831853 * uniform(), sizes[f]);
+        truth_ask(&p, t, ONLY3(ALBEDO), x, y, 6.2831853 * uniform(), sizes[f]);
         truth_add(&errors, &p);
       }
       textures->destroy(t);

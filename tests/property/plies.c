@@ -204,7 +204,7 @@ static void faces_average_too(void **state) {
       truth_errors errors = {0};
       for (int place = 0; place < PLACES; place++) {
         double x = 900 * (uniform() - 0.5), y = 1200 * (uniform() - 0.5);
-        truth_ask(&p, t, x, y, 2 * PI * uniform(), sizes[f]);
+        truth_ask(&p, t, ONLY3(ALBEDO), x, y, 2 * PI * uniform(), sizes[f]);
         truth_add(&errors, &p);
       }
       double rms = truth_rms(&errors), mean = truth_mean(&errors);

@@ -263,7 +263,7 @@ static void filtered(void **state) {
         sozai_texture *t = wood_make(k ? "itayakaede" : "mizunara", text);
         for (int place = 0; place < 400; place++) {
           double x = 80 * (uniform() - 0.5), y = (c == 2 ? 80 : 800) * (uniform() - 0.5);
-          truth_ask(&p, t, x, y, 0, sizes[f]);
+          truth_ask(&p, t, ONLY3(ALBEDO), x, y, 0, sizes[f]);
           truth_add(&part, &p);
         }
         textures->destroy(t);

@@ -42,7 +42,7 @@ static void one_place(points *p, const sozai_texture *t, int k, double s, double
                             at[2] + x * u[2] + y * v[2], i < TRUTH_SAMPLES ? 0 : s);
     for (int c = 0; c < 3; c++) p->normal[c][j] = (float)n[c];
   }
-  points_ask_albedo(p, t);
+  points_ask_only(p, t, ONLY3(ALBEDO));
   truth_add(e, p);
 }
 

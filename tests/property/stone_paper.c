@@ -41,7 +41,7 @@ static void codes_are_the_papers(void **state) {
   for (int i = 0; i < N; i++) {
     points_add(&p, 900 * (uniform() - 0.5), 900 * (uniform() - 0.5), 900 * (uniform() - 0.5), 0);
   }
-  points_ask_albedo(&p, t);
+  points_ask_only(&p, t, ONLY3(ALBEDO));
   double off = 0, mean[3] = {0}, square[3] = {0}, cross = 0, low[3] = {999, 999, 999},
          high[3] = {0};
   unsigned black = 0, white = 0, n = 0;
@@ -92,7 +92,7 @@ static void held_within_255(void **state) {
   points p = {0};
   double high = 0, least = 999;
   for (int i = 0; i < N; i++) points_add(&p, 2 * i + 1, 1, 1, 0);
-  points_ask_albedo(&p, t);
+  points_ask_only(&p, t, ONLY3(ALBEDO));
   unsigned at = 0;
   for (int i = 0; i < N; i++) {
     double code = encoded((double)p.out[0][i]);
@@ -120,7 +120,7 @@ static void one_colour_to_a_texel(void **state) {
                  x[2] + 0.01 + 1.98 * uniform(), 0);
     }
   }
-  points_ask_albedo(&p, t);
+  points_ask_only(&p, t, ONLY3(ALBEDO));
   unsigned differ = 0;
   for (unsigned i = 0; i < p.count; i += 2) differ += p.out[0][i] != p.out[0][i + 1];
   CHECK(differ == 0, "two points of a texel, 20000 times: %u differ\n", differ);
@@ -134,7 +134,7 @@ static void hue_holds(void **state) {
   sozai_texture *t = make("paper_lightness", 100, 40, 0, 0);
   points p = {0};
   for (int i = 0; i < 20000; i++) points_add(&p, 2 * i + 1, 1, 1, 0);
-  points_ask_albedo(&p, t);
+  points_ask_only(&p, t, ONLY3(ALBEDO));
   const double luma = 0.2126 * 100 + 0.7152 * 130 + 0.0722 * 80;
   const double d[3] = {100 - luma, 130 - luma, 80 - luma};
   double worst = 0, low = 9, high = 0, light[2] = {999, 0};
@@ -182,7 +182,7 @@ static void footprint_is_the_mean(void **state) {
                      x[1] + ((i / 32 + uniform()) / 32 - 0.5) * sizes[f], x[2], 0);
         }
         points_add(&p, x[0], x[1], x[2], sizes[f]);
-        points_ask_albedo(&p, t);
+        points_ask_only(&p, t, ONLY3(ALBEDO));
         double truth = 0;
         for (int i = 0; i < 1024; i++) truth += (double)p.out[0][i] / 1024;
         double error = (double)p.out[0][1024] - truth;

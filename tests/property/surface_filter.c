@@ -41,7 +41,7 @@ static void albedo_and_height(void **state) {
           sozai_texture *t = wood_make(species[k], text);
           for (int place = 0; place < PLACES; place++) {
             double x = 160 * (uniform() - 0.5), y = (c == 3 ? 80 : 1200) * (uniform() - 0.5);
-            truth_ask(&p, t, x, y, 2 * PI * uniform(), sizes[f]);
+            truth_ask(&p, t, ONLY3(ALBEDO) | ONLY(HEIGHT), x, y, 2 * PI * uniform(), sizes[f]);
             truth_add(&errors, &p);
             low -= truth_error(&p, HEIGHT);
           }

@@ -3,7 +3,8 @@
 
 #include <math.h>
 
-void truth_ask(points *p, const sozai_texture *t, double x, double y, double turn, double size) {
+void truth_ask(points *p, const sozai_texture *t, unsigned long long components, double x, double y,
+               double turn, double size) {
   double co = cos(turn), si = sin(turn);
   points_clear(p);
   for (int i = 0; i < TRUTH_SAMPLES; i++) {
@@ -12,7 +13,7 @@ void truth_ask(points *p, const sozai_texture *t, double x, double y, double tur
     points_add(p, x + u * co - v * si, y + u * si + v * co, 0, 0);
   }
   points_add(p, x, y, 0, size);
-  points_ask(p, t);
+  points_ask_only(p, t, components);
 }
 
 double truth_error(const points *p, int component) {

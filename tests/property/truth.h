@@ -12,8 +12,9 @@ enum { TRUTH_SIDE = 32, TRUTH_SAMPLES = TRUTH_SIDE * TRUTH_SIDE };
 
 /* Fill p with the points, one in each of 32 x 32 parts of a square of `size` mm
  * about (x, y, 0) that is turned by `turn` radians, and last of all the
- * footprint of that size; and ask. */
-void truth_ask(points *p, const sozai_texture *t, double x, double y, double turn, double size);
+ * footprint of that size; and ask for those components. */
+void truth_ask(points *p, const sozai_texture *t, unsigned long long components, double x, double y,
+               double turn, double size);
 
 /* The footprint's answer, the last point's, less the points' mean. */
 double truth_error(const points *p, int component);

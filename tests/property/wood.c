@@ -113,8 +113,11 @@ unsigned points_add(points *p, double x, double y, double z, double footprint) {
     }
   }
   unsigned i = p->count++;
-  const double v[13] = {x, y, z, 0, 0, 1, 0, 0, 1, 0, 0, 1, footprint};
-  for (unsigned k = 0; k < 13; k++) (*array_of(p, k))[i] = (float)v[k];
+  p->point[0][i] = (float)x;
+  p->point[1][i] = (float)y;
+  p->point[2][i] = (float)z;
+  for (int c = 0; c < 3; c++) p->normal[c][i] = p->light[c][i] = p->view[c][i] = c == 2 ? 1 : 0;
+  p->footprint[i] = (float)footprint;
   return i;
 }
 
@@ -144,18 +147,9 @@ void points_add_anywhere(points *p, int count, double r, double deep, double hei
   }
 }
 
-void points_ask_albedo(points *p, const sozai_texture *t) {
-  sozai_batch b = {.size = sizeof b, .count = p->count, .footprint = p->footprint};
-  for (int c = 0; c < 3; c++) {
-    b.point[c] = p->point[c];
-    b.normal[c] = p->normal[c];
-  }
-  b.out = p->out;
-  b.out_count = 3;
-  assert_int_equal(textures->evaluate(t, &b), SOZAI_OK);
-}
-
-void points_ask(points *p, const sozai_texture *t) {
+void points_ask_only(points *p, const sozai_texture *t, unsigned long long components) {
+  float *out[OUTS];
+  for (unsigned o = 0; o < OUTS; o++) out[o] = components >> o & 1 ? p->out[o] : NULL;
   sozai_batch b;
   memset(&b, 0, sizeof b);
   b.size = sizeof b;
@@ -167,10 +161,12 @@ void points_ask(points *p, const sozai_texture *t) {
     b.view[c] = p->view[c];
   }
   b.footprint = p->footprint;
-  b.out = p->out;
+  b.out = out;
   b.out_count = OUTS;
   if (textures->evaluate(t, &b)) stop("evaluate", textures->last_error());
 }
+
+void points_ask(points *p, const sozai_texture *t) { points_ask_only(p, t, ~0ull); }
 
 static unsigned long long stream = 1;
 void uniform_seed(unsigned seed) { stream = seed * 2654435761ull + 1; }

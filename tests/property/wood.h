@@ -78,8 +78,11 @@ void points_round_pith(const points *p, double step, points *to);
 /* Add `count` points anywhere from radius r on, `deep` further at most, up to a height; by
  * uniform(). */
 void points_add_anywhere(points *p, int count, double r, double deep, double height);
-/* For albedo, with points, normals and footprints alone. */
-void points_ask_albedo(points *p, const sozai_texture *t);
+/* For some components alone, which is quicker: a set of ONLY and ONLY3. The rest stay as they
+ * were. */
+#define ONLY(component) (1ull << (component))
+#define ONLY3(first) (7ull << (first))
+void points_ask_only(points *p, const sozai_texture *t, unsigned long long components);
 
 /* A stream of numbers in 0..1, the same in every run. */
 double uniform(void);
