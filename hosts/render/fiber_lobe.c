@@ -35,6 +35,7 @@ static float log_bessel(float x) {
   float sum = 1, term = 1, z = 0.25f * x * x;
   for (int k = 1; k < 24; k++) {
     term *= z / (float)(k * k);
+    if (term < 2.9e-8f * sum) break; /* below half a rounding, and so are those after it */
     sum += term;
   }
   return logf(sum);

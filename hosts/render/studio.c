@@ -64,6 +64,7 @@ vec studio_mirrored(const studio *st, const scene *s, vec direction) {
 
 vec studio_fill(const studio *st, const scene *s, const hit *h, uint32_t pixel, uint32_t sample) {
   vec sum = {0, 0, 0}, a, b;
+  if (st->sky == 0 && !s->has_floor) return sum;
   vec_frame(h->normal, &a, &b);
   for (uint32_t i = 0; i < SKY_RAYS; i++) {
     float u, v;
