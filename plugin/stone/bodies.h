@@ -44,14 +44,14 @@ INLINE cells_edge edge_of_ball(const stone_cells *c, const cells_near *n, const 
 }
 
 /* The flake about a cell's centre, which lies its own way: how thick it is by half, and how far
- * over its middle the square is, as an edge. */
+ * over its middle the square is, as an edge; d: its normal. */
 INLINE cells_edge edge_of_flake(const stone_cells *c, const cells_near *n, const cells_square *s,
-                                const cells_parts *p, vf *half) {
+                                const cells_parts *p, vf *half, vf d[3]) {
   const float o = 511.5f;
   vu h = hash_mix(n->h ^ splatu(0x1b873593u));
-  vf d[3] = {splat(o) - to_float((vi)(h >> 22)),
-             splat(o) - to_float((vi)((h >> 12) & splatu(1023u))),
-             splat(o) - to_float((vi)((h >> 2) & splatu(1023u)))};
+  d[0] = splat(o) - to_float((vi)(h >> 22));
+  d[1] = splat(o) - to_float((vi)((h >> 12) & splatu(1023u)));
+  d[2] = splat(o) - to_float((vi)((h >> 2) & splatu(1023u)));
   vf k = inverse_root(dot3(d, d));
   for (int i = 0; i < 3; i++) d[i] = d[i] * k;
   vf u = to_float((vi)(h & splatu(1023u))) * splat(1.0f / 1023.0f);
@@ -107,11 +107,11 @@ INLINE void cells_bodies(const stone_cells *c, const cells_near near[3], const v
   int third = cells_asked(c) > 2, flat = c->thick < 1.0f, rounded = c->radius < 4.0f;
   for (int n = 0; n < 2; n++) {
     const cells_near *a = &near[n];
-    vf flake[4] = {one, one, one, one}, cover[4], half, some = one;
+    vf flake[4] = {one, one, one, one}, cover[4], half, some = one, normal[3];
     share[n] = zero;
     if (!any(body[n])) continue;
     if (flat) {
-      cells_edge slab = edge_of_flake(c, a, s, p, &half);
+      cells_edge slab = edge_of_flake(c, a, s, p, &half, normal);
       some = zero;
       for (int i = 0; i < p->count; i++) {
         flake[i] = cells_flake(&slab, half, p, i);

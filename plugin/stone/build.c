@@ -58,6 +58,7 @@ static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped
   c->looks = 3.7f;
   c->spread = 0.3f; /* borders within a wide footprint are many, and err either way */
   c->least = 1.45f;
+  c->fours = 1.0f;
   c->radius = 9.0f;
   c->thick = 1.0f;
   c->cluster = (float)b->cluster;
@@ -236,7 +237,10 @@ static void set_looks(stone_constants *w, const settings *s) {
     double share = __builtin_sqrt(contrast / CONTRAST);
     if (!c->on) continue;
     if (share < 0.01) share = 0.01;
+    /* bodies of which two cells tell (bodies.h); of low contrast fours would be too wide */
+    c->grouped = (!c->shaped || c->thick < 1.0f) && share > 0.75;
     if (share < 1.0) {
+      c->fours = (float)(c->shaped ? share : share * share);
       /* three crystals to a look err less for each */
       if (!c->shaped) c->looks = (float)(share * (double)c->looks);
       c->whole = (float)((double)c->whole / (share * share));

@@ -31,9 +31,9 @@
 #define FLECK_MEAN 0.0137f /* of clamp01((n - 0.36) 8) */
 
 /* What cracks and flecks are cut from: a noise's mean over the footprint, as far as its middle
- * tells, and how much it changes there. */
+ * tells, how much it changes there, and by what along each side. */
 typedef struct {
-  vf fine, extent2;
+  vf fine, extent2, along[2];
 } crystal_noise;
 
 /* Whether there is anything to be seen. */
@@ -59,6 +59,8 @@ INLINE crystal_noise crystal_at(const stone_cells *c, const vf q[3], const cells
   n.fine = n.fine / (splat(1.0f) + splat(0.3f) * wide2);
   /* the corners' gradients are not all of its slope, but of its square some half */
   vf a = dot3(g, s->u), b = dot3(g, s->v);
+  n.along[0] = a * splat(CRYSTAL_FINE / HASH_ONE);
+  n.along[1] = b * splat(CRYSTAL_FINE / HASH_ONE);
   const float square = 0.5f * 1.8f * CRYSTAL_FINE * CRYSTAL_FINE / (HASH_ONE * HASH_ONE);
   /* a noise is no plane for long, and bends where it has no slope */
   n.extent2 = vmin(splat(square) * (a * a + b * b), splat(0.05f)) + splat(0.1f) * wide2 * wide2;
@@ -158,6 +160,37 @@ INLINE void crystal_tones(const stone_cells *c, const vf q[3], const cells_squar
     for (int k = 0; k < 2; k++) cut[k][i] = here[k];
   }
   for (int k = 0; k < 2; k++) tone[k] = tone[k] + keep * cells_mean(p, cut[k]);
+}
+
+/* Of half a side to a quarter's middle, less by what a slope at the middle knows of it: then the
+ * quarters' cut has the mean that it has in all places. */
+#define CRYSTAL_SLOPED 0.24f
+
+/* The same where a square's quarters are told by the noise's slope at its middle. */
+INLINE void crystal_tones_sloped(const stone_cells *c, const vf q[3], const cells_square *s,
+                                 vf wide, vf cloud, vf tone[2]) {
+  const vf half = splat(0.5f), zero = splat(0.0f), t = splat(c->turbidity);
+  const cells_parts quarters = {4, half, splat(0.25f)};
+  vf keep = t * crystal_keep(wide, CRYSTAL_SEEN4, CRYSTAL_GONE4), cut[2][4];
+  cloud = cloud * t * crystal_keep(wide, 0.16f, 0.48f);
+  tone[0] = splat(0.1f) * cloud;
+  tone[1] = splat(0.3f) * cloud;
+  if (!any(gt(keep, zero))) return;
+  cells_square part;
+  for (int k = 0; k < 3; k++) {
+    part.u[k] = s->u[k] * half;
+    part.v[k] = s->v[k] * half;
+  }
+  crystal_noise n = crystal_at(c, q, &part, wide * half);
+  vf middle = n.fine, u = n.along[0] * splat(CRYSTAL_SLOPED),
+     v = n.along[1] * splat(CRYSTAL_SLOPED);
+  for (int i = 0; i < 4; i++) {
+    vf here[2];
+    n.fine = cells_towards(&quarters, i, middle, u, v);
+    crystal_cut(&n, here);
+    for (int k = 0; k < 2; k++) cut[k][i] = here[k];
+  }
+  for (int k = 0; k < 2; k++) tone[k] = tone[k] + keep * cells_mean(&quarters, cut[k]);
 }
 
 #endif

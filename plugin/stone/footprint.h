@@ -38,9 +38,11 @@ INLINE void cells_add(const stone_cells *c, vu h, const cells_kind *kind, vf sha
   out->of[2] = out->of[2] + b * tone;
 }
 
-#define CELLS_STEPS 6        /* looks along a side of the footprint, at most */
-#define CELLS_FEW 5          /* the same of footprints that are not wider than */
-#define CELLS_MANY 4.0f      /* cells */
+#define CELLS_STEPS 8   /* looks along a side of the footprint, at most */
+#define CELLS_ALONE 6   /* the same of looks that do not come in fours */
+#define CELLS_FEW 5     /* the same of footprints that are not wider than */
+#define CELLS_MANY 4.0f /* cells, or in fours of looks */
+#define CELLS_IN_FOURS 4.5f
 #define CELLS_FINE 1.0f      /* cells: wider footprints do not tell the finer of the faces' bends */
 #define CELLS_SMALL 0.04f    /* cells: smaller looks are as good as points */
 #define CELLS_LOOK_MOST 0.5f /* cells: a look at bodies sees past all of their faces but one */
@@ -73,6 +75,7 @@ typedef struct {
   vf part_wide, most; /* the part's longer side, and the whole's */
   vf keep, fine;      /* how much the looks count beside the mean; of the faces' finer bends */
   vm seen, counted;   /* by looks; cell by cell */
+  vm several;         /* whose looks are more than one */
   cells_square all;
   cells_seen *looks;  /* to be kept there, or NULL */
   cells_found *found; /* likewise, of the last look */
@@ -124,7 +127,8 @@ STAGE void looks_find(const stone_cells *c, cells_look *looks, int count) {
   int together = looks_together(looks);
   for (int l = 0; l < count; l++) {
     if (looks[l].empty) continue;
-    cells_find(c, together, !eye_whole(c, looks[l].eye), looks[l].q, looks[l].near);
+    int three = !c->shaped && !eye_whole(c, looks[l].eye);
+    cells_find(c, together, three, looks[l].q, looks[l].near);
   }
 }
 
@@ -260,8 +264,20 @@ STAGE void eye_divide(const stone_cells *c, cells_eye *e, const cells_square *al
     vi whole;
     vf dense = splat(c->looks) / (one + splat(c->spread) * wide[k]);
     vf looks = vfloor(wide[k] * dense + splat(c->least), &whole);
-    vm few = lt(wide[k], splat(CELLS_MANY));
-    e->n[k] = clamp(looks, one, sel(few, splat(CELLS_FEW), splat(CELLS_STEPS)));
+    vm few = lt(wide[k], splat(c->grouped ? CELLS_IN_FOURS : CELLS_MANY));
+    vf many = splat(c->grouped ? CELLS_STEPS : CELLS_ALONE);
+    e->n[k] = clamp(looks, one, sel(few, splat(CELLS_FEW), many));
+  }
+  if (c->grouped) {
+    e->several = gt(e->n[0] * e->n[1], one);
+    for (int k = 0; k < 2; k++) {
+      vi whole;
+      vf fours = vfloor(wide[k] * splat(c->fours) + splat(1.5f), &whole);
+      fours = vmin(fours, vfloor((e->n[k] + one) * splat(0.5f), &whole));
+      e->n[k] = sel(e->several, fours + fours, one);
+    }
+  }
+  for (int k = 0; k < 2; k++) {
     e->inverse[k] = side[k] = one / e->n[k];
     if (c->shaped) {
       side[k] = vmin(side[k], splat(CELLS_LOOK_MOST) / vmax(wide[k], splat(CELLS_LOOK_MOST)));
@@ -306,6 +322,7 @@ INLINE void eye_open(const stone_cells *c, cells_eye *e) {
     e->n[0] = e->n[1] = e->inverse[0] = e->inverse[1] = e->keep = one;
     e->fine = eye_fine(e);
     e->seen = le(splat(0.0f), one);
+    e->several = not_(e->seen);
     e->once = 1;
     e->idle = 0;
     return;
@@ -347,45 +364,6 @@ INLINE void eye_close(const stone_cells *c, const cells_eye *e, cells_cover *out
   sections_count(c, e->p, &e->all, e->counted, cut);
   for (int k = 0; k < CELLS_PARTS; k++)
     out->of[k] = sel(e->counted, mix(expected[k], cut[k], e->keep), out->of[k]);
-}
-
-#define CELLS_LOOKS 8 /* that go through the stages side by side */
-
-/* Look i, j of a footprint's. */
-INLINE void look_at(const stone_cells *c, cells_eye *e, int i, int j, vm there, cells_look *o) {
-  vf half = splat(0.5f), at[3];
-  vf u = (splat((float)i + 0.5f) * e->inverse[0] - half) * e->s;
-  vf v = (splat((float)j + 0.5f) * e->inverse[1] - half) * e->s;
-  for (int k = 0; k < 3; k++) at[k] = e->p[k] + e->t1[k] * u + e->t2[k] * v;
-  cells_turn(c, at, o->straight);
-  o->there = there;
-  o->slot = j * CELLS_STEPS + i;
-  o->eye = e;
-}
-
-STAGE void eye_look_about(const stone_cells *c, cells_eye *e) {
-  cells_look looks[CELLS_LOOKS];
-  int count = 0;
-  for (int j = 0; j < CELLS_STEPS; j++) {
-    vm row = and_(e->seen, lt(splat((float)j), e->n[1]));
-    if (!any(row)) break;
-    for (int i = 0; i < CELLS_STEPS; i++) {
-      vm there = and_(row, lt(splat((float)i), e->n[0]));
-      if (!any(there)) break;
-      look_at(c, e, i, j, there, &looks[count++]);
-      if (count < CELLS_LOOKS) continue;
-      looks_run(c, looks, count);
-      count = 0;
-    }
-  }
-  if (count) looks_run(c, looks, count);
-}
-
-/* A layer of cells under a few footprints of which one look at each is all. */
-STAGE void eyes_look(const stone_cells *c, cells_eye *eyes, int count) {
-  cells_look looks[CELLS_LOOKS];
-  for (int e = 0; e < count; e++) look_at(c, &eyes[e], 0, 0, eyes[e].seen, &looks[e]);
-  looks_run(c, looks, count);
 }
 
 #endif

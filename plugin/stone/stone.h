@@ -78,6 +78,8 @@ typedef struct {
   float single;        /* footprint, in cells, up to which one look is all */
   float whole;         /* cells: wider looks are seen in quarters */
   int32_t on, shaped;  /* shaped: eroded, or cut to a ball */
+  float fours;         /* fours of looks to a cell, where looks come so (sites.h) */
+  int32_t grouped;     /* they do */
   int32_t bedded;      /* bodies keep to certain beds */
   int32_t sparse;      /* bodies are few, and end */
   stone_bedding beds;

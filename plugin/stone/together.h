@@ -7,7 +7,7 @@
 #ifndef SOZAI_STONE_TOGETHER_H
 #define SOZAI_STONE_TOGETHER_H
 
-#include "footprint.h"
+#include "looks.h"
 
 /* A number that a look has seen, another look to each lane. own: the lanes' numbers. same: that
  * it is one look to all of them. */
