@@ -168,7 +168,7 @@ static body specks_of(const settings *s) {
 static body holes_of(const settings *s) {
   body b = {.size = number_at(s, P_HOLE_SIZE),
             .grading = 0.85,
-            .interlock = 1.0,
+            .interlock = 2.0 * number_at(s, P_HOLE_RAGGEDNESS),
             .roundness = 0.8,
             .share = {number_at(s, P_HOLE_SHARE), 0.0}};
   /* hole_size is across the bed, a cell's size along it */

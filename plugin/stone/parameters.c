@@ -308,6 +308,12 @@ static const sozai_parameter hole_bedding = {
    .doc = "How much they keep to certain beds, at 1 leaving others without any.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
 
+static const sozai_parameter hole_raggedness = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "hole_raggedness", .label = "Hole raggedness", .group = "holes", .unit = "",
+   .doc = "How bent their outlines are: little of vesicles, much of vugs that water has eaten.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.5}};
+
 static const sozai_parameter base_colour = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
    .id = "base_colour", .label = "Base", .group = "colour", .unit = "",
@@ -491,6 +497,7 @@ const sozai_parameter *const stone_parameters[STONE_PARAMETERS] = {
    [P_HOLE_SHARE] = &hole_share,
    [P_HOLE_STRETCH] = &hole_stretch,
    [P_HOLE_BEDDING] = &hole_bedding,
+   [P_HOLE_RAGGEDNESS] = &hole_raggedness,
    [P_HOLE_DEPTH] = &laid_hole_depth,
    [P_BASE] = &base_colour,
    [P_SECOND] = &second_colour,

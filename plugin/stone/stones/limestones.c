@@ -73,6 +73,7 @@ static const sozai_value values_travertino[] = {
     NUMBER("hole_share", 0.05),
     NUMBER("hole_stretch", 3.6),
     NUMBER("hole_bedding", 0.85),
+    NUMBER("hole_raggedness", 0.8),
     SRGB("hole_colour", 122, 96, 66),
     CHOICE("finish", "honed"),
     NUMBER("ior", 1.6),

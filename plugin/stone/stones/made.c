@@ -48,6 +48,7 @@ static const sozai_value values_cast_concrete[] = {
     SRGB("third_colour", 168, 167, 163),
     NUMBER("hole_size", 7.0),
     NUMBER("hole_share", 0.006),
+    NUMBER("hole_raggedness", 0.2),
     SRGB("hole_colour", 108, 107, 104),
     NUMBER("hole_depth", 0.45),
     NUMBER("bed_thickness", 240.0),

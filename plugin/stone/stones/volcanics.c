@@ -27,6 +27,7 @@ static const sozai_value values_basalt[] = {
     NUMBER("hole_size", 1.4),
     NUMBER("hole_share", 0.012),
     NUMBER("hole_stretch", 1.3),
+    NUMBER("hole_raggedness", 0.2),
     SRGB("hole_colour", 26, 26, 27),
     CHOICE("finish", "honed"),
 };
@@ -144,6 +145,7 @@ static const sozai_value values_oya[] = {
     NUMBER("hole_size", 3.2),
     NUMBER("hole_share", 0.02),
     NUMBER("hole_stretch", 1.6),
+    NUMBER("hole_raggedness", 0.7),
     SRGB("hole_colour", 104, 88, 62),
     CHOICE("finish", "sawn"),
 };
