@@ -234,9 +234,16 @@ INLINE vf ray_clear(const wood_constants *w, const ray_place *p) {
   return splat(w->ray_room) * ray_sector_arc(w, p) / most - splat(w->ray_thickest);
 }
 
+/* Whether the ray of a cell whose edge is `far` away might reach into the footprint. */
+INLINE vm ray_may_reach(const wood_constants *w, const ray_cells *q, vf far) {
+  vf gap = far + splat(w->ray_room) * q->arc - splat(w->ray_thickest);
+  return and_(lt(gap, q->reach), not_(lt(q->within, splat(0.0f))));
+}
+
 /* Cover by rays, nearest: by that of the point's own cell. A ray keeps clear of
  * its cell's edge, so that most footprints meet no other cell's; others look at the next to
- * either side. */
+ * either side. How far a ray keeps clear is first bounded for whichever sector, and then
+ * known of the cell: making the ray itself is the dear part. */
 INLINE vf rays_cover(const wood_constants *w, const ray_place *p, const ray_cells *q, vf nearest) {
   vf sum = nearest, left = q->at, right = q->arc - q->at, zero = splat(0.0f);
   vf beyond = q->reach - vmax(ray_clear(w, p), zero), far = vmin(left, right);
@@ -247,8 +254,9 @@ INLINE vf rays_cover(const wood_constants *w, const ray_place *p, const ray_cell
       vm meets = gt(beyond, far);
       if (!any(meets)) break;
       ray_next(w, p, up, far, &n);
+      meets = and_(meets, ray_may_reach(w, &n, far));
+      if (any(meets)) sum = sum + sel(meets, ray_of_cell(w, p, &n), zero);
       far = far + n.arc;
-      sum = sum + sel(meets, ray_of_cell(w, p, &n), zero);
     }
     up = not_(up);
     far = vmax(left, right);
