@@ -84,19 +84,23 @@ INLINE void cells_look_about(const stone_cells *c, const vf q[3], vi whole[3], c
   }
 }
 
+/* The least `most` of numbers, in order. */
+INLINE void cells_least(vf x, int most, vf least[]) {
+  UNROLL(8)
+  for (int k = most - 1; k > 0; k--) least[k] = vmin(least[k], vmax(least[k - 1], x));
+  least[0] = vmin(least[0], x);
+}
+
 /* A cell at a squared distance. Its number stands in the lowest bits of that, 8e-6 of it:
- * then minima and maxima keep the nearest two or three, where cells' numbers and hashes
+ * then minima and maxima keep the nearest few, where cells' numbers and hashes
  * would take a choice each. */
-INLINE void cells_keep(vf d, vi number, int most, vf key[3]) {
-  vf own = float_of((bits_of(d) & splati(~63)) | number);
-  if (most > 2) key[2] = vmin(key[2], vmax(key[1], own));
-  key[1] = vmin(key[1], vmax(key[0], own));
-  key[0] = vmin(key[0], own);
+INLINE void cells_keep(vf d, vi number, int most, vf key[]) {
+  cells_least(float_of((bits_of(d) & splati(~63)) | number), most, key);
 }
 
 /* Cell x, y, z of those, 0 to 2 along each axis. */
 INLINE void cells_try(const stone_cells *c, int graded, int most, const cells_about *a, int x,
-                      int y, int z, vf key[3]) {
+                      int y, int z, vf key[]) {
   vu h = hash_upper(a->hash[0][x] + a->hash[1][y] + a->hash[2][z]);
   vf at[3];
   cells_centre(h, a->from[0][x], a->from[1][y], a->from[2][z], at);
@@ -144,6 +148,24 @@ INLINE void cells_nearest(const stone_cells *c, int graded, int most, const cell
 #include "cells_shared.h"
 #endif
 
+/* The cell of a key, of those about the point. */
+INLINE cells_near cells_of_key(const stone_cells *c, int graded, const cells_about *a,
+                               const vi whole[3], vf key) {
+  cells_near o;
+  vi d[3];
+  for (int i = 0; i < 3; i++) {
+    d[i] = cells_step(bits_of(key), whole[i], i);
+    o.at[i] = whole[i] + d[i];
+  }
+  o.h = hash_upper(a->hash[0][0] + a->hash[1][0] + a->hash[2][0] + (vu)d[0] * splatu(HASH_X) +
+                   (vu)d[1] * splatu(HASH_Y) + (vu)d[2] * splatu(HASH_Z));
+  cells_centre(o.h, a->from[0][0] + to_float(d[0]), a->from[1][0] + to_float(d[1]),
+               a->from[2][0] + to_float(d[2]), o.x);
+  o.d = dot3(o.x, o.x);
+  if (graded) o.d = o.d + cells_weight(c, o.h);
+  return o;
+}
+
 /* The nearest `most`, by power distance, of the 27 cells about the point. together: whether
  * lanes may well lie close to each other, which changes nothing but the time. */
 INLINE void cells_find_as(const stone_cells *c, int graded, int most, int together, const vf q[3],
@@ -157,22 +179,7 @@ INLINE void cells_find_as(const stone_cells *c, int graded, int most, int togeth
 #endif
     cells_nearest(c, graded, most, &about, key);
   (void)together;
-  vu at = about.hash[0][0] + about.hash[1][0] + about.hash[2][0];
-  for (int k = 0; k < most; k++) {
-    cells_near *o = &out[k];
-    vi d[3];
-    for (int i = 0; i < 3; i++) {
-      d[i] = cells_step(bits_of(key[k]), whole[i], i);
-      o->at[i] = whole[i] + d[i];
-    }
-    vu h = hash_upper(at + (vu)d[0] * splatu(HASH_X) + (vu)d[1] * splatu(HASH_Y) +
-                      (vu)d[2] * splatu(HASH_Z));
-    cells_centre(h, about.from[0][0] + to_float(d[0]), about.from[1][0] + to_float(d[1]),
-                 about.from[2][0] + to_float(d[2]), o->x);
-    o->d = dot3(o->x, o->x);
-    if (graded) o->d = o->d + cells_weight(c, h);
-    o->h = h;
-  }
+  for (int k = 0; k < most; k++) out[k] = cells_of_key(c, graded, &about, whole, key[k]);
 }
 
 /* The hash of the block of 4^3 that a place on the lattice is in. */

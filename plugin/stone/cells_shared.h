@@ -78,9 +78,7 @@ INLINE uint64_t cells_list_make(const stone_cells *c, int graded, int most, cons
     least[v] = f - b;
     uint32_t common = v == 0 ? (upper[2] ? 0 : all) : v == 3 ? 0 : all;
     vf high = sel((vm)common, f + b, far);
-    if (most > 2) bound[2] = vmin(bound[2], vmax(bound[1], high));
-    bound[1] = vmin(bound[1], vmax(bound[0], high));
-    bound[0] = vmin(bound[0], high);
+    cells_least(high, most, bound);
   }
   vf limit = (most > 2 ? third_of(bound) : second_of(bound)) + splat(CELLS_ROUND);
   uint64_t left = 0;

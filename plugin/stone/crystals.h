@@ -129,8 +129,15 @@ INLINE void crystal_cut(const crystal_noise *n, vf tone[2]) {
   tone[1] = splat(0.3f) * n->fine + splat(0.16f) * crack;
 }
 
-/* What of it does not differ from crystal to crystal, of those minerals. cloud: of a size of a
- * third of a cell. Of a square in quarters the noise is seen in each, and for longer. */
+/* Clouds, of a size of a third of a cell, in a square so wide. */
+INLINE void crystal_clouds(const stone_cells *c, vf wide, vf cloud, vf tone[2]) {
+  cloud = cloud * splat(c->turbidity) * crystal_keep(wide, 0.16f, 0.48f);
+  tone[0] = splat(0.1f) * cloud;
+  tone[1] = splat(0.3f) * cloud;
+}
+
+/* What of it does not differ from crystal to crystal, of those minerals. Of a square in quarters
+ * the noise is seen in each, and for longer. */
 INLINE void crystal_tones(const stone_cells *c, const vf q[3], const cells_square *s,
                           const cells_parts *p, vf wide, vf cloud, vf tone[2]) {
   vf zero = splat(0.0f), t = splat(c->turbidity), cut[2][4];
@@ -140,9 +147,7 @@ INLINE void crystal_tones(const stone_cells *c, const vf q[3], const cells_squar
     keep = sel(lt(p->side, splat(1.0f)), of_quarters, keep);
   }
   keep = t * keep;
-  cloud = cloud * t * crystal_keep(wide, 0.16f, 0.48f);
-  tone[0] = splat(0.1f) * cloud;
-  tone[1] = splat(0.3f) * cloud;
+  crystal_clouds(c, wide, cloud, tone);
   if (!any(gt(keep, zero))) return;
   cells_square part;
   vf u[3], v[3];
@@ -169,12 +174,10 @@ INLINE void crystal_tones(const stone_cells *c, const vf q[3], const cells_squar
 /* The same where a square's quarters are told by the noise's slope at its middle. */
 INLINE void crystal_tones_sloped(const stone_cells *c, const vf q[3], const cells_square *s,
                                  vf wide, vf cloud, vf tone[2]) {
-  const vf half = splat(0.5f), zero = splat(0.0f), t = splat(c->turbidity);
-  const cells_parts quarters = {4, half, splat(0.25f)};
-  vf keep = t * crystal_keep(wide, CRYSTAL_SEEN4, CRYSTAL_GONE4), cut[2][4];
-  cloud = cloud * t * crystal_keep(wide, 0.16f, 0.48f);
-  tone[0] = splat(0.1f) * cloud;
-  tone[1] = splat(0.3f) * cloud;
+  const vf half = splat(0.5f), zero = splat(0.0f);
+  const cells_parts quarters = cells_quarters();
+  vf keep = splat(c->turbidity) * crystal_keep(wide, CRYSTAL_SEEN4, CRYSTAL_GONE4), cut[2][4];
+  crystal_clouds(c, wide, cloud, tone);
   if (!any(gt(keep, zero))) return;
   cells_square part;
   for (int k = 0; k < 3; k++) {

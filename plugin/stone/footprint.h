@@ -75,7 +75,6 @@ typedef struct {
   vf part_wide, most; /* the part's longer side, and the whole's */
   vf keep, fine;      /* how much the looks count beside the mean; of the faces' finer bends */
   vm seen, counted;   /* by looks; cell by cell */
-  vm several;         /* whose looks are more than one */
   cells_square all;
   cells_seen *looks;  /* to be kept there, or NULL */
   cells_found *found; /* likewise, of the last look */
@@ -256,6 +255,9 @@ INLINE vm eye_counts(const stone_cells *c, vf most) {
   return gt(most, splat(from));
 }
 
+/* Whose looks are more than one. */
+INLINE vm eye_several(const cells_eye *e) { return gt(e->n[0] * e->n[1], splat(1.0f)); }
+
 /* Where the footprint takes more than one look. */
 STAGE void eye_divide(const stone_cells *c, cells_eye *e, const cells_square *all,
                       const vf wide[2]) {
@@ -269,12 +271,12 @@ STAGE void eye_divide(const stone_cells *c, cells_eye *e, const cells_square *al
     e->n[k] = clamp(looks, one, sel(few, splat(CELLS_FEW), many));
   }
   if (c->grouped) {
-    e->several = gt(e->n[0] * e->n[1], one);
+    vm several = eye_several(e);
     for (int k = 0; k < 2; k++) {
       vi whole;
       vf fours = vfloor(wide[k] * splat(c->fours) + splat(1.5f), &whole);
       fours = vmin(fours, vfloor((e->n[k] + one) * splat(0.5f), &whole));
-      e->n[k] = sel(e->several, fours + fours, one);
+      e->n[k] = sel(several, fours + fours, one);
     }
   }
   for (int k = 0; k < 2; k++) {
@@ -298,7 +300,7 @@ STAGE void eye_divide(const stone_cells *c, cells_eye *e, const cells_square *al
   }
   e->seen = and_(gt(e->keep, splat(0.0f)), not_(e->counted));
   e->all = *all;
-  e->once = !any(or_(gt(e->n[0] * e->n[1], one), not_(e->seen)));
+  e->once = !any(or_(eye_several(e), not_(e->seen)));
   e->idle = !any(or_(e->seen, e->counted));
 }
 
@@ -322,7 +324,6 @@ INLINE void eye_open(const stone_cells *c, cells_eye *e) {
     e->n[0] = e->n[1] = e->inverse[0] = e->inverse[1] = e->keep = one;
     e->fine = eye_fine(e);
     e->seen = le(splat(0.0f), one);
-    e->several = not_(e->seen);
     e->once = 1;
     e->idle = 0;
     return;
@@ -343,7 +344,7 @@ INLINE void eye_close(const stone_cells *c, const cells_eye *e, cells_cover *out
   }
   if (e->looks) {
     for (int k = 0; k < 2; k++) e->looks->n[k] = e->n[k];
-    vm parts = and_(e->seen, gt(e->n[0] * e->n[1], one));
+    vm parts = and_(e->seen, eye_several(e));
     e->looks->weight = sel(parts, e->keep * swell, splat(0.0f));
   }
   vf mean[2] = {splat(c->mean[0]), splat(c->mean[1])};

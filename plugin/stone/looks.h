@@ -124,7 +124,7 @@ STAGE void looks_four_crystals(const stone_cells *c, cells_look looks[SITES_LOOK
 /* The looks of those lanes that take several. */
 STAGE void eye_look_in_fours(const stone_cells *c, cells_eye *e) {
   cells_look looks[SITES_LOOKS];
-  vm seen = and_(e->seen, e->several);
+  vm seen = and_(e->seen, eye_several(e));
   for (int j = 0; j < CELLS_STEPS; j += 2) {
     vm row = and_(seen, lt(splat((float)j), e->n[1]));
     if (!any(row)) break;
@@ -145,7 +145,7 @@ STAGE void eye_look_about(const stone_cells *c, cells_eye *e) {
   if (c->grouped) {
     /* lanes of one look first: what that keeps for the others is not theirs */
     cells_look look;
-    vm alone = and_(e->seen, not_(e->several));
+    vm alone = and_(e->seen, not_(eye_several(e)));
     if (any(alone)) {
       look_at(c, e, 0, 0, alone, &look);
       looks_run(c, &look, 1);

@@ -37,32 +37,17 @@ typedef struct {
 
 INLINE int sites_count(int shaped) { return shaped ? SITES_BODIES : SITES; }
 
-/* cells_keep, of more. */
-INLINE void sites_keep(int count, vf d, vi number, vf key[SITES]) {
-  vf own = float_of((bits_of(d) & splati(~63)) | number);
-  UNROLL(SITES)
-  for (int k = count - 1; k > 0; k--) key[k] = vmin(key[k], vmax(key[k - 1], own));
-  key[0] = vmin(key[0], own);
-}
-
 /* All 27 are tried: among a few lanes' sixth nearest there is one of the further. */
-INLINE void sites_nearest(const stone_cells *c, int graded, int count, const cells_about *a,
-                          vf key[SITES]) {
-  for (int k = 0; k < count; k++) key[k] = splat(1e30f);
-  UNROLL(27)
-  for (int n = 0; n < 27; n++) {
-    vu h = hash_upper(a->hash[0][n % 3] + a->hash[1][n / 3 % 3] + a->hash[2][n / 9]);
-    vf at[3];
-    cells_centre(h, a->from[0][n % 3], a->from[1][n / 3 % 3], a->from[2][n / 9], at);
-    vf d = dot3(at, at) + (graded ? cells_weight(c, h) : splat(1e-6f));
-    sites_keep(count, d, a->number[0][n % 3] + a->number[1][n / 3 % 3] + a->number[2][n / 9], key);
-  }
+INLINE void sites_nearest(const stone_cells *c, int graded, int most, const cells_about *a,
+                          vf key[]) {
+  for (int k = 0; k < most; k++) key[k] = splat(1e30f);
+  CELLS_TRY_ALL(1)
 }
 
 /* The flake of a cell, as bodies.h has it. */
 INLINE void sites_flake(const stone_cells *c, const cells_near *n, const cells_square *s,
                         cells_sites *o, int k) {
-  const cells_parts quarter = {4, splat(0.5f), splat(0.25f)};
+  const cells_parts quarter = cells_quarters();
   vf half;
   cells_edge e = edge_of_flake(c, n, s, &quarter, &half, o->flake[k]);
   o->slab[k] = e.in;
@@ -87,21 +72,12 @@ INLINE void sites_find(const stone_cells *c, int shaped, const vf q[3], const ce
   vf key[SITES];
   cells_look_about(c, q, whole, &about);
   sites_nearest(c, graded, count, &about, key);
-  vu at = about.hash[0][0] + about.hash[1][0] + about.hash[2][0];
   const vf back = splat(-2.0f), quarter = splat(0.25f);
   for (int k = 0; k < count; k++) {
-    cells_near n;
-    vi d[3];
-    for (int i = 0; i < 3; i++) {
-      d[i] = cells_step(bits_of(key[k]), whole[i], i);
-      o->at[k][i] = n.at[i] = whole[i] + d[i];
-    }
-    o->h[k] = n.h = hash_upper(at + (vu)d[0] * splatu(HASH_X) + (vu)d[1] * splatu(HASH_Y) +
-                               (vu)d[2] * splatu(HASH_Z));
-    cells_centre(n.h, about.from[0][0] + to_float(d[0]), about.from[1][0] + to_float(d[1]),
-                 about.from[2][0] + to_float(d[2]), n.x);
-    o->far[k] = dot3(n.x, n.x);
-    if (graded) o->far[k] = o->far[k] + cells_weight(c, n.h);
+    cells_near n = cells_of_key(c, graded, &about, whole, key[k]);
+    o->h[k] = n.h;
+    o->far[k] = n.d;
+    memcpy(o->at[k], n.at, sizeof n.at);
     for (int i = 0; i < 3; i++) o->x[k][i] = back * n.x[i];
     vf u = dot3(o->x[k], s->u) * quarter, v = dot3(o->x[k], s->v) * quarter;
     o->aslant[k][0] = u + v;
@@ -139,8 +115,7 @@ INLINE void sites_quarter(const cells_sites *s, int count, int part, const vf fr
   least[0] = least[1] = splat(1e30f);
   for (int k = 0; k < count; k++) {
     d[k] = sites_towards(from[k], s->aslant[k], part);
-    least[1] = vmin(least[1], vmax(least[0], d[k]));
-    least[0] = vmin(least[0], d[k]);
+    cells_least(d[k], 2, least);
   }
 }
 
@@ -149,10 +124,7 @@ INLINE void sites_quarter(const cells_sites *s, int count, int part, const vf fr
 INLINE void sites_border(const stone_cells *c, const cells_sites *s, const cells_square *part,
                          const vf from[SITES], vf inverse[2]) {
   vf least[2] = {splat(1e30f), splat(1e30f)}, a[3], b[3], half = splat(0.5f);
-  for (int k = 0; k < SITES; k++) {
-    least[1] = vmin(least[1], vmax(least[0], from[k]));
-    least[0] = vmin(least[0], from[k]);
-  }
+  for (int k = 0; k < SITES; k++) cells_least(from[k], 2, least);
   for (int i = 0; i < 3; i++) a[i] = b[i] = s->x[0][i];
   for (int k = 0; k < SITES; k++) {
     vm first = le(from[k], least[0]), second = le(from[k], least[1]);

@@ -24,6 +24,7 @@ typedef struct {
 } cells_parts;
 
 INLINE cells_parts cells_whole(void) { return (cells_parts){1, splat(1.0f), splat(0.0f)}; }
+INLINE cells_parts cells_quarters(void) { return (cells_parts){4, splat(0.5f), splat(0.25f)}; }
 INLINE cells_parts cells_part(vf wide, float whole) {
   vm wider = gt(wide, splat(whole));
   if (!any(wider)) return cells_whole();

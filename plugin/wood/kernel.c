@@ -329,16 +329,9 @@ INLINE void stage_pith(const wood_constants *w, int boards, block *k) {
 
 INLINE void stage_about(block *k) { stem_about(k->p[0], k->p[2], &k->stem); }
 
-/* One octave; and, as below, all of them where a block is a point alone. */
 INLINE void stage_undulation(const undulation_octave *q, int boards, block *k) {
   undulation_add(q, own_of(boards, k), k->p[1], k->s, &k->stem, &k->undulation);
 }
-
-#if LANES == 1
-INLINE void stage_undulations(const wood_constants *w, int boards, block *k) {
-  k->undulation = undulation_alone(w, own_of(boards, k), k->p[1], k->s, &k->stem);
-}
-#endif
 
 INLINE void stage_figure(const wood_constants *w, int boards, block *k) {
   figure_add(w, own_of(boards, k), k->p[1], k->s, k->extent, &k->stem, &k->undulation);
@@ -416,12 +409,6 @@ INLINE void stage_interlocked(const wood_constants *w, int boards, block *k) {
 INLINE void stage_grain_noise(const grain_octave *q, int boards, block *k) {
   grain_noise(q, own_of(boards, k), k->p[1], &k->at, k->extent, &k->grain);
 }
-
-#if LANES == 1
-INLINE void stage_grain_noises(const wood_constants *w, int boards, block *k) {
-  grain_noise_alone(w, own_of(boards, k), k->p[1], &k->at, k->extent, &k->grain);
-}
-#endif
 
 INLINE void stage_turn(block *k) {
   k->phase = k->grain.d * k->divisor;
@@ -660,13 +647,6 @@ INLINE void stage_bundle(const fibre_octave *q, int boards, int o, block *k) {
   fibre_add(q, own_of(boards, k), k->x, k->z, &k->bundle);
   k->shift = k->bundle.shift;
 }
-
-#if LANES == 1
-INLINE void stage_bundles(const wood_constants *w, int boards, block *k) {
-  k->bundle = fibre_alone(w, own_of(boards, k), k->x, k->z, &k->f);
-  k->shift = k->bundle.shift;
-}
-#endif
 
 /* Where the latewood strays from its ring: it is as it would be that much nearer to the
  * pith or farther from it. */
@@ -1136,6 +1116,20 @@ INLINE void stage_radiance(const wood_constants *w, const wood_io *io, block *k)
   for (uint32_t k = 0; k < count; k++) __VA_ARGS__
 
 #if LANES == 1
+/* All octaves at once. */
+INLINE void stage_undulations(const wood_constants *w, int boards, block *k) {
+  k->undulation = undulation_alone(w, own_of(boards, k), k->p[1], k->s, &k->stem);
+}
+
+INLINE void stage_grain_noises(const wood_constants *w, int boards, block *k) {
+  grain_noise_alone(w, own_of(boards, k), k->p[1], &k->at, k->extent, &k->grain);
+}
+
+INLINE void stage_bundles(const wood_constants *w, int boards, block *k) {
+  k->bundle = fibre_alone(w, own_of(boards, k), k->x, k->z, &k->f);
+  k->shift = k->bundle.shift;
+}
+
 /* For a point alone in another order: the chain from the turn through the rays is the longest,
  * and what does not wait for it stands between its steps, where the processor sees both. */
 INLINE void evaluate_one(int boards, const wood_constants *restrict w, const wood_io *restrict io,
