@@ -4,12 +4,13 @@
  * are shares of area; albedo linear in the palette; and a point the same whoever is beside it.
  */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "cmocka_all.h"
 #include "wood.h"
 
-enum { SPECK = 12, N = 200000 };
+enum { SPECULAR = 11, SPECK = 12, N = 200000 };
 
 static sozai_texture *make(const char *preset, const sozai_value *values, uint32_t count) {
   sozai_texture *t = NULL;
@@ -189,10 +190,46 @@ static void neighbours_see_what_each_sees(void **state) {
   }
 }
 
+/* Lines through the stone cross the outlines of ragged holes more often for their share. */
+static void holes_are_as_ragged(void **state) {
+  (void)state;
+  enum { LINES = 300, ON = 400 };
+  double share[3], crossed[3];
+  for (int k = 0; k < 3; k++) {
+    char text[80];
+    snprintf(text, sizeof text, "hole_share=0.12; hole_size=8; hole_raggedness=%g", 0.5 * k);
+    sozai_texture *t = stone_make(NULL, text);
+    points p = {0};
+    uniform_seed(31);
+    for (int j = 0; j < LINES; j++) {
+      double x = 900 * uniform(), y = 900 * uniform(), z = 900 * uniform();
+      for (int i = 0; i < ON; i++) points_add(&p, x + 0.15 * i, y, z, 0);
+    }
+    points_ask(&p, t);
+    unsigned in = 0, edges = 0;
+    for (unsigned i = 0; i < p.count; i++) {
+      /* what is a hole reflects nothing */
+      int here = p.out[SPECULAR][i] < 0.01f;
+      in += (unsigned)here;
+      if (i % ON) edges += here != (p.out[SPECULAR][i - 1] < 0.01f);
+    }
+    share[k] = (double)in / p.count;
+    crossed[k] = edges / share[k] / p.count;
+    points_free(&p);
+    textures->destroy(t);
+  }
+  CHECK(
+      crossed[1] > crossed[0] && crossed[2] > 1.1 * crossed[0] && fabs(share[0] - 0.12) < 0.02 &&
+          fabs(share[2] - 0.12) < 0.02,
+      "hole_raggedness 0, 0.5, 1: of area %.3f, %.3f, %.3f; outlines on a line through them every "
+      "%.2f, %.2f, %.2f mm\n",
+      share[0], share[1], share[2], 0.15 / crossed[0], 0.15 / crossed[1], 0.15 / crossed[2]);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(any_face_shows_the_same), cmocka_unit_test(shares_are_of_area),
-      cmocka_unit_test(linear_in_the_palette), cmocka_unit_test(crystals_keep_their_mean),
-      cmocka_unit_test(neighbours_see_what_each_sees)};
+      cmocka_unit_test(any_face_shows_the_same),       cmocka_unit_test(shares_are_of_area),
+      cmocka_unit_test(linear_in_the_palette),         cmocka_unit_test(crystals_keep_their_mean),
+      cmocka_unit_test(neighbours_see_what_each_sees), cmocka_unit_test(holes_are_as_ragged)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }
