@@ -18,6 +18,7 @@ typedef struct {
   vf p[3], nrm[3];   /* bed space, likewise */
   vf s;
   vf t1[3], t2[3]; /* the footprint's sides */
+  int alike;       /* of the blocks on their way the first whose footprints lie as these do */
   vf albedo[3], speck, hole;
   int crystal_known; /* the colour has met it */
   vu crystal;        /* that the point is in */

@@ -14,39 +14,49 @@
 static const int fabric_order[STONE_LAYERS] = {LAYER_GRAINS, LAYER_SPECKS, LAYER_INCLUSIONS,
                                                LAYER_HOLES};
 
-/* Field by field: the rest is large, and eye_open sets it. */
-INLINE void stage_eye(const stone_cells *c, const block *k, cells_seen *looks, cells_eye *e) {
+/* Field by field: the rest is set later, and looked at by few. */
+INLINE void stage_eye(const block *k, const cells_view *view, cells_seen *looks, cells_eye *e) {
   e->p = k->p;
   e->t1 = k->t1;
   e->t2 = k->t2;
   e->s = k->s;
+  e->view = view;
   e->looks = looks;
   e->found = NULL;
-  eye_open(c, e);
+  e->nearest = splatu(0);
+  e->sum = cells_none();
 }
 
 INLINE void stage_seen(const stone_cells *c, int layer, const cells_eye *e, block *k) {
   eye_close(c, e, &k->cover[layer]);
   if (layer == LAYER_HOLES) {
     k->holes.bent = 1;
-    k->holes.met = e->once && e->found; /* where other blocks' looks were many, nobody kept it */
-    k->holes.fine = e->fine;
-    k->holes.wide = e->most;
+    k->holes.met = e->view->once && e->found; /* where other blocks' looks were many, nobody kept it */
+    k->holes.fine = e->view->fine;
+    k->holes.wide = e->view->most;
   }
   if (layer != LAYER_GRAINS) return;
-  k->crystal_known = e->once;
+  k->crystal_known = e->view->once;
   k->crystal = e->nearest;
 }
 
+/* How the layers see a block's footprints, and those of the blocks after it that lie alike. */
+typedef struct {
+  cells_view view[STONE_LAYERS];
+  int of[STONE_LAYERS]; /* the first such block, or -1 */
+} fabric_views;
+
 /* The layers, a bit to each, of which a footprint takes more than a look. */
-STAGE void stage_looks(const stone_constants *w, int layers, block *k) {
+STAGE void stage_looks(const stone_constants *w, int layers, fabric_views *views, block *k) {
   cells_seen seen[STONE_LAYERS];
   for (int n = k->hidden; n < STONE_LAYERS; n++) {
     int l = fabric_order[n];
     if (!(layers >> l & 1)) continue;
     const stone_cells *c = &w->layer[l];
     cells_eye e;
-    stage_eye(c, k, &seen[l], &e);
+    if (views->of[l] != k->alike) view_open(c, k->t1, k->t2, k->s, &views->view[l]);
+    views->of[l] = k->alike;
+    stage_eye(k, &views->view[l], &seen[l], &e);
     eye_look_about(c, &e);
     stage_seen(c, l, &e, k);
     for (int m = k->hidden; m < n; m++) {
@@ -64,18 +74,24 @@ STAGE void stage_looks(const stone_constants *w, int layers, block *k) {
 INLINE int stage_layer(const stone_constants *w, int n, block *blocks, int count) {
   int l = fabric_order[n], once = 1, idle = 1, seen = 0;
   const stone_cells *c = &w->layer[l];
+  cells_view views[STONE_BLOCKS];
+  uint32_t opened = 0;
   cells_eye eyes[STONE_BLOCKS];
   block *of[STONE_BLOCKS];
   /* what tells that a layer is wide is mostly the first block, and stage_looks opens that
-   * one's eye again: all layers' eyes would not stay near */
+   * one's view again: all layers' views would not stay near */
   for (int b = 0; b < count && (once || idle); b++) {
     if (n < blocks[b].hidden) continue;
+    block *k = &blocks[b];
+    cells_view *view = &views[k->alike];
+    if (!(opened >> k->alike & 1)) view_open(c, k->t1, k->t2, k->s, view);
+    opened |= 1u << k->alike;
+    once &= view->once;
+    idle &= view->idle;
     cells_eye *e = &eyes[seen];
-    of[seen++] = &blocks[b];
-    stage_eye(c, &blocks[b], NULL, e);
-    if (l == LAYER_HOLES) e->found = &blocks[b].holes;
-    once &= e->once;
-    idle &= e->idle;
+    of[seen++] = k;
+    stage_eye(k, view, NULL, e);
+    if (l == LAYER_HOLES) e->found = &k->holes;
   }
   if (!once && !idle) return 0;
   if (once && seen) eyes_look(c, eyes, seen);
@@ -100,7 +116,10 @@ STAGE void stage_cells(const stone_constants *w, block *blocks, int count) {
     int l = fabric_order[n];
     if (w->layer[l].on && !stage_layer(w, n, blocks, count)) wide |= 1 << l;
   }
-  for (int b = 0; b < count && wide; b++) stage_looks(w, wide, &blocks[b]);
+  if (!wide) return;
+  fabric_views views;
+  for (int l = 0; l < STONE_LAYERS; l++) views.of[l] = -1;
+  for (int b = 0; b < count; b++) stage_looks(w, wide, &views, &blocks[b]);
 }
 
 /* What has been laid so far, for what is laid over it. */

@@ -65,21 +65,28 @@ typedef struct {
   vm body[2];
 } cells_found;
 
-/* A footprint on a layer, and what has been seen of it. Its looks are parts side by
- * side, each well below a cell's size. Lengths in cells but for s. */
+/* How a layer sees a footprint of this size and slant, wherever it lies. Its looks are parts side
+ * by side, each well below a cell's size. Lengths in cells. */
 typedef struct {
-  const vf *p, *t1, *t2;
-  vf s;
   vf n[2], inverse[2]; /* looks along each side */
   cells_square part;
   vf part_wide, most; /* the part's longer side, and the whole's */
   vf keep, fine;      /* how much the looks count beside the mean; of the faces' finer bends */
+  vf swell, each;     /* what the looks of bodies see in excess, a factor; a look's share of all */
   vm seen, counted;   /* by looks; cell by cell */
   cells_square all;
+  int once; /* one look at the middle is all, to every lane */
+  int sole; /* and nothing else tells of it */
+  int idle; /* no look is any use */
+} cells_view;
+
+/* A footprint on a layer, and what has been seen of it. s: mm. */
+typedef struct {
+  const vf *p, *t1, *t2;
+  vf s;
+  const cells_view *view;
   cells_seen *looks;  /* to be kept there, or NULL */
   cells_found *found; /* likewise, of the last look */
-  int once;           /* one look at the middle is all, to every lane */
-  int idle;           /* no look is any use */
   vu nearest;
   cells_cover sum;
 } cells_eye;
@@ -99,14 +106,14 @@ typedef struct {
 /* Whether lanes are likely near each other: neighbours are mostly about a footprint apart. */
 #define CELLS_TOGETHER 0.08f
 INLINE int looks_together(const cells_look *looks) {
-  return any(lt(looks[0].eye->most, splat(CELLS_TOGETHER)));
+  return any(lt(looks[0].eye->view->most, splat(CELLS_TOGETHER)));
 }
 
 INLINE void looks_bend_as(const stone_cells *c, int together, cells_look *looks, int count) {
   for (int l = 0; l < count; l++) {
     cells_look *o = &looks[l];
     for (int k = 0; k < 3; k++) o->q[k] = o->straight[k];
-    o->cloud = cells_bend(c, o->eye->fine, together, o->q);
+    o->cloud = cells_bend(c, o->eye->view->fine, together, o->q);
   }
 }
 
@@ -119,7 +126,7 @@ STAGE void looks_bend(const stone_cells *c, cells_look *looks, int count) {
 
 /* Whether no lane's parts are seen in quarters, nor their third crystal. */
 INLINE int eye_whole(const stone_cells *c, const cells_eye *e) {
-  return !any(gt(e->part_wide, splat(c->whole)));
+  return !any(gt(e->view->part_wide, splat(c->whole)));
 }
 
 STAGE void looks_find(const stone_cells *c, cells_look *looks, int count) {
@@ -135,6 +142,7 @@ STAGE void looks_find(const stone_cells *c, cells_look *looks, int count) {
 INLINE void look_add_as(const stone_cells *c, int whole, const cells_look *o) {
   vf share[3], zero = splat(0.0f), one = splat(1.0f), third = zero;
   cells_eye *eye = o->eye;
+  const cells_view *view = eye->view;
   const int count = whole || c->shaped ? 2 : 3;
   cells_kind kind[3];
   vm body[2];
@@ -155,27 +163,27 @@ INLINE void look_add_as(const stone_cells *c, int whole, const cells_look *o) {
   }
   cells_parts parts = cells_whole();
   if (!whole) {
-    parts = cells_part(eye->part_wide, c->whole);
-    third = one - crystal_keep(eye->part_wide, c->whole, 2.0f * c->whole);
+    parts = cells_part(view->part_wide, c->whole);
+    third = one - crystal_keep(view->part_wide, c->whole, 2.0f * c->whole);
   }
-  cells_shares(c, o->near, body, &eye->part, &parts, count > 2, third, share);
+  cells_shares(c, o->near, body, &view->part, &parts, count > 2, third, share);
   vf uneven = o->cloud * splat(1.3f * c->variation) + one, common[2] = {uneven, uneven};
   int textured = crystal_textured(c);
   if (textured && c->turbidity > 0.0f) {
     vf tone[2];
-    crystal_tones(c, o->straight, &eye->part, &parts, eye->part_wide, o->cloud, tone);
+    crystal_tones(c, o->straight, &view->part, &parts, view->part_wide, o->cloud, tone);
     for (int k = 0; k < 2; k++) common[k] = uneven + tone[k];
   }
   const float gone = c->shaped ? LAMELLAE_BOTH : LAMELLAE_GONE;
-  vf lamellae[2] = {crystal_keep(eye->most, 0.4f * gone, gone),
-                    crystal_keep(eye->most, 0.3f * LAMELLAE_BOTH, LAMELLAE_BOTH)};
+  vf lamellae[2] = {crystal_keep(view->most, 0.4f * gone, gone),
+                    crystal_keep(view->most, 0.3f * LAMELLAE_BOTH, LAMELLAE_BOTH)};
   cells_cover look = cells_none();
   for (int n = 0; n < count; n++) {
     if (!any(gt(share[n], zero))) continue;
     if (!c->shaped) kind[n] = cells_kind_of(c, o->near[n].at);
     vf tone[2] = {common[0], common[1]};
     if (n < 2 && c->cleavage > 0.0f && any(gt(lamellae[n], zero))) {
-      vf l = splat(c->cleavage) * crystal_lamellae(o->near[n].h, o->straight, &eye->part);
+      vf l = splat(c->cleavage) * crystal_lamellae(o->near[n].h, o->straight, &view->part);
       l = l * lamellae[n];
       tone[0] = tone[0] + splat(0.1f) * l;
       tone[1] = tone[1] + splat(0.05f) * l;
@@ -209,7 +217,7 @@ STAGE void looks_empty(const stone_cells *c, cells_look *looks, int count) {
 #ifndef SPREADS
   (void)c;
 #else
-  if (!c->sparse || any(gt(looks[0].eye->most, splat(CELLS_SPARSE)))) return;
+  if (!c->sparse || any(gt(looks[0].eye->view->most, splat(CELLS_SPARSE)))) return;
   int each = count > 1 && looks[0].eye == looks[1].eye ? count : 1;
   for (int l = 0; l < count; l += each) {
     vf low[3], high[3], wide, unused;
@@ -226,7 +234,7 @@ STAGE void looks_empty(const stone_cells *c, cells_look *looks, int count) {
         range_of(high[k], &unused, &high[k]);
       }
     }
-    range_of(looks[l].eye->part_wide, &unused, &wide);
+    range_of(looks[l].eye->view->part_wide, &unused, &wide);
     int empty = bodies_absent(c, low, high, lane(wide, 0));
     for (int i = 0; i < each; i++) looks[l + i].empty = empty;
   }
@@ -242,7 +250,7 @@ INLINE void looks_run(const stone_cells *c, cells_look *looks, int count) {
 
 /* What the middle of a part knows of the bends there, and what a footprint that is all
  * but a cell wide need not. */
-INLINE vf eye_fine(const cells_eye *e) {
+INLINE vf view_fine(const cells_view *e) {
   vm all = and_(le(e->part_wide, splat(0.08f)), le(e->most, splat(CELLS_FINE)));
   if (!any(not_(all))) return splat(1.0f);
   return crystal_keep(e->part_wide, 0.08f, 0.35f) *
@@ -250,17 +258,17 @@ INLINE vf eye_fine(const cells_eye *e) {
 }
 
 /* Footprints whose cells are counted: where means do not stand in before that. */
-INLINE vm eye_counts(const stone_cells *c, vf most) {
+INLINE vm view_counts(const stone_cells *c, vf most) {
   float from = SECTIONS_KEEP * c->fade > SECTIONS_FROM ? SECTIONS_FROM : 1e9f;
   return gt(most, splat(from));
 }
 
 /* Whose looks are more than one. */
-INLINE vm eye_several(const cells_eye *e) { return gt(e->n[0] * e->n[1], splat(1.0f)); }
+INLINE vm view_several(const cells_view *e) { return gt(e->n[0] * e->n[1], splat(1.0f)); }
 
 /* Where the footprint takes more than one look. */
-STAGE void eye_divide(const stone_cells *c, cells_eye *e, const cells_square *all,
-                      const vf wide[2]) {
+STAGE void view_divide(const stone_cells *c, cells_view *e, const cells_square *all,
+                       const vf wide[2]) {
   vf one = splat(1.0f), side[2];
   for (int k = 0; k < 2; k++) {
     vi whole;
@@ -271,7 +279,7 @@ STAGE void eye_divide(const stone_cells *c, cells_eye *e, const cells_square *al
     e->n[k] = clamp(looks, one, sel(few, splat(CELLS_FEW), many));
   }
   if (c->grouped) {
-    vm several = eye_several(e);
+    vm several = view_several(e);
     for (int k = 0; k < 2; k++) {
       vi whole;
       vf fours = vfloor(wide[k] * splat(c->fours) + splat(1.5f), &whole);
@@ -290,9 +298,9 @@ STAGE void eye_divide(const stone_cells *c, cells_eye *e, const cells_square *al
     e->part.v[k] = all->v[k] * side[1];
   }
   e->part_wide = vmax(cells_length(e->part.u), cells_length(e->part.v));
-  e->fine = eye_fine(e);
+  e->fine = view_fine(e);
   e->keep = crystal_keep(e->most, 0.6f * c->fade, 2.1f * c->fade);
-  e->counted = eye_counts(c, e->most);
+  e->counted = view_counts(c, e->most);
   if (any(e->counted)) {
     vf keep = crystal_keep(e->most, SECTIONS_KEEP * c->fade, SECTIONS_GONE * c->fade);
     e->keep = sel(e->counted, keep, e->keep);
@@ -300,71 +308,84 @@ STAGE void eye_divide(const stone_cells *c, cells_eye *e, const cells_square *al
   }
   e->seen = and_(gt(e->keep, splat(0.0f)), not_(e->counted));
   e->all = *all;
-  e->once = !any(or_(eye_several(e), not_(e->seen)));
+  e->once = !any(or_(view_several(e), not_(e->seen)));
   e->idle = !any(or_(e->seen, e->counted));
 }
 
-INLINE void eye_open(const stone_cells *c, cells_eye *e) {
+/* What a look has of the whole, and bodies nothing in excess of what fills a small look. */
+INLINE void view_weigh(const stone_cells *c, cells_view *e) {
+  vf one = splat(1.0f);
+  e->swell = one;
+  e->each = e->inverse[0] * e->inverse[1];
+  if (c->shaped) {
+    vf at = vmax(e->part_wide - splat(CELLS_SMALL), splat(0.0f)) *
+            splat(1.0f / (CELLS_LOOK_MOST - CELLS_SMALL));
+    e->swell = one / (one + splat(c->swell) * at * at);
+    e->each = e->each * e->swell;
+  }
+  e->sole = e->once && !any(lt(e->keep, one));
+}
+
+/* t1, t2: the footprint's sides, s: mm. */
+INLINE void view_open(const stone_cells *c, const vf t1[3], const vf t2[3], vf s, cells_view *e) {
   vf one = splat(1.0f), wide[2];
   cells_square all;
-  cells_turn(c, e->t1, all.u);
-  cells_turn(c, e->t2, all.v);
+  cells_turn(c, t1, all.u);
+  cells_turn(c, t2, all.v);
   for (int k = 0; k < 3; k++) {
-    all.u[k] = all.u[k] * e->s;
-    all.v[k] = all.v[k] * e->s;
+    all.u[k] = all.u[k] * s;
+    all.v[k] = all.v[k] * s;
   }
-  e->sum = cells_none();
-  e->nearest = splatu(0);
   wide[0] = dot3(all.u, all.u);
   wide[1] = dot3(all.v, all.v);
   e->most = vsqrt(vmax(wide[0], wide[1]));
-  if (!any(gt(e->most, splat(c->single)))) {
+  if (any(gt(e->most, splat(c->single)))) {
+    for (int k = 0; k < 2; k++) wide[k] = vsqrt(wide[k]);
+    view_divide(c, e, &all, wide);
+  } else {
     e->part = all;
     e->part_wide = e->most;
     e->n[0] = e->n[1] = e->inverse[0] = e->inverse[1] = e->keep = one;
-    e->fine = eye_fine(e);
+    e->fine = view_fine(e);
     e->seen = le(splat(0.0f), one);
     e->once = 1;
     e->idle = 0;
-    return;
   }
-  for (int k = 0; k < 2; k++) wide[k] = vsqrt(wide[k]);
-  eye_divide(c, e, &all, wide);
+  view_weigh(c, e);
 }
 
 /* What has been seen, and as far as the looks do not reach the expected shares. */
 INLINE void eye_close(const stone_cells *c, const cells_eye *e, cells_cover *out) {
-  vf one = splat(1.0f), each = e->inverse[0] * e->inverse[1], swell = one;
-  if (c->shaped) {
-    /* and nothing in excess of what fills a small look */
-    vf at = vmax(e->part_wide - splat(CELLS_SMALL), splat(0.0f)) *
-            splat(1.0f / (CELLS_LOOK_MOST - CELLS_SMALL));
-    swell = one / (one + splat(c->swell) * at * at);
-    each = each * swell;
-  }
+  const cells_view *view = e->view;
+  vf one = splat(1.0f);
   if (e->looks) {
-    for (int k = 0; k < 2; k++) e->looks->n[k] = e->n[k];
-    vm parts = and_(e->seen, eye_several(e));
-    e->looks->weight = sel(parts, e->keep * swell, splat(0.0f));
+    for (int k = 0; k < 2; k++) e->looks->n[k] = view->n[k];
+    vm parts = and_(view->seen, view_several(view));
+    e->looks->weight = sel(parts, view->keep * view->swell, splat(0.0f));
+  }
+  if (view->sole) {
+    for (int k = 0; k < CELLS_PARTS; k++) out->of[k] = e->sum.of[k] * view->each;
+    return;
   }
   vf mean[2] = {splat(c->mean[0]), splat(c->mean[1])};
-  if (c->bedded && any(lt(e->keep, one))) {
+  if (c->bedded && any(lt(view->keep, one))) {
     vf rich = beds_mean(&c->beds, e->p, e->s * vsqrt(e->t1[1] * e->t1[1] + e->t2[1] * e->t2[1]));
-    rich = sel(lt(e->keep, one), rich, one); /* where no mean is asked for, none rounds */
+    rich = sel(lt(view->keep, one), rich, one); /* where no mean is asked for, none rounds */
     for (int k = 0; k < 2; k++) mean[k] = mean[k] * rich;
   }
   vf bodies = mean[0] + mean[1];
   const vf expected[CELLS_PARTS] = {c->shaped ? bodies : one - bodies, mean[0], mean[1]};
   for (int k = 0; k < CELLS_PARTS; k++) {
     /* all of a footprint is 1 and not nearly so */
-    vf sum = e->sum.of[k] * each, some = sel(lt(e->keep, one), mix(expected[k], sum, e->keep), sum);
-    out->of[k] = sel(e->seen, some, expected[k]);
+    vf sum = e->sum.of[k] * view->each;
+    vf some = sel(lt(view->keep, one), mix(expected[k], sum, view->keep), sum);
+    out->of[k] = sel(view->seen, some, expected[k]);
   }
-  if (e->once || !any(e->counted)) return;
+  if (view->once || !any(view->counted)) return;
   vf cut[CELLS_PARTS];
-  sections_count(c, e->p, &e->all, e->counted, cut);
+  sections_count(c, e->p, &view->all, view->counted, cut);
   for (int k = 0; k < CELLS_PARTS; k++)
-    out->of[k] = sel(e->counted, mix(expected[k], cut[k], e->keep), out->of[k]);
+    out->of[k] = sel(view->counted, mix(expected[k], cut[k], view->keep), out->of[k]);
 }
 
 #endif

@@ -117,10 +117,10 @@ STAGE field hole_relief(const stone_constants *w, const vf p[3], const vf t1[3],
   vm little = le(step, splat(0.06f * size));
   vf depth[HOLE_PLACES] = {zero, zero, zero};
   if (!found->bent) {
-    cells_eye eye = {.p = p, .t1 = t1, .t2 = t2, .s = s};
-    eye_open(c, &eye);
-    found->fine = eye.fine;
-    found->wide = eye.most;
+    cells_view view;
+    view_open(c, t1, t2, s, &view);
+    found->fine = view.fine;
+    found->wide = view.most;
   }
   if (any(little)) {
     if (!found->met) hole_find(c, p, found);

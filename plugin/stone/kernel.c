@@ -37,7 +37,18 @@ INLINE void square_sides(const vf n[3], vf t1[3], vf t2[3]) {
   cross3(n, t1, t2);
 }
 
-INLINE void stage_load(const stone_constants *w, int paved, const kernel_io *io, block *k) {
+/* Whether footprints lie as in the block before, as on flat ground they do: what has been made of
+ * them then need not be made again. */
+INLINE int lies_as_before(const block *k) {
+  vi differ = bits_of(k->s) ^ bits_of(k[-1].s);
+  for (int c = 0; c < 3; c++) differ |= bits_of(k->nrm[c]) ^ bits_of(k[-1].nrm[c]);
+  return !any(not_(eqi(differ, splati(0))));
+}
+
+/* number: of the block, among those on their way. */
+INLINE void stage_load(const stone_constants *w, int paved, const kernel_io *io, int number,
+                       block *k) {
+  k->alike = number;
   for (int c = 0; c < 3; c++) {
     k->at[c] = finite_coordinate(load_lanes(io->in->point[c], k->i, k->n));
     /* without a normal: a square that leans alike against every axis */
@@ -66,6 +77,14 @@ INLINE void stage_load(const stone_constants *w, int paved, const kernel_io *io,
   }
   exchange(w, k->p);
   exchange(w, k->nrm);
+  if (number && lies_as_before(k)) {
+    k->alike = k[-1].alike;
+    for (int c = 0; c < 3; c++) {
+      k->t1[c] = k[-1].t1[c];
+      k->t2[c] = k[-1].t2[c];
+    }
+    return;
+  }
   square_sides(k->nrm, k->t1, k->t2);
 }
 
@@ -86,9 +105,10 @@ STAGE void stage_paper(const stone_constants *w, block *k) {
 STAGE void stage_grain(const stone_constants *w, const kernel_io *io, block *k) {
   const stone_cells *c = &w->layer[LAYER_GRAINS];
   if (!k->crystal_known) {
-    cells_eye eye = {.p = k->p, .t1 = k->t1, .t2 = k->t2, .s = k->s};
+    cells_view view;
+    cells_eye eye = {.view = &view};
     cells_look look = {.eye = &eye};
-    eye_open(c, &eye);
+    view_open(c, k->t1, k->t2, k->s, &view);
     cells_turn(c, k->p, look.straight);
     looks_bend(c, &look, 1);
     look.empty = 0;
@@ -246,7 +266,7 @@ INLINE void evaluate_as(int paved, const stone_constants *w, const kernel_io *io
       k->i = i;
       k->n = to - i < LANES ? to - i : LANES;
       k->crystal_known = k->holes.bent = k->holes.met = 0;
-      stage_load(w, paved, io, k);
+      stage_load(w, paved, io, count, k);
       stage_laid(w, paved, io, k);
     }
     if (fabric) stage_cells(w, blocks, count);

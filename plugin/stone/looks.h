@@ -13,8 +13,8 @@
 /* Look i, j of a footprint's. */
 INLINE void look_at(const stone_cells *c, cells_eye *e, int i, int j, vm there, cells_look *o) {
   vf half = splat(0.5f), at[3];
-  vf u = (splat((float)i + 0.5f) * e->inverse[0] - half) * e->s;
-  vf v = (splat((float)j + 0.5f) * e->inverse[1] - half) * e->s;
+  vf u = (splat((float)i + 0.5f) * e->view->inverse[0] - half) * e->s;
+  vf v = (splat((float)j + 0.5f) * e->view->inverse[1] - half) * e->s;
   for (int k = 0; k < 3; k++) at[k] = e->p[k] + e->t1[k] * u + e->t2[k] * v;
   cells_turn(c, at, o->straight);
   o->there = there;
@@ -29,13 +29,14 @@ INLINE void sites_add(const stone_cells *c, const cells_look looks[SITES_LOOKS],
                       const vf tone[SITES_LOOKS][2]) {
   vf zero = splat(0.0f), one = splat(1.0f), a[SITES_LOOKS], b[SITES_LOOKS], own[SITES_LOOKS][3];
   cells_eye *eye = looks[0].eye;
+  const cells_view *view = eye->view;
   for (int l = 0; l < SITES_LOOKS; l++) a[l] = b[l] = own[l][0] = own[l][1] = own[l][2] = zero;
-  vf keep = crystal_keep(eye->most, 0.4f * LAMELLAE_GONE, LAMELLAE_GONE) * splat(c->cleavage);
+  vf keep = crystal_keep(view->most, 0.4f * LAMELLAE_GONE, LAMELLAE_GONE) * splat(c->cleavage);
   int lamellae = !shaped && c->cleavage > 0.0f && any(gt(keep, zero));
   cells_square both;
   for (int k = 0; k < 3; k++) {
-    both.u[k] = eye->part.u[k] + eye->part.u[k];
-    both.v[k] = eye->part.v[k] + eye->part.v[k];
+    both.u[k] = view->part.u[k] + view->part.u[k];
+    both.v[k] = view->part.v[k] + view->part.v[k];
   }
   for (int k = 0; k < sites_count(shaped); k++) {
     vf all = share[0][k] + share[1][k] + share[2][k] + share[3][k];
@@ -69,7 +70,7 @@ INLINE void sites_add(const stone_cells *c, const cells_look looks[SITES_LOOKS],
 
 /* How far from the middle of all looks a body's edge is still seen: the furthest look's middle,
  * its quarters', half an edge, and more than rounding does. */
-INLINE vf sites_reach(const cells_eye *e, const cells_look looks[SITES_LOOKS], const vf middle[3],
+INLINE vf sites_reach(const cells_view *e, const cells_look looks[SITES_LOOKS], const vf middle[3],
                       vf inverse) {
   vf far = splat(0.0f);
   for (int l = 0; l < SITES_LOOKS; l++) {
@@ -83,7 +84,7 @@ INLINE vf sites_reach(const cells_eye *e, const cells_look looks[SITES_LOOKS], c
 /* Four looks. */
 INLINE void looks_four_as(const stone_cells *c, int shaped, cells_look looks[SITES_LOOKS]) {
   cells_sites s;
-  cells_eye *e = looks[0].eye;
+  const cells_view *e = looks[0].eye->view;
   vf one = splat(1.0f), quarter = splat(0.25f), middle[3], straight[3];
   vf share[SITES_LOOKS][SITES], tone[SITES_LOOKS][2], inverse = one, reach = one;
   looks_bend(c, looks, SITES_LOOKS);
@@ -124,12 +125,13 @@ STAGE void looks_four_crystals(const stone_cells *c, cells_look looks[SITES_LOOK
 /* The looks of those lanes that take several. */
 STAGE void eye_look_in_fours(const stone_cells *c, cells_eye *e) {
   cells_look looks[SITES_LOOKS];
-  vm seen = and_(e->seen, eye_several(e));
+  const cells_view *view = e->view;
+  vm seen = and_(view->seen, view_several(view));
   for (int j = 0; j < CELLS_STEPS; j += 2) {
-    vm row = and_(seen, lt(splat((float)j), e->n[1]));
+    vm row = and_(seen, lt(splat((float)j), view->n[1]));
     if (!any(row)) break;
     for (int i = 0; i < CELLS_STEPS; i += 2) {
-      vm there = and_(row, lt(splat((float)i), e->n[0]));
+      vm there = and_(row, lt(splat((float)i), view->n[0]));
       if (!any(there)) break;
       for (int l = 0; l < SITES_LOOKS; l++)
         look_at(c, e, i + (l & 1), j + (l >> 1), there, &looks[l]);
@@ -145,7 +147,7 @@ STAGE void eye_look_about(const stone_cells *c, cells_eye *e) {
   if (c->grouped) {
     /* lanes of one look first: what that keeps for the others is not theirs */
     cells_look look;
-    vm alone = and_(e->seen, not_(eye_several(e)));
+    vm alone = and_(e->view->seen, not_(view_several(e->view)));
     if (any(alone)) {
       look_at(c, e, 0, 0, alone, &look);
       looks_run(c, &look, 1);
@@ -156,10 +158,10 @@ STAGE void eye_look_about(const stone_cells *c, cells_eye *e) {
   cells_look looks[CELLS_LOOKS];
   int count = 0;
   for (int j = 0; j < CELLS_STEPS; j++) {
-    vm row = and_(e->seen, lt(splat((float)j), e->n[1]));
+    vm row = and_(e->view->seen, lt(splat((float)j), e->view->n[1]));
     if (!any(row)) break;
     for (int i = 0; i < CELLS_STEPS; i++) {
-      vm there = and_(row, lt(splat((float)i), e->n[0]));
+      vm there = and_(row, lt(splat((float)i), e->view->n[0]));
       if (!any(there)) break;
       look_at(c, e, i, j, there, &looks[count++]);
       if (count < CELLS_LOOKS) continue;
@@ -173,7 +175,13 @@ STAGE void eye_look_about(const stone_cells *c, cells_eye *e) {
 /* A layer of cells under a few footprints of which one look at each is all. */
 STAGE void eyes_look(const stone_cells *c, cells_eye *eyes, int count) {
   cells_look looks[CELLS_LOOKS];
-  for (int e = 0; e < count; e++) look_at(c, &eyes[e], 0, 0, eyes[e].seen, &looks[e]);
+  for (int e = 0; e < count; e++) {
+    cells_look *o = &looks[e];
+    cells_turn(c, eyes[e].p, o->straight);
+    o->there = eyes[e].view->seen;
+    o->slot = 0;
+    o->eye = &eyes[e];
+  }
   looks_run(c, looks, count);
 }
 
