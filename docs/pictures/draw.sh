@@ -30,8 +30,8 @@ stone() {
   "$sozai" render stone --preset "$2" -o "$scratch/$1.png" --shape plane --res 400x300 --spp 32 "${@:3}"
 }
 
-# Inada, Makabe and Mannari granite, Carrara; terrazzo, Rosa Beta flamed, wet setts in fans, a
-# mossy path
+# Inada, Makabe and Mannari granite, Carrara, Rosso Verona; terrazzo, Rosa Beta flamed, wet setts in
+# fans, a mossy path, araidashi
 draw_stones() {
   stone 1 inada --camera front --size 80x60
   stone 2 makabe --camera front --size 80x60
@@ -42,7 +42,9 @@ draw_stones() {
   stone 7 granite_fan --camera -90,36,14 --zoom 5 --size 12000x9000 -p wet=0.8 --light 140,20
   stone 8 ishidatami --camera -50,42,14 --zoom 5 --size 12000x9000 -p layout=chidori \
     -p stone_length=600 -p stone_width=300 -p moss=0.42 -p moss_spread=30
-  oiiotool "$scratch"/{1,2,3,4,5,6,7,8}.png --mosaic 4x2 -d uint8 -o "$folder/stones.png"
+  stone 9 rosso_verona --camera front --size 320x240
+  stone 10 araidashi --camera front --size 100x75 --light 30,30
+  oiiotool "$scratch"/{1,2,3,4,9,5,6,7,8,10}.png --mosaic 5x2 -d uint8 -o "$folder/stones.png"
 }
 
 draw_log() {

@@ -19,10 +19,9 @@ typedef struct {
   vf s;
   vf t1[3], t2[3]; /* the footprint's sides */
   int alike;       /* of the blocks on their way the first whose footprints lie as these do */
-  vf albedo[3], speck, hole;
-  int crystal_known; /* the colour has met it */
-  vu crystal;        /* that the point is in */
-  cells_found holes;
+  vf albedo[3], speck, hole, inclusion; /* the last three: shares of the footprint */
+  int crystal_known;                    /* the colour has met it */
+  vu crystal;                           /* that the point is in */
   int hidden; /* how many of the layers, from below, no lane sees anything of */
   cells_cover cover[STONE_LAYERS];
   int mixed[STONE_LAYERS]; /* a bit to each layer below that it covers unevenly */
@@ -30,6 +29,7 @@ typedef struct {
   vf with[STONE_LAYERS][STONE_LAYERS][CELLS_PARTS];
   laid laid; /* where there is a paving */
   surface surface;
+  cells_found holes, inclusions; /* that are asked how high they are */
 } block;
 
 #endif

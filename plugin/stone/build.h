@@ -10,6 +10,9 @@
 int32_t stone_build(stone_constants *w, const sozai_host *host, const settings *s,
                     const float (*colours)[3], const stone_kernel *kernel);
 
+/* After what varies slowly, whose seeds beds' bodies have. */
+void stone_build_layers(stone_constants *w, const settings *s, stone_measure *measure);
+
 /* The paving and the weather, after all else but the paper's. */
 int32_t stone_build_paving(stone_constants *w, const settings *s, const float (*colours)[3],
                            stone_measure_laid *measure);

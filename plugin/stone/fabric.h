@@ -27,13 +27,21 @@ INLINE void stage_eye(const block *k, const cells_view *view, cells_seen *looks,
   e->sum = cells_none();
 }
 
-INLINE void stage_seen(const stone_cells *c, int layer, const cells_eye *e, block *k) {
-  eye_close(c, e, &k->cover[layer]);
-  if (layer == LAYER_HOLES) {
-    k->holes.bent = 1;
-    k->holes.met = e->view->once && e->found; /* where other blocks' looks were many, nobody kept it */
-    k->holes.fine = e->view->fine;
-    k->holes.wide = e->view->most;
+/* What a layer's bodies are found to be, for who asks how high they are; NULL: nobody does. */
+INLINE cells_found *stage_found(const stone_constants *w, int layer, block *k) {
+  if (layer == LAYER_HOLES) return &k->holes;
+  return layer == LAYER_INCLUSIONS && w->raise != 0.0f ? &k->inclusions : NULL;
+}
+
+INLINE void stage_seen(const stone_constants *w, int layer, const cells_eye *e, block *k) {
+  cells_found *found = stage_found(w, layer, k);
+  eye_close(&w->layer[layer], e, &k->cover[layer]);
+  if (found) {
+    found->bent = 1;
+    found->met =
+        e->view->once && e->found; /* where other blocks' looks were many, nobody kept it */
+    found->fine = e->view->fine;
+    found->wide = e->view->most;
   }
   if (layer != LAYER_GRAINS) return;
   k->crystal_known = e->view->once;
@@ -58,7 +66,7 @@ STAGE void stage_looks(const stone_constants *w, int layers, fabric_views *views
     views->of[l] = k->alike;
     stage_eye(k, &views->view[l], &seen[l], &e);
     eye_look_about(c, &e);
-    stage_seen(c, l, &e, k);
+    stage_seen(w, l, &e, k);
     for (int m = k->hidden; m < n; m++) {
       int below = fabric_order[m];
       if (!(layers >> below & 1)) continue;
@@ -91,12 +99,12 @@ INLINE int stage_layer(const stone_constants *w, int n, block *blocks, int count
     cells_eye *e = &eyes[seen];
     of[seen++] = k;
     stage_eye(k, view, NULL, e);
-    if (l == LAYER_HOLES) e->found = &k->holes;
+    e->found = stage_found(w, l, k);
   }
   if (!once && !idle) return 0;
   if (once && seen) eyes_look(c, eyes, seen);
   for (int b = 0; b < seen; b++) {
-    stage_seen(c, l, &eyes[b], of[b]);
+    stage_seen(w, l, &eyes[b], of[b]);
     int all = c->shaped && !any(lt(of[b]->cover[l].of[0], splat(1.0f)));
     if (!all || n <= of[b]->hidden) continue;
     of[b]->hidden = n;
@@ -186,7 +194,7 @@ STAGE void stage_fabric(const stone_constants *w, block *k) {
   fabric_stack over;
   over.count = over.mixes = 0;
   for (int l = 0; l < STONE_LAYERS; l++) over.mixes |= k->mixed[l];
-  k->speck = k->hole = zero;
+  k->speck = k->hole = k->inclusion = zero;
   const int seen = !k->hidden, veins = k->hidden < STONE_LAYERS - 1;
   if (w->has_beds && seen) {
     vf flat2 = vmax(one - k->nrm[1] * k->nrm[1], zero);
@@ -211,7 +219,8 @@ STAGE void stage_fabric(const stone_constants *w, block *k) {
   if (w->layer[LAYER_SPECKS].on)
     k->speck = lay_over(w, LAYER_SPECKS, COLOUR_BLACK, COLOUR_WHITE, &over, k);
   if (w->layer[LAYER_INCLUSIONS].on)
-    (void)lay_over(w, LAYER_INCLUSIONS, COLOUR_INCLUSION, COLOUR_INCLUSION_SECOND, &over, k);
+    k->inclusion =
+        lay_over(w, LAYER_INCLUSIONS, COLOUR_INCLUSION, COLOUR_INCLUSION_SECOND, &over, k);
   if (w->has_veins && veins) {
     vf v = vein_share(w, k->p, k->nrm, k->t1, k->t2, k->s);
     fabric_add(&over, STONE_LAYERS, COLOUR_VEIN, COLOUR_VEIN, v, k->albedo);

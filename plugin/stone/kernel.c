@@ -4,9 +4,9 @@
  */
 #include "../core/directions.h"
 #include "../core/lanes.h"
-#include "../core/measure.h"
 #include "fabric.h"
 #include "gloss.h"
+#include "means.h"
 #include "paper.h"
 
 extern const stone_kernel KERNEL_NAME(stone_kernel_);
@@ -97,7 +97,7 @@ STAGE void stage_paper(const stone_constants *w, block *k) {
     paper_at(w, k->p, k->t1, k->t2, k->s, sum);
   for (int c = 0; c < 3; c++) k->albedo[c] = sum[c];
   k->speck = sum[3];
-  k->hole = splat(0.0f);
+  k->hole = k->inclusion = splat(0.0f);
 }
 
 /* The number of the crystal at the point itself, its faces as bent as the colour has
@@ -133,6 +133,25 @@ INLINE void stage_height(const kernel_io *io, block *k) {
   put(io, k, STONE_OCCLUSION, q->occlusion);
 }
 
+/* Inclusions over the relief. Those that stand out are as smooth as water has left them. square:
+ * of the height, its variance. */
+INLINE field stage_raise(const stone_constants *w, block *k, field relief, vf *square) {
+  surface *q = &k->surface;
+  const stone_cells *c = &w->layer[LAYER_INCLUSIONS];
+  const height_form form = {c, 1, 1.0f, w->dome_mean, w->dome_steep};
+  vf lost = splat(0.0f), high = splat(w->raise);
+  field dome = bodies_height(&form, k->p, k->t1, k->t2, k->s, k->inclusion, &k->inclusions, &lost);
+  if (w->raise > 0.0f) {
+    field rough = field_rest(field_scale(dome, splat(DOME_SMOOTH)));
+    relief = field_mul(relief, rough);
+    q->lost = q->lost * rough.v * rough.v;
+    *square = *square * rough.v * rough.v;
+  }
+  q->lost = q->lost + high * high * lost;
+  *square = *square + splat(w->raise_sd * w->raise_sd);
+  return field_add(relief, field_scale(dome, high));
+}
+
 /* hollows: that somebody asks for what lies in the relief's shadow. */
 INLINE void stage_surface(const stone_constants *w, int paved, const kernel_io *io, int hollows,
                           block *k) {
@@ -147,13 +166,16 @@ INLINE void stage_surface(const stone_constants *w, int paved, const kernel_io *
     return;
   }
   relief.v = relief_at(w, k->p, k->s, relief.g, &q->lost, &square);
+  if (w->raise != 0.0f) relief = stage_raise(w, k, relief, &square);
   if (hollows) {
-    q->low = surface_below(relief.v * inverse_root(square));
+    q->low = surface_below((relief.v - splat(w->raise_mean)) * inverse_root(square));
     q->steep = vsqrt(vmax(splat(w->relief_steep) - q->lost, splat(0.0f)));
   }
   if (w->layer[LAYER_HOLES].on && w->hole_depth > 0.0f) {
-    relief =
-        field_add(relief, hole_relief(w, k->p, k->t1, k->t2, k->s, k->hole, &k->holes, &q->lost));
+    const stone_cells *c = &w->layer[LAYER_HOLES];
+    const height_form bowl = {c, 0, w->hole_depth, -0.1f * w->hole_depth, w->hole_depth / c->size};
+    relief = field_add(
+        relief, bodies_height(&bowl, k->p, k->t1, k->t2, k->s, k->hole, &k->holes, &q->lost));
   }
   from_bed(w, paved, k, relief.g);
   surface_lay(w, paved, &k->laid, k->at, k->s, relief, q);
@@ -250,7 +272,8 @@ INLINE void evaluate_as(int paved, const stone_constants *w, const kernel_io *io
                         uint32_t to) {
   int radiance = kernel_wants(io, STONE_RADIANCE, 3),
       albedo = kernel_wants(io, STONE_ALBEDO, 3) || radiance;
-  int speck = kernel_wants(io, STONE_SPECK, 1), hollow = w->layer[LAYER_HOLES].on;
+  int speck = kernel_wants(io, STONE_SPECK, 1),
+      hollow = w->layer[LAYER_HOLES].on || w->raise != 0.0f;
   int normal =
       kernel_wants(io, STONE_NORMAL, 3) || kernel_wants(io, STONE_ROUGHNESS, 2) || radiance;
   int covered = paved || w->weather.on, hollows = kernel_wants(io, STONE_OCCLUSION, 1) || radiance;
@@ -265,7 +288,8 @@ INLINE void evaluate_as(int paved, const stone_constants *w, const kernel_io *io
       block *k = &blocks[count];
       k->i = i;
       k->n = to - i < LANES ? to - i : LANES;
-      k->crystal_known = k->holes.bent = k->holes.met = 0;
+      k->crystal_known = 0;
+      k->holes.bent = k->holes.met = k->inclusions.bent = k->inclusions.met = 0;
       stage_load(w, paved, io, count, k);
       stage_laid(w, paved, io, k);
     }
@@ -277,7 +301,7 @@ INLINE void evaluate_as(int paved, const stone_constants *w, const kernel_io *io
       else if (colour)
         stage_paper(w, k);
       else
-        k->hole = splat(0.0f);
+        k->hole = k->inclusion = splat(0.0f);
     }
     if (surface) {
       for (int b = 0; b < count; b++) stage_surface(w, paved, io, hollows, &blocks[b]);
@@ -312,99 +336,6 @@ static void evaluate(const void *constants, const kernel_io *io, uint32_t from, 
     evaluate_paved(w, io, from, to);
   else
     evaluate_piece(w, io, from, to);
-}
-
-#define MEASURED_EXTENT 512.0f /* large to everything */
-
-static void measure_layer(const stone_cells *c, uint32_t count, double *fill, double *seen) {
-  const vf zero = splat(0.0f), side = splat(CELLS_LOOK_MOST);
-  const cells_square point = {{zero, zero, zero}, {zero, zero, zero}};
-  const cells_square look = {{side, zero, zero}, {zero, side, zero}};
-  const vm all = le(zero, zero), body[2] = {all, all};
-  const cells_parts one_part = cells_part(zero, c->whole), quarters = cells_part(side, c->whole);
-  for (uint32_t i = 0; i < count; i += LANES) {
-    vf q[3], share[3];
-    cells_near near[3];
-    for (uint32_t a = 0; a < 3; a++) q[a] = measure_place(i, a, MEASURED_EXTENT);
-    cells_find(c, 0, 0, q, near);
-    cells_shares(c, near, body, &point, &one_part, 0, zero, share);
-    measure_add(fill, share[0] + share[1]);
-    cells_shares(c, near, body, &look, &quarters, 0, zero, share);
-    measure_add(seen, share[0] + share[1]);
-  }
-  *fill /= count;
-  *seen /= count;
-}
-
-static void measure(const stone_constants *w, uint32_t count, stone_means *out) {
-  memset(out, 0, sizeof *out);
-  for (int l = 0; l < STONE_LAYERS; l++) {
-    const stone_cells *c = &w->layer[l];
-    if (c->on && c->shaped) measure_layer(c, count, &out->fill[l], &out->seen[l]);
-  }
-  const vf zero = splat(0.0f), up[3] = {zero, splat(1.0f), zero};
-  for (uint32_t i = 0; w->has_veins && i < count; i += LANES) {
-    vf p[3];
-    for (uint32_t a = 0; a < 3; a++)
-      p[a] = measure_place(i, a, MEASURED_EXTENT) * splat(1.0f / w->vein_frequency);
-    measure_add(&out->veins, vein_share(w, p, up, up, up, zero));
-  }
-  out->veins /= count;
-}
-
-/* Means over twenty metres of paving, of its edges and moss alone. */
-static void measure_laid(const stone_constants *w, uint32_t count, stone_laid_means *out) {
-  const vf zero = splat(0.0f), p2 = zero, one = splat(1.0f);
-  const vf x[3] = {one, zero, zero}, y[3] = {zero, one, zero};
-  memset(out, 0, sizeof *out);
-  if (w->paving.layout.kind == LAYOUT_NONE) return;
-  for (uint32_t i = 0; i < count; i += LANES) {
-    vf p[3] = {measure_place(i, 0, MEASURED_EXTENT) * splat(40.0f),
-               measure_place(i, 1, MEASURED_EXTENT) * splat(40.0f), p2};
-    laid q;
-    laid_at(w, p, NULL, x, y, zero, &q);
-    surface f = surface_none();
-    surface_lay(w, 1, &q, p, zero, field_of(zero), &f);
-    vf lost, slope;
-    field profile = laid_profile(&w->paving, &q, &lost);
-    slope = profile.g[0] * profile.g[0] + profile.g[1] * profile.g[1];
-    measure_add(&out->height, profile.v);
-    measure_add(&out->slope2, slope * splat(0.5f));
-    measure_add(&out->occlusion, f.occlusion);
-    measure_add(&out->moss, f.moss);
-  }
-  out->height /= count;
-  out->slope2 /= count;
-  out->occlusion /= count;
-  out->moss /= count;
-}
-
-static void scan_tile(const stone_constants *w, paper_scanned *out) {
-  const stone_tile *t = &w->tile;
-  const vf one = splat(1.0f);
-  uint32_t count = (uint32_t)(t->tile[0] * t->tile[1]), stones = 0;
-  uint32_t across = (uint32_t)t->tile[0];
-  memset(out, 0, sizeof *out);
-  vu seed = splatu(w->seed ^ 0x27d4eb2fu);
-  for (uint32_t i = 0; i < count; i += LANES) {
-    vf x = splat(0.0f), y = x;
-    for (uint32_t k = 0; k < LANES; k++) {
-      set_lane(&x, k, (float)((i + k) % across));
-      set_lane(&y, k, (float)((i + k) / across));
-    }
-    tile_place q = tile_at(t, x, y);
-    vf h = tile_height(t, seed, x, y, one);
-    for (uint32_t k = 0; k < LANES && i + k < count; k++) {
-      if (lane(q.depth, k) <= 0.0f) continue;
-      stones++;
-      double z = (double)lane(h, k);
-      out->mean += z;
-      if (lane(q.depth, k) >= t->repair && z > out->highest) out->highest = z;
-    }
-  }
-  out->joint = 1.0 - (double)stones / count;
-  out->mean /= stones ? stones : 1;
-  if (out->highest <= 0.0) out->highest = 256.0;
 }
 
 const stone_kernel KERNEL_NAME(stone_kernel_) = {KERNEL_OF(evaluate), measure, measure_laid,

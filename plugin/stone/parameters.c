@@ -222,6 +222,19 @@ static const sozai_parameter inclusion_variation = {
    .doc = "The same of inclusions.",
    .hard_min = 0, .hard_max = 0.35, .soft_min = 0, .soft_max = 0.2, .default_number = {0.1}};
 
+static const sozai_parameter inclusion_blur = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "inclusion_blur", .label = "Inclusion blur", .group = "inclusions", .unit = "mm",
+   .doc = "How gradually an inclusion becomes what holds it: the width of its border.",
+   .hard_min = 0, .hard_max = 50, .soft_min = 0, .soft_max = 4, .default_number = {0.03}};
+
+static const sozai_parameter inclusion_relief = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "inclusion_relief", .label = "Inclusion relief", .group = "inclusions", .unit = "mm",
+   .doc = "How far inclusions stand out of the face, as of washed aggregate: their tops, which are "
+   "smoother than the finish. Below 0 they have weathered back so far.",
+   .hard_min = -50, .hard_max = 50, .soft_min = -5, .soft_max = 8, .default_number = {0}};
+
 static const sozai_parameter speck_size = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "speck_size", .label = "Speck size", .group = "specks", .unit = "mm",
@@ -483,6 +496,8 @@ const sozai_parameter *const stone_parameters[STONE_PARAMETERS] = {
    [P_INCLUSION_STRETCH] = &inclusion_stretch,
    [P_INCLUSION_INTERLOCK] = &inclusion_interlock,
    [P_INCLUSION_VARIATION] = &inclusion_variation,
+   [P_INCLUSION_BLUR] = &inclusion_blur,
+   [P_INCLUSION_RELIEF] = &inclusion_relief,
    [P_SPECK_SIZE] = &speck_size,
    [P_BLACK_SHARE] = &black_share,
    [P_WHITE_SHARE] = &white_share,

@@ -167,10 +167,13 @@ typedef struct {
   float relief[STONE_RELIEF], relief_frequency[STONE_RELIEF]; /* mm; 1/mm */
   float relief_slope2[STONE_RELIEF];                          /* variance of the slope, one axis */
   int32_t relief_octaves, pitted;
-  float alpha2;       /* roughness squared where nothing is lost */
-  float specular;     /* reflectance at normal incidence */
-  float relief_steep; /* variance of the slope along one axis, of all octaves */
-  float hole_depth;   /* mm to a cell */
+  float alpha2;                /* roughness squared where nothing is lost */
+  float specular;              /* reflectance at normal incidence */
+  float relief_steep;          /* variance of the slope along one axis, of all octaves */
+  float hole_depth;            /* mm to a cell */
+  float raise;                 /* mm: of inclusions over the face, or below 0 under it; */
+  float raise_mean, raise_sd;  /* over all of the plane */
+  float dome_mean, dome_steep; /* over inclusions, of a dome of 1: of slope the sd, 1/mm */
   uint32_t seed;
 
   stone_paving paving;
@@ -200,9 +203,10 @@ enum {
 
 /* Means of what has no formula, over `count` points: how much of space the bodies
  * of each layer fill, how much of a face the widest looks take them to, and the
- * veins' share. */
+ * veins' share; and where inclusions are domes, over their bodies, a dome's height, its
+ * square and the square of its slope along one axis, 1/mm. */
 typedef struct {
-  double fill[STONE_LAYERS], seen[STONE_LAYERS], veins;
+  double fill[STONE_LAYERS], seen[STONE_LAYERS], veins, dome, dome_square, dome_steep2;
 } stone_means;
 
 /* The paving's means, likewise. */

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * The surface as it lies: the finish's relief and the holes, the stones' edges
+ * The surface as it lies: the finish's relief, domes and holes, the stones' edges
  * and how they lie, what grows and stands on them; as height with its slope, and
  * as shares of the footprint for the colours.
  */
 #ifndef SOZAI_STONE_SURFACE_H
 #define SOZAI_STONE_SURFACE_H
 
-#include "holes.h"
+#include "bodies_height.h"
 #include "laid.h"
 #include "relief.h"
 #include "weather.h"

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * Finishes and holes: the normal is the height's own, by finite differences; and what a
+ * Finishes, domes and holes: the normal is the height's own, by finite differences; and what a
  * footprint averages out of the slopes is the variance that roughness gains.
  */
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #include "cmocka_all.h"
@@ -64,12 +65,9 @@ static void normal_is_the_heights(void **state) {
   }
 }
 
-/* Holes' slopes are differences over the footprint, of places that the bends' slopes lead to:
- * in the mean they are the height's. */
-static void normal_is_the_holes(void **state) {
-  (void)state;
-  sozai_texture *t;
-  assert_int_equal(textures->create(NULL, "stone", "travertino", NULL, 0, &t), SOZAI_OK);
+/* Bodies' slopes are differences over the footprint, of places that the bends' slopes lead to: in
+ * the mean they are the height's. `within`: what heights count. */
+static void check_slopes(const char *what, const sozai_texture *t, bool (*within)(float height)) {
   points p = {0};
   uniform_seed(73);
   const double h = 0.003, s = 0.03;
@@ -83,22 +81,91 @@ static void normal_is_the_holes(void **state) {
   }
   points_ask(&p, t);
   double off = 0, steep = 0;
-  unsigned within = 0;
+  unsigned count = 0;
   for (unsigned i = 0; i < p.count; i += 5) {
     const float *a = p.out[STONE_HEIGHT] + i;
-    if (a[0] > -0.02f) continue;
+    if (!within(a[0])) continue;
     double dx = (double)(a[1] - a[2]) / (2 * h), dy = (double)(a[3] - a[4]) / (2 * h);
     double nz = (double)p.out[STONE_NORMAL + 2][i];
     double gx = -(double)p.out[STONE_NORMAL][i] / nz, gy = -(double)p.out[STONE_NORMAL + 1][i] / nz;
     off += (gx - dx) * (gx - dx) + (gy - dy) * (gy - dy);
     steep += dx * dx + dy * dy;
-    within++;
+    count++;
   }
-  CHECK(within > 500 && off < 0.01 * steep,
-        "in %u places within holes slopes of RMS %.3f: off finite differences by %.4f\n", within,
-        sqrt(steep / within), sqrt(off / within));
+  CHECK(count > 500 && off < 0.01 * steep,
+        "in %u places %s slopes of RMS %.3f: off finite differences by %.4f\n", count, what,
+        sqrt(steep / count), sqrt(off / count));
   points_free(&p);
+}
+
+static bool in_hole(float height) { return height <= -0.02f; }
+static bool on_dome(float height) { return fabsf(height) >= 0.02f; }
+
+static void normal_is_the_holes(void **state) {
+  (void)state;
+  sozai_texture *t;
+  assert_int_equal(textures->create(NULL, "stone", "travertino", NULL, 0, &t), SOZAI_OK);
+  check_slopes("within holes", t, in_hole);
   textures->destroy(t);
+}
+
+/* Gravel, in a face that is level but for it. */
+static sozai_texture *gravel(double high, double grading) {
+  const sozai_value v[] = {
+      {.id = "relief", .kind = SOZAI_KIND_FLOAT, .number = {0}},
+      {.id = "inclusion_relief", .kind = SOZAI_KIND_FLOAT, .number = {high}},
+      {.id = "inclusion_grading", .kind = SOZAI_KIND_FLOAT, .number = {grading}},
+  };
+  sozai_texture *t;
+  assert_int_equal(textures->create(NULL, "stone", "exposed_aggregate", v, 3, &t), SOZAI_OK);
+  return t;
+}
+
+static void normal_is_the_domes(void **state) {
+  (void)state;
+  for (int k = 0; k < 2; k++) {
+    sozai_texture *t = gravel(k ? -1.5 : 2.2, 0.45);
+    check_slopes(k ? "on sunk inclusions" : "on raised ones", t, on_dome);
+    textures->destroy(t);
+  }
+}
+
+/* Inclusions stand as high as was asked, and nothing else; a wide footprint has the mean of the
+ * heights, and the variance of their slopes as roughness. */
+static void domes_have_their_height(void **state) {
+  (void)state;
+  static const double high[] = {2.2, -1.5, 0.5}, grading[] = {0.45, 0.45, 0.9};
+  for (int g = 0; g < 3; g++) {
+    sozai_texture *t = gravel(high[g], grading[g]);
+    points p = {0};
+    uniform_seed(74);
+    enum { N = 40000 };
+    for (int i = 0; i < N; i++) points_add(&p, 3000 * uniform(), 3000 * uniform(), 0, 0.05);
+    points_add(&p, 0, 0, 0, 5000);
+    points_ask(&p, t);
+    double low = 0, top = 0, mean = 0, variance = 0, level = 0;
+    for (int i = 0; i < N; i++) {
+      double h = (double)p.out[STONE_HEIGHT][i] / high[g];
+      low = fmin(low, h);
+      top = fmax(top, h);
+      mean += h / N;
+      level += fabs(h) < 1e-6 ? 1.0 / N : 0;
+      double nz = (double)p.out[STONE_NORMAL + 2][i];
+      double gx = (double)p.out[STONE_NORMAL][i] / nz, gy = (double)p.out[STONE_NORMAL + 1][i] / nz;
+      variance += 0.5 * (gx * gx + gy * gy) / N;
+    }
+    double fine = (double)p.out[STONE_ROUGHNESS][0], wide = (double)p.out[STONE_ROUGHNESS][N];
+    double gained = (wide * wide - fine * fine) / 2, far = (double)p.out[STONE_HEIGHT][N] / high[g];
+    CHECK(low >= 0 && top <= 1 + 1e-6 && top > 0.95 && level > 0.2,
+          "relief %4.1f mm, grading %.2f: of it heights have %.3f to %.3f, %.3f of the face none\n",
+          high[g], grading[g], low, top, level);
+    CHECK(fabs(far - mean) < 0.02, "  mean %.4f, under 5 m %.4f\n", mean, far);
+    CHECK(wide > 0.999 || fabs(gained - variance) <= 0.15 * variance,
+          "  slope variance %.5f, roughness %.3f to %.3f: gained %.5f (ratio %.3f)\n", variance,
+          fine, wide, gained, gained / variance);
+    points_free(&p);
+    textures->destroy(t);
+  }
 }
 
 /* Slope variance along an axis at a point, against what a footprint wide enough
@@ -135,8 +202,9 @@ static void lost_slopes_are_roughness(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(normal_is_the_heights),
-                                     cmocka_unit_test(normal_is_the_holes),
-                                     cmocka_unit_test(lost_slopes_are_roughness)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(normal_is_the_heights), cmocka_unit_test(normal_is_the_holes),
+      cmocka_unit_test(normal_is_the_domes), cmocka_unit_test(domes_have_their_height),
+      cmocka_unit_test(lost_slopes_are_roughness)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

@@ -194,6 +194,7 @@ static const sozai_value values_baltic_brown[] = {
     NUMBER("inclusion_grading", 0.55),
     NUMBER("inclusion_interlock", 0.25),
     NUMBER("inclusion_variation", 0.16),
+    NUMBER("inclusion_blur", 0.35),
     SRGB("inclusion_colour", 122, 86, 68),
     SRGB("inclusion_second_colour", 116, 98, 76),
     NUMBER("black_share", 0.08),

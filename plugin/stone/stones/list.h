@@ -43,7 +43,8 @@
   X(brick_paver) \
   X(concrete_paver) \
   X(cast_concrete) \
-  X(exposed_aggregate)
+  X(exposed_aggregate) \
+  X(araidashi)
 /* clang-format on */
 
 #endif

@@ -1,0 +1,288 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * From settings to the layers of cells, and how closely each is looked at.
+ */
+#include "build.h"
+
+#include "../core/hash1.h"
+#include "parameters.h"
+
+#define MEASURED 8192u     /* points, for means that have no formula; whole blocks of every width */
+#define CELLS_WHOLE 0.05f  /* cells: wider looks at that contrast are seen in quarters */
+#define SPARSE 0.15f       /* of cells in most places, a body: fewer are asked for first */
+#define CLOUDS_WHOLE 0.04f /* the same over the turbidity of what is seen */
+
+typedef struct {
+  double size, stretch, grading, interlock, gap, roundness, variation, blur, share[2];
+  double depth, cleavage, turbidity, flatness, cluster;
+} body;
+
+static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped) {
+  /* a rotation in whole numbers: no axis, no diagonal */
+  static const double aslant[3][3] = {{2.0, 6.0, 9.0}, {6.0, 7.0, -6.0}, {-9.0, 6.0, -2.0}};
+  for (int i = 0; i < 3; i++) {
+    for (int k = 0; k < 3; k++) {
+      c->turn[i][k] = (float)(aslant[i][k] / 11.0 * (k == 1 ? b->stretch : 1.0) / b->size);
+    }
+  }
+  c->grading = (float)(0.35 * b->grading);
+  /* noise's gradient is within +-3 and mostly within +-1 */
+  c->warp = (float)(0.2 * b->interlock);
+  c->warp_fine = (float)(0.045 * b->interlock);
+  c->variation = (float)b->variation;
+  c->blur = (float)(b->blur / b->size);
+  c->depth = (float)(0.6 * b->depth);
+  c->cleavage = (float)b->cleavage;
+  c->turbidity = (float)b->turbidity;
+  c->seed = hash1(seed);
+  c->seed_warp = hash1(seed + 0x51ed270bu);
+  c->on = 1;
+  c->size = (float)b->size;
+  c->shaped = shaped;
+  c->fade = 6.0f;
+  c->whole = CELLS_WHOLE;
+  c->looks = 3.7f;
+  c->spread = 0.3f; /* borders within a wide footprint are many, and err either way */
+  c->least = 1.45f;
+  c->fours = 1.0f;
+  c->radius = 9.0f;
+  c->thick = 1.0f;
+  c->cluster = (float)b->cluster;
+  if (shaped) {
+    c->erode = (float)(0.5 * b->gap / b->size);
+    c->erode_spread = (float)(0.42 * b->grading * (1.0 - b->roundness));
+    if (b->roundness > 0.0) {
+      c->radius = (float)(0.9 - 0.42 * b->roundness);
+      c->radius_spread = (float)(b->grading * b->roundness);
+    }
+    /* of a ball of a cell's volume, down to a seventh of its thickness */
+    if (b->flatness > 0.0) c->thick = (float)(0.62 * (1.0 - 0.85 * b->flatness));
+    c->looks = 4.5f;
+    c->spread = 0.12f;
+    c->least = 1.4f;
+    c->grading = 0.0f;
+  }
+}
+
+/* What part of the cells a share of area takes, their bodies filling `fill`. */
+static void set_shares(stone_cells *c, const body *b, double fill) {
+  double left = 1.0, sum = 0.0;
+  for (int k = 0; k < 2; k++) {
+    double p = fill > 1e-6 ? b->share[k] / fill : 0.0;
+    if (p > left) p = left;
+    left -= p;
+    sum += p;
+    c->chance[k] = (float)sum;
+    c->mean[k] = (float)(p * fill);
+  }
+  /* where there are most there can be no more than all */
+  double most = sum > 0.0 ? 1.0 / sum - 1.0 : 0.0;
+  if (most > 0.95) most = 0.95;
+  if ((double)c->cluster > most) c->cluster = (float)most;
+}
+
+/* Bodies that keep to certain beds, by as much as `share`. Where there are most there can
+ * be no more than all. */
+static void set_bedding(stone_cells *c, const stone_constants *w, double share) {
+  stone_bedding *b = &c->beds;
+  double sum = (double)c->chance[1], most = sum > 0.0 ? 1.0 / sum : 0.0;
+  /* in two families of beds: few + 2 more is most; few + 2 part more is 1 */
+  double times = (most - 1.0 + share) / share;
+  if (times > 3.5) times = 3.5;
+  if (times < 1.0) return;
+  c->bedded = 1;
+  b->few = (float)(1.0 - share);
+  b->more = (float)(0.5 * share * times);
+  b->part = (float)(1.0 / times);
+  for (int k = 0; k < 3; k++) {
+    double square = 0.0;
+    for (int i = 0; i < 3; i++) square += (double)c->turn[i][k] * (double)c->turn[i][k];
+    for (int i = 0; i < 3; i++) b->across[k][i] = (float)((double)c->turn[i][k] / square);
+  }
+  b->frequency[0] = 0.6f * w->bed_frequency;
+  b->frequency[1] = 1.7f * w->bed_frequency;
+  b->wave = w->bed_wave;
+  b->wave_frequency = w->bed_wave_frequency;
+  b->seed = hash1(c->seed + 77u);
+  b->seed_wave = w->seed_bed + 7u; /* bands.h: the beds' own */
+}
+
+static body grains_of(const settings *s) {
+  body b = {.size = number_at(s, P_GRAIN_SIZE),
+            .stretch = number_at(s, P_GRAIN_STRETCH),
+            .grading = number_at(s, P_GRAIN_GRADING),
+            .interlock = number_at(s, P_GRAIN_INTERLOCK),
+            .variation = number_at(s, P_VARIATION),
+            .blur = number_at(s, P_GRAIN_BLUR),
+            .share = {number_at(s, P_SECOND_SHARE), number_at(s, P_THIRD_SHARE)},
+            .depth = number_at(s, P_GRAIN_DEPTH),
+            .cleavage = number_at(s, P_CLEAVAGE),
+            .turbidity = number_at(s, P_TURBIDITY),
+            .cluster = number_at(s, P_GRAIN_CLUSTERING)};
+  return b;
+}
+
+static body inclusions_of(const settings *s) {
+  body b = {.size = number_at(s, P_INCLUSION_SIZE),
+            .stretch = number_at(s, P_INCLUSION_STRETCH),
+            .grading = number_at(s, P_INCLUSION_GRADING),
+            .interlock = number_at(s, P_INCLUSION_INTERLOCK),
+            .gap = number_at(s, P_INCLUSION_GAP),
+            .roundness = number_at(s, P_INCLUSION_ROUNDNESS),
+            .variation = number_at(s, P_INCLUSION_VARIATION),
+            .blur = number_at(s, P_INCLUSION_BLUR),
+            .share = {number_at(s, P_INCLUSION_SHARE), number_at(s, P_INCLUSION_SECOND_SHARE)}};
+  return b;
+}
+
+/* Specks and holes are ragged, and of all sizes up to the largest. */
+static body specks_of(const settings *s) {
+  body b = {.size = number_at(s, P_SPECK_SIZE),
+            .stretch = number_at(s, P_SPECK_STRETCH),
+            .grading = 0.8,
+            .interlock = 0.6,
+            .roundness = 0.4,
+            .blur = 0.3 * number_at(s, P_GRAIN_BLUR),
+            .share = {number_at(s, P_BLACK_SHARE), number_at(s, P_WHITE_SHARE)},
+            .variation = 0.3 * number_at(s, P_CLEAVAGE),
+            .cleavage = 3.0 * number_at(s, P_CLEAVAGE),
+            .flatness = number_at(s, P_SPECK_FLATNESS),
+            .cluster = number_at(s, P_SPECK_CLUSTERING)};
+  return b;
+}
+
+static body holes_of(const settings *s) {
+  body b = {.size = number_at(s, P_HOLE_SIZE),
+            .grading = 0.85,
+            .interlock = 2.0 * number_at(s, P_HOLE_RAGGEDNESS),
+            .roundness = 0.8,
+            .share = {number_at(s, P_HOLE_SHARE), 0.0}};
+  /* hole_size is across the bed, a cell's size along it */
+  b.stretch = number_at(s, P_HOLE_STRETCH);
+  b.size *= b.stretch;
+  return b;
+}
+
+/* ---- how closely a footprint is looked at ------------------------------ */
+
+/* The contrast that 4.5 looks to a body and 3 to a grain, and means from six
+ * cells on, were chosen for: that of white granite's feldspar and quartz. */
+#define CONTRAST 0.19
+
+/* Relative sd of what is seen within a crystal, of turbidity 1 and of cleavage 1. */
+#define CLOUDS_SD 0.06
+#define LAMELLAE_SD 0.05
+
+/* Light of a palette's colour, near enough, and the same in whatever space the
+ * host renders: from the numbers as they were given, which are encoded. */
+static double light_of(const settings *s, int colour, int component) {
+  double x = s->list[P_BASE + colour].number[component];
+  return x * x;
+}
+
+/* Relative sd over the stone of what a layer's cells differ in, the greatest of
+ * three components. below: the mean of what they lie in. */
+static double layer_contrast(const settings *s, const stone_cells *c, int first, int second,
+                             const double below[3]) {
+  double most = 0.0;
+  for (int k = 0; k < 3; k++) {
+    double light[2] = {light_of(s, first, k), light_of(s, second, k)};
+    double mean = below[k], square = mean * mean;
+    for (int i = 0; i < 2; i++) {
+      mean += (double)c->mean[i] * (light[i] - below[k]);
+      square += (double)c->mean[i] * (light[i] * light[i] - below[k] * below[k]);
+    }
+    double clouds = CLOUDS_SD * (double)c->turbidity, lamellae = LAMELLAE_SD * (double)c->cleavage;
+    square += ((double)(c->variation * c->variation) + clouds * clouds + lamellae * lamellae) *
+              mean * mean;
+    double variance = square - mean * mean;
+    double sd = variance > 0.0 ? __builtin_sqrt(variance / (mean + 0.01)) : 0.0;
+    if (sd > most) most = sd;
+  }
+  return most;
+}
+
+/* What differs little needs few looks, and is soon its mean. A look's edges are seen in
+ * quarters, so that most of what it errs by is what lies beyond the cells that it has found:
+ * that goes as the contrast, and as its width or little more. */
+static void set_looks(stone_constants *w, const settings *s) {
+  static const int first[STONE_LAYERS] = {COLOUR_SECOND, COLOUR_INCLUSION, COLOUR_BLACK,
+                                          COLOUR_HOLE},
+                   second[STONE_LAYERS] = {COLOUR_THIRD, COLOUR_INCLUSION_SECOND, COLOUR_WHITE,
+                                           COLOUR_HOLE};
+  double base[3], ground[3];
+  const float *mean = w->layer[LAYER_GRAINS].mean;
+  for (int k = 0; k < 3; k++) {
+    base[k] = ground[k] = light_of(s, COLOUR_BASE, k);
+    ground[k] += (double)mean[0] * (light_of(s, COLOUR_SECOND, k) - base[k]) +
+                 (double)mean[1] * (light_of(s, COLOUR_THIRD, k) - base[k]);
+  }
+  for (int l = 0; l < STONE_LAYERS; l++) {
+    stone_cells *c = &w->layer[l];
+    double contrast = layer_contrast(s, c, first[l], second[l], l == LAYER_GRAINS ? base : ground);
+    double share = __builtin_sqrt(contrast / CONTRAST);
+    if (!c->on) continue;
+    if (share < 0.01) share = 0.01;
+    /* bodies of which two cells tell (bodies.h); of low contrast fours would be too wide */
+    c->grouped = (!c->shaped || c->thick < 1.0f) && share > 0.75;
+    if (share < 1.0) {
+      c->fours = (float)(c->shaped ? share : share * share);
+      /* three crystals to a look err less for each */
+      if (!c->shaped) c->looks = (float)(share * (double)c->looks);
+      c->whole = (float)((double)c->whole / (share * share));
+      c->looks = (float)(__builtin_sqrt(share) * share * (double)c->looks);
+      c->fade = (float)(share * (double)c->fade);
+    }
+    /* nor do clouds within crystals go by how much crystals differ */
+    if (c->turbidity * c->whole > CLOUDS_WHOLE) c->whole = CLOUDS_WHOLE / c->turbidity;
+    c->single = (1.999f - c->least) / c->looks; /* rounded to one: footprint.h */
+    if (c->single > 0.6f * c->fade) c->single = 0.6f * c->fade;
+    if (c->shaped && c->single > 0.5f) c->single = 0.5f;
+  }
+}
+
+/* Inclusions over the face; of the paper's colours there are none. */
+static void set_raise(stone_constants *w, const settings *s, const stone_means *m) {
+  const stone_cells *c = &w->layer[LAYER_INCLUSIONS];
+  double share = (double)c->mean[0] + (double)c->mean[1], high = (double)w->raise;
+  double mean = share * m->dome, square = share * m->dome_square;
+  double stretch = number_at(s, P_INCLUSION_STRETCH);
+  double steep2 = m->dome_steep2 * (2.0 + stretch * stretch) / 3.0; /* in the mean of all ways */
+  w->dome_mean = (float)m->dome;
+  w->dome_steep = (float)__builtin_sqrt(steep2);
+  w->raise_mean = (float)(high * mean);
+  w->raise_sd = (float)(__builtin_fabs(high) * __builtin_sqrt(square - mean * mean));
+  w->relief_steep += (float)(share * high * high * steep2);
+}
+
+void stone_build_layers(stone_constants *w, const settings *s, stone_measure *measure) {
+  const body bodies[STONE_LAYERS] = {grains_of(s), inclusions_of(s), specks_of(s), holes_of(s)};
+  for (int l = 0; l < STONE_LAYERS; l++) {
+    const body *b = &bodies[l];
+    if (l != LAYER_GRAINS && b->share[0] + b->share[1] <= 0.0) continue;
+    build_cells(&w->layer[l], w->seed + 0x9e3779b9u * (uint32_t)(l + 1), b, l != LAYER_GRAINS);
+  }
+  w->layer[LAYER_HOLES].least = 1.55f; /* of those the slope is seen, too */
+  const stone_cells *raised = &w->layer[LAYER_INCLUSIONS];
+  if (raised->on && choice_at(s, P_MODE) == MODE_FABRIC)
+    w->raise = (float)number_at(s, P_INCLUSION_RELIEF);
+  stone_means m;
+  measure(w, MEASURED, &m);
+  m.fill[LAYER_GRAINS] = 1.0;
+  w->vein_mean = (float)m.veins;
+  for (int l = 0; l < STONE_LAYERS; l++) {
+    set_shares(&w->layer[l], &bodies[l], m.fill[l]);
+    if (m.fill[l] > 1e-6 && m.seen[l] > m.fill[l]) {
+      w->layer[l].swell = (float)(m.seen[l] / m.fill[l] - 1.0);
+    }
+  }
+  if (w->raise != 0.0f) set_raise(w, s, &m);
+  double bedding = number_at(s, P_HOLE_BEDDING);
+  if (w->layer[LAYER_HOLES].on && bedding > 0.0) set_bedding(&w->layer[LAYER_HOLES], w, bedding);
+  set_looks(w, s);
+  for (int l = 0; l < STONE_LAYERS; l++) {
+    stone_cells *c = &w->layer[l];
+    float chance = c->chance[1] * (c->bedded ? c->beds.few : 1.0f);
+    c->sparse = c->on && c->shaped && bodies[l].roundness > 0.0 && chance < SPARSE;
+  }
+}
