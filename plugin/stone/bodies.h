@@ -97,6 +97,11 @@ INLINE void cells_find(const stone_cells *c, int together, int three, const vf q
   }
 }
 
+/* Brightness of a body of kind 2, which is less uneven than one of kind 1. */
+INLINE vf cells_calm(const stone_cells *c, vf tone) {
+  return splat(1.0f) + (tone - splat(1.0f)) * splat(c->calm);
+}
+
 /* How much of a square the bodies of its nearest two cells have. One ends at the faces to
  * both of the others: the nearest face need not be that to the nearest cell, and without
  * the third outlines would jump where the second changes. A flake is thin: mostly it is

@@ -14,7 +14,7 @@
 
 typedef struct {
   double size, stretch, grading, interlock, gap, roundness, variation, blur, share[2];
-  double depth, cleavage, turbidity, flatness, cluster;
+  double depth, cleavage, turbidity, flatness, cluster, rest;
 } body;
 
 static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped) {
@@ -30,6 +30,7 @@ static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped
   c->warp = (float)(0.2 * b->interlock);
   c->warp_fine = (float)(0.045 * b->interlock);
   c->variation = (float)b->variation;
+  c->calm = (float)(1.0 - b->rest);
   c->blur = (float)(b->blur / b->size);
   c->depth = (float)(0.6 * b->depth);
   c->cleavage = (float)b->cleavage;
@@ -144,9 +145,10 @@ static body specks_of(const settings *s) {
             .roundness = 0.4,
             .blur = 0.3 * number_at(s, P_GRAIN_BLUR),
             .share = {number_at(s, P_BLACK_SHARE), number_at(s, P_WHITE_SHARE)},
-            .variation = 0.3 * number_at(s, P_CLEAVAGE),
-            .cleavage = 3.0 * number_at(s, P_CLEAVAGE),
+            .variation = 0.8 * number_at(s, P_CLEAVAGE),
+            .cleavage = 7.0 * number_at(s, P_CLEAVAGE),
             .flatness = number_at(s, P_SPECK_FLATNESS),
+            .rest = 0.6, /* light specks differ less than dark ones, for the eye */
             .cluster = number_at(s, P_SPECK_CLUSTERING)};
   return b;
 }

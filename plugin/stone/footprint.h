@@ -32,6 +32,7 @@ INLINE void cells_add(const stone_cells *c, vu h, const cells_kind *kind, vf sha
   vf zero = splat(0.0f);
   vf own = splat(c->variation / HASH_ONE) * hash_signed(h + splatu(HASH_Y));
   vf tone = uneven[0] + own, tone1 = uneven[1] + own;
+  if (c->shaped) tone = cells_calm(c, tone);
   vf a = sel(kind->first, share, zero), b = sel(kind->second, share, zero);
   out->of[0] = out->of[0] + (c->shaped ? a + b : (share - a - b) * tone);
   out->of[1] = out->of[1] + a * tone1;

@@ -119,8 +119,8 @@ static const sozai_parameter grain_clustering = {
 static const sozai_parameter cleavage = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "cleavage", .label = "Cleavage", .group = "grains", .unit = "",
-   .doc = "How plain the lamellae of cleavage and twins are: strongest in specks of mica, weakest "
-   "in the second mineral.",
+   .doc = "How plain the lamellae of cleavage and twins are: weakest in the second mineral, strongest "
+   "in black specks, as of mica, which also differ from one to the next.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
 
 static const sozai_parameter turbidity = {

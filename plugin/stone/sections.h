@@ -146,6 +146,7 @@ STAGE void sections_count(const stone_cells *c, const vf p[3], const cells_squar
         all = all + patch;
         cells_kind kind = cells_kind_of(c, place);
         vf tone = patch + patch * splat(c->variation / HASH_ONE) * hash_signed(h + splatu(HASH_Y));
+        vf calm = c->shaped ? patch + (tone - patch) * splat(c->calm) : tone;
         vm other = not_(or_(kind.first, kind.second));
         if (c->shaped) {
           count[0] = count[0] + sel(kind.first, patch, zero);
@@ -153,7 +154,7 @@ STAGE void sections_count(const stone_cells *c, const vf p[3], const cells_squar
         }
         sum[0] = sum[0] + sel(other, tone, zero);
         sum[1] = sum[1] + sel(kind.first, tone, zero);
-        sum[2] = sum[2] + sel(kind.second, tone, zero);
+        sum[2] = sum[2] + sel(kind.second, calm, zero);
       }
     }
   }

@@ -66,7 +66,8 @@ typedef struct {
   float cluster;               /* how much chances change from place to place, 0..1 */
   float chance[2];             /* below the first: kind 1; below the second: kind 2 */
   float mean[2];               /* expected share of kinds 1 and 2 */
-  float variation;             /* of brightness from cell to cell */
+  float variation;             /* of brightness from cell to cell; */
+  float calm;                  /* of that and of lamellae kind 2 has this part, of bodies */
   float blur;                  /* mm over size: crystals let light through at their edges */
   float depth;                 /* share of light that comes through from behind them */
   float cleavage, turbidity;   /* what is seen within a crystal: crystals.h */

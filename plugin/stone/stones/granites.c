@@ -24,7 +24,7 @@ static const sozai_value values_inada[] = {
     NUMBER("speck_size", 2.9),
     NUMBER("speck_flatness", 0.8),
     NUMBER("speck_clustering", 0.8),
-    SRGB("black_colour", 38, 36, 36),
+    SRGB("black_colour", 60, 55, 51),
 };
 STONE(inada, "Inada granite (Inada-ishi, Ibaraki)",
       "White biotite granite of medium to coarse grain: white feldspar, grey glassy quartz, black "
@@ -53,7 +53,7 @@ static const sozai_value values_makabe[] = {
     NUMBER("speck_size", 1.75),
     NUMBER("speck_flatness", 0.85),
     NUMBER("speck_clustering", 0.7),
-    SRGB("black_colour", 42, 42, 44),
+    SRGB("black_colour", 58, 57, 57),
     SRGB("white_colour", 228, 228, 226),
 };
 STONE(makabe, "Makabe granite (Makabe-ishi, Ibaraki)",
@@ -80,7 +80,7 @@ static const sozai_value values_aji[] = {
     NUMBER("speck_size", 0.95),
     NUMBER("speck_flatness", 0.75),
     NUMBER("speck_clustering", 0.7),
-    SRGB("black_colour", 40, 41, 44),
+    SRGB("black_colour", 54, 54, 56),
 };
 STONE(aji, "Aji granite (Aji-ishi, Kagawa), fine",
       "Fine-grained grey biotite granite, clouded by fu, a soft mottle of light and dark.",
@@ -107,7 +107,7 @@ static const sozai_value values_shirakawa[] = {
     NUMBER("speck_size", 2.0),
     NUMBER("speck_flatness", 0.75),
     NUMBER("speck_clustering", 0.75),
-    SRGB("black_colour", 45, 40, 37),
+    SRGB("black_colour", 60, 53, 48),
     CHOICE("finish", "bush_hammered"),
 };
 STONE(shirakawa, "Shirakawa granite (Shirakawa-ishi, Kyoto)",
@@ -136,7 +136,7 @@ static const sozai_value values_mannari[] = {
     NUMBER("speck_size", 3.0),
     NUMBER("speck_flatness", 0.6),
     NUMBER("speck_clustering", 0.9),
-    SRGB("black_colour", 40, 36, 34),
+    SRGB("black_colour", 56, 50, 46),
 };
 STONE(
     mannari, "Mannari granite (Mannari-ishi, Okayama)",
@@ -164,7 +164,7 @@ static const sozai_value values_rosa_beta[] = {
     NUMBER("speck_flatness", 0.7),
     NUMBER("speck_clustering", 0.8),
     NUMBER("black_share", 0.055),
-    SRGB("black_colour", 48, 46, 46),
+    SRGB("black_colour", 60, 56, 54),
     CHOICE("finish", "flamed"),
 };
 STONE(rosa_beta, "Rosa Beta granite (Sardinia)",
