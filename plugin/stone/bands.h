@@ -127,8 +127,10 @@ STAGE vf vein_sheet(const stone_constants *w, const vf p[3], const vf n[3], vf s
              splat((family ? 0.9f : 0.4f) / HASH_ONE) * own;
   vf half = clamp01(swell) * chance * chance * splat(widest);
   vf along = vmin(vabs(dot3(g, n) * k), one), e = vsqrt(s * s * (one - along * along) + soft2);
-  vf high = vmin(d + splat(0.5f) * e, half), low = vmax(d - splat(0.5f) * e, splat(0.0f) - half);
-  return sel(near, vmax(high - low, splat(0.0f)) / e, splat(0.0f));
+  /* by its two sides: a sharp one's width is below what d is known to */
+  vf even = splat(0.5f), inverse = one / e;
+  vf share = clamp01(even + (half - d) * inverse) - clamp01(even - (half + d) * inverse);
+  return sel(near, share, splat(0.0f));
 }
 
 #define VEIN_STEPS 5

@@ -25,6 +25,8 @@ INLINE cells_cover cells_none(void) {
   return (cells_cover){{zero, zero, zero}};
 }
 
+#define CELLS_DARKEST 0.2f /* of its colour, a body's darkest: black mica's is near enough to 0 */
+
 /* A cell's share goes to its mineral, and with the cell's brightness. uneven: that
  * within the cell, of kinds 0 and 2, and of kind 1. */
 INLINE void cells_add(const stone_cells *c, vu h, const cells_kind *kind, vf share,
@@ -32,7 +34,10 @@ INLINE void cells_add(const stone_cells *c, vu h, const cells_kind *kind, vf sha
   vf zero = splat(0.0f);
   vf own = splat(c->variation / HASH_ONE) * hash_signed(h + splatu(HASH_Y));
   vf tone = uneven[0] + own, tone1 = uneven[1] + own;
-  if (c->shaped) tone = cells_calm(c, tone);
+  if (c->shaped) {
+    tone = vmax(cells_calm(c, tone), splat(CELLS_DARKEST));
+    tone1 = vmax(tone1, splat(CELLS_DARKEST));
+  }
   vf a = sel(kind->first, share, zero), b = sel(kind->second, share, zero);
   out->of[0] = out->of[0] + (c->shaped ? a + b : (share - a - b) * tone);
   out->of[1] = out->of[1] + a * tone1;

@@ -83,7 +83,7 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
     }
     out->edge = profile.v;
     height = field_add(height, profile);
-    out->lost = out->lost * (one - out->in_joint) + lost;
+    out->lost = out->lost * vmax(one - out->in_joint, zero) + lost; /* rounded, it may be over 1 */
     vf far = one - q->near;
     float steep = v->tilt / v->layout.width;
     out->lost = out->lost + splat(steep * steep * 0.65f) * far;

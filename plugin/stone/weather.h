@@ -55,7 +55,7 @@ INLINE field weather_moss(const stone_constants *w, const vf p[3], field near, v
  * with the share that turns back at the film as 0.45. */
 INLINE vf weather_wet_albedo(vf a, vf wet) {
   const vf back = splat(0.45f), one = splat(1.0f);
-  vf dark = (one - back) * a / (one - back * a);
+  vf dark = (one - back) * a / (one - back * vmin(a, one)); /* a stone's shade may lift it over 1 */
   return mix(a, dark, wet);
 }
 

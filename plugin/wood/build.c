@@ -648,7 +648,8 @@ static void build_canals(wood_constants *w, const settings *s, const float (*col
   int rows = (int)(2.5e-3 * diameter * density * (double)w->ring_width) + 1;
   w->canal_rows = rows < 4 ? rows : 4;
   double square = build_radii(&w->canal, diameter, 0.18), r = (double)w->canal.radius;
-  w->canal.coverage = (float)(0.5 * TWO_PI * r * r * square * density);
+  double covered = 0.5 * TWO_PI * r * r * square * density;
+  w->canal.coverage = (float)(covered < 1.0 ? covered : 1.0);
   w->canal_late = (float)late_of_canals(w);
   for (int c = 0; c < 3; c++) {
     w->canal_colour[c] = colours[P_CANAL_COLOUR][c];
