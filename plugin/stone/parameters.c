@@ -633,7 +633,7 @@ static const sozai_channel channel_speck = {
 
 static const sozai_channel channel_grain = {
    .size = sizeof(sozai_channel), .first = STONE_GRAIN, .components = 1,
-   .needs = SOZAI_INPUT_POINT, .uses = SOZAI_INPUT_FOOTPRINT,
+   .needs = SOZAI_INPUT_POINT, .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
    .id = "grain", .unit = "", .suffixes = "",
    .doc = "A number between 0 and 1 for the crystal at the point: a mask, not filtered."};
 
