@@ -31,6 +31,14 @@ INLINE void store_active(const sozai_batch *in, float *to, uint32_t i, uint32_t 
   }
 }
 
+/* Whether some numbers are to the bit what others are, in all lanes. */
+INLINE int same_lanes(const vf *a, const vf *b, int count) {
+  vi differ = splati(0);
+  UNROLL(4)
+  for (int k = 0; k < count; k++) differ |= bits_of(a[k]) ^ bits_of(b[k]);
+  return !any(not_(eqi(differ, splati(0))));
+}
+
 /* NaN to 0, and the rest within a kilometre. */
 INLINE vf finite_coordinate(vf x) {
   x = sel(eq(x, x), x, splat(0.0f));

@@ -24,6 +24,12 @@ INLINE cells_kind cells_kind_of(const stone_cells *c, const vi at[3]) {
   return (cells_kind){first, and_(lt(u, splat(c->chance[1]) * rich), not_(first))};
 }
 
+/* Whether it is of either. */
+INLINE vm cells_has_body(const stone_cells *c, const vi at[3]) {
+  vf rich, u = cells_rank(c, at, &rich);
+  return lt(u, splat(c->chance[1]) * rich);
+}
+
 /* How far a body's faces lie within its cell's. */
 INLINE vf cells_erosion(const stone_cells *c, vu h) {
   vf u = to_float((vi)(hash_mix(h ^ splatu(0x7feb3c5du)) >> 8)) * splat(1.0f / 16777216.0f);
@@ -97,9 +103,10 @@ INLINE void cells_find(const stone_cells *c, int together, int three, const vf q
   }
 }
 
-/* Brightness of a body of kind 2, which is less uneven than one of kind 1. */
-INLINE vf cells_calm(const stone_cells *c, vf tone) {
-  return splat(1.0f) + (tone - splat(1.0f)) * splat(c->calm);
+/* Brightness of a body of kind 2, which is less uneven than one of kind 1. mean: of those like it.
+ */
+INLINE vf cells_calm(const stone_cells *c, vf mean, vf tone) {
+  return mean + (tone - mean) * splat(c->calm);
 }
 
 /* How much of a square the bodies of its nearest two cells have. One ends at the faces to

@@ -85,11 +85,6 @@ INLINE void height_of(const height_form *f, const cells_near *a, const cells_nea
   }
 }
 
-INLINE vm height_is_body(const stone_cells *c, const vi at[3]) {
-  vf rich, rank = cells_rank(c, at, &rich);
-  return lt(rank, splat(c->chance[1]) * rich);
-}
-
 /* Anywhere, under a footprint that leaves `fine` of the faces' finer bends. */
 STAGE vf height_at(const height_form *f, vf fine, const vf p[3]) {
   const stone_cells *c = f->cells;
@@ -98,7 +93,7 @@ STAGE vf height_at(const height_form *f, vf fine, const vf p[3]) {
   cells_place(c, fine, p, q);
   cells_near near[3];
   cells_find(c, 1, 0, q, near);
-  vm there = height_is_body(c, near[0].at);
+  vm there = cells_has_body(c, near[0].at);
   if (any(there)) height_of(f, &near[0], &near[1], &near[2], there, 1, none, &height);
   return height;
 }
@@ -109,7 +104,7 @@ STAGE void height_find(const stone_cells *c, const vf p[3], cells_found *f) {
   vf q[3];
   cells_place(c, f->fine, p, q);
   cells_find(c, 1, 0, q, f->near);
-  for (int n = 0; n < 2; n++) f->body[n] = height_is_body(c, f->near[n].at);
+  for (int n = 0; n < 2; n++) f->body[n] = cells_has_body(c, f->near[n].at);
 }
 
 /* At the places about a point whose nearest cells are known. One is within the nearest or the

@@ -54,6 +54,12 @@ typedef struct {
   int of[STONE_LAYERS]; /* the first such block, or -1 */
 } fabric_views;
 
+/* Blocks that lie alike follow each other: only the first of them opens the view. */
+INLINE void stage_view(const stone_cells *c, const block *k, cells_view *view, int *of) {
+  if (*of != k->alike) view_open(c, k->t1, k->t2, k->s, view);
+  *of = k->alike;
+}
+
 /* The layers, a bit to each, of which a footprint takes more than a look. */
 STAGE void stage_looks(const stone_constants *w, int layers, fabric_views *views, block *k) {
   cells_seen seen[STONE_LAYERS];
@@ -62,8 +68,7 @@ STAGE void stage_looks(const stone_constants *w, int layers, fabric_views *views
     if (!(layers >> l & 1)) continue;
     const stone_cells *c = &w->layer[l];
     cells_eye e;
-    if (views->of[l] != k->alike) view_open(c, k->t1, k->t2, k->s, &views->view[l]);
-    views->of[l] = k->alike;
+    stage_view(c, k, &views->view[l], &views->of[l]);
     stage_eye(k, &views->view[l], &seen[l], &e);
     eye_look_about(c, &e);
     stage_seen(w, l, &e, k);
@@ -83,7 +88,7 @@ INLINE int stage_layer(const stone_constants *w, int n, block *blocks, int count
   int l = fabric_order[n], once = 1, idle = 1, seen = 0;
   const stone_cells *c = &w->layer[l];
   cells_view views[STONE_BLOCKS];
-  uint32_t opened = 0;
+  int viewed = -1;
   cells_eye eyes[STONE_BLOCKS];
   block *of[STONE_BLOCKS];
   /* what tells that a layer is wide is mostly the first block, and stage_looks opens that
@@ -92,8 +97,7 @@ INLINE int stage_layer(const stone_constants *w, int n, block *blocks, int count
     if (n < blocks[b].hidden) continue;
     block *k = &blocks[b];
     cells_view *view = &views[k->alike];
-    if (!(opened >> k->alike & 1)) view_open(c, k->t1, k->t2, k->s, view);
-    opened |= 1u << k->alike;
+    stage_view(c, k, view, &viewed);
     once &= view->once;
     idle &= view->idle;
     cells_eye *e = &eyes[seen];

@@ -35,7 +35,7 @@ INLINE void cells_add(const stone_cells *c, vu h, const cells_kind *kind, vf sha
   vf own = splat(c->variation / HASH_ONE) * hash_signed(h + splatu(HASH_Y));
   vf tone = uneven[0] + own, tone1 = uneven[1] + own;
   if (c->shaped) {
-    tone = vmax(cells_calm(c, tone), splat(CELLS_DARKEST));
+    tone = vmax(cells_calm(c, splat(1.0f), tone), splat(CELLS_DARKEST));
     tone1 = vmax(tone1, splat(CELLS_DARKEST));
   }
   vf a = sel(kind->first, share, zero), b = sel(kind->second, share, zero);

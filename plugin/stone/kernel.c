@@ -40,9 +40,7 @@ INLINE void square_sides(const vf n[3], vf t1[3], vf t2[3]) {
 /* Whether footprints lie as in the block before, as on flat ground they do: what has been made of
  * them then need not be made again. */
 INLINE int lies_as_before(const block *k) {
-  vi differ = bits_of(k->s) ^ bits_of(k[-1].s);
-  for (int c = 0; c < 3; c++) differ |= bits_of(k->nrm[c]) ^ bits_of(k[-1].nrm[c]);
-  return !any(not_(eqi(differ, splati(0))));
+  return same_lanes(&k->s, &k[-1].s, 1) && same_lanes(k->nrm, k[-1].nrm, 3);
 }
 
 /* number: of the block, among those on their way. */

@@ -61,7 +61,7 @@ INLINE void sites_add(const stone_cells *c, const cells_look looks[SITES_LOOKS],
     if (shaped) own[l][2] = own[l][2] * splat(c->calm);
     look[0] = shaped ? a[l] + b[l] : (one - a[l] - b[l]) * tone[l][0] + own[l][0];
     look[1] = vmax(a[l] * tone[l][1] + own[l][1], zero);
-    look[2] = b[l] * (shaped ? cells_calm(c, tone[l][0]) : tone[l][0]) + own[l][2];
+    look[2] = b[l] * (shaped ? cells_calm(c, one, tone[l][0]) : tone[l][0]) + own[l][2];
     for (int k = 0; k < CELLS_PARTS; k++) {
       if (eye->looks) eye->looks->of[k][looks[l].slot] = look[k];
       eye->sum.of[k] = sel(looks[l].there, eye->sum.of[k] + look[k], eye->sum.of[k]);

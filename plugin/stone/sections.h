@@ -146,7 +146,7 @@ STAGE void sections_count(const stone_cells *c, const vf p[3], const cells_squar
         all = all + patch;
         cells_kind kind = cells_kind_of(c, place);
         vf tone = patch + patch * splat(c->variation / HASH_ONE) * hash_signed(h + splatu(HASH_Y));
-        vf calm = c->shaped ? patch + (tone - patch) * splat(c->calm) : tone;
+        vf calm = c->shaped ? cells_calm(c, patch, tone) : tone;
         vm other = not_(or_(kind.first, kind.second));
         if (c->shaped) {
           count[0] = count[0] + sel(kind.first, patch, zero);

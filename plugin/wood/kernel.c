@@ -268,13 +268,14 @@ INLINE void stage_board(const wood_constants *w, int boards, const wood_io *io, 
  * has been made of it then need not be made again. */
 INLINE int as_before(const float *const direction[3], const block *k) {
   if (!direction[0] || k->n < LANES) return 0;
-  vi differ = splati(0);
+  vf now[3], before[3];
   UNROLL(3)
   for (int c = 0; c < 3; c++) {
     const float *at = direction[c] + k->i;
-    differ |= bits_of(load(at)) ^ bits_of(load(at - LANES));
+    now[c] = load(at);
+    before[c] = load(at - LANES);
   }
-  return !any(not_(eqi(differ, splati(0))));
+  return same_lanes(now, before, 3);
 }
 
 INLINE void stage_load(const wood_constants *w, int boards, const wood_io *io,

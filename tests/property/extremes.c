@@ -98,6 +98,18 @@ static void print(const char *preset, const sozai_value *v, uint32_t count) {
   print_message("\n");
 }
 
+/* Asks, and prints where an answer is wrong: 1 if any is. */
+static int wrong_anywhere(asked *a, const sozai_texture_info *info, const sozai_texture *t) {
+  ask(a, info, t);
+  for (unsigned i = 0; i < POINTS; i++) {
+    const char *what = wrong(a, info, i);
+    if (!what) continue;
+    print_message("%s: %s under %g mm\n", info->id, what, (double)a->footprint[i]);
+    return 1;
+  }
+  return 0;
+}
+
 static void check(const char *id, int trials) {
   const sozai_texture_info *info = textures->find(id);
   asked *a = malloc(sizeof *a);
@@ -115,12 +127,7 @@ static void check(const char *id, int trials) {
       continue;
     }
     made++;
-    ask(a, info, texture);
-    const char *what = NULL;
-    unsigned i = 0;
-    for (; i < POINTS && !what; i++) what = wrong(a, info, i);
-    if (what) {
-      print_message("%s: %s under %g mm\n", id, what, (double)a->footprint[i - 1]);
+    if (wrong_anywhere(a, info, texture)) {
       print(name, v, count);
       bad++;
     }
@@ -128,6 +135,39 @@ static void check(const char *id, int trials) {
   }
   CHECK(made > trials / 4 && bad == 0, "%-5s %d of %d created, %d of them wrong somewhere\n", id,
         made, trials, bad);
+  free(a);
+}
+
+/* What the above has met once. */
+static void those_met(void **state) {
+  (void)state;
+  static const struct {
+    const char *material, *preset, *parameters;
+  } met[] = {
+      {"wood", NULL, "canal_density=10; canal_diameter=1000"},
+      {"stone", NULL, "vein_width=500; vein_softness=0"},
+      {"stone", NULL,
+       "colour_mode=paper_rgb; paper_white=1; layout=chevron; tone_spread=0.5; wet=1"},
+      {"stone", "araidashi",
+       "inclusion_size=0.1; inclusion_gap=0; inclusion_share=0.4; inclusion_blur=50; "
+       "inclusion_relief=50; layout=igeta; crown=-50"},
+  };
+  asked *a = malloc(sizeof *a);
+  assert_non_null(a);
+  int bad = 0;
+  for (size_t k = 0; k < sizeof met / sizeof met[0]; k++) {
+    int is_wood = strcmp(met[k].material, "wood") == 0;
+    sozai_texture *t = (is_wood ? wood_make : stone_make)(met[k].preset, met[k].parameters);
+    uniform_seed(92);
+    for (int times = 0; times < 20; times++) {
+      if (!wrong_anywhere(a, textures->find(met[k].material), t)) continue;
+      print_message("  %s\n", met[k].parameters);
+      bad++;
+      break;
+    }
+    textures->destroy(t);
+  }
+  CHECK(bad == 0, "%d of those met before are wrong\n", bad);
   free(a);
 }
 
@@ -147,7 +187,7 @@ static void fiber(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(wood), cmocka_unit_test(stone),
-                                     cmocka_unit_test(fiber)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(those_met), cmocka_unit_test(wood),
+                                     cmocka_unit_test(stone), cmocka_unit_test(fiber)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

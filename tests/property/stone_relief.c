@@ -10,9 +10,34 @@
 #include "cmocka_all.h"
 #include "wood.h"
 
-enum { STONE_NORMAL = 6, STONE_HEIGHT = 9, STONE_ROUGHNESS = 10 };
+enum { STONE_NORMAL = 6, STONE_HEIGHT = 9, STONE_ROUGHNESS = 10, STONE_OCCLUSION = 21 };
 static const char *const finishes[] = {"sawn",   "polished",      "honed",
                                        "flamed", "bush_hammered", "split"};
+
+/* The slope that an answered point's normal stands on, of a face towards +z. */
+static void slope_at(const points *p, unsigned i, double g[2]) {
+  double nz = (double)p->out[STONE_NORMAL + 2][i];
+  for (int c = 0; c < 2; c++) g[c] = -(double)p->out[STONE_NORMAL + c][i] / nz;
+}
+
+/* A point, and both ways along x and y of it; and of those, answered, the heights' slope. */
+static void add_cross(points *p, const double x[3], double h, double footprint) {
+  points_add(p, x[0], x[1], x[2], footprint);
+  for (int k = 0; k < 4; k++) {
+    double d = k & 1 ? -h : h;
+    points_add(p, k < 2 ? x[0] + d : x[0], k < 2 ? x[1] : x[1] + d, x[2], footprint);
+  }
+}
+static void slope_across(const points *p, unsigned i, double h, double g[2]) {
+  const float *a = p->out[STONE_HEIGHT] + i;
+  for (int c = 0; c < 2; c++) g[c] = (double)(a[2 * c + 1] - a[2 * c + 2]) / (2 * h);
+}
+
+static double variance_at(const points *p, unsigned i) {
+  double g[2];
+  slope_at(p, i, g);
+  return 0.5 * (g[0] * g[0] + g[1] * g[1]);
+}
 
 static sozai_texture *make(const char *finish) {
   const sozai_value v[] = {{.id = "finish", .kind = SOZAI_KIND_CHOICE, .text = finish},
@@ -32,30 +57,17 @@ static void normal_is_the_heights(void **state) {
     for (int i = 0; i < 4000; i++) {
       double x[3];
       for (int c = 0; c < 3; c++) x[c] = 60 * (uniform() - 0.5);
-      /* the point, and both ways along x and y of a face towards +z */
-      points_add(&p, x[0], x[1], x[2], 0);
-      for (int k = 0; k < 4; k++) {
-        points_add(&p,
-                   x[0] + (k == 0   ? h
-                           : k == 1 ? -h
-                                    : 0),
-                   x[1] + (k == 2   ? h
-                           : k == 3 ? -h
-                                    : 0),
-                   x[2], 0);
-      }
+      add_cross(&p, x, h, 0);
     }
     points_ask(&p, t);
     double worst = 0, steepest = 0, height = 0;
     for (unsigned i = 0; i < p.count; i += 5) {
-      const float *a = p.out[STONE_HEIGHT] + i;
-      double dx = (double)(a[1] - a[2]) / (2 * h), dy = (double)(a[3] - a[4]) / (2 * h);
-      double nz = (double)p.out[STONE_NORMAL + 2][i];
-      double gx = -(double)p.out[STONE_NORMAL][i] / nz,
-             gy = -(double)p.out[STONE_NORMAL + 1][i] / nz;
-      worst = fmax(worst, hypot(gx - dx, gy - dy));
-      steepest = fmax(steepest, hypot(dx, dy));
-      height = fmax(height, fabs((double)a[0]));
+      double d[2], g[2];
+      slope_across(&p, i, h, d);
+      slope_at(&p, i, g);
+      worst = fmax(worst, hypot(g[0] - d[0], g[1] - d[1]));
+      steepest = fmax(steepest, hypot(d[0], d[1]));
+      height = fmax(height, fabs((double)p.out[STONE_HEIGHT][i]));
     }
     CHECK(worst <= 0.004 + 0.01 * steepest && steepest > 0,
           "%-13s height within +-%.4f mm, slopes to %.4f: off finite differences by %.2g\n",
@@ -73,23 +85,18 @@ static void check_slopes(const char *what, const sozai_texture *t, bool (*within
   const double h = 0.003, s = 0.03;
   for (int i = 0; i < 20000; i++) {
     double x = 400 * uniform(), y = 400 * uniform(), z = 60 * (uniform() - 0.5);
-    points_add(&p, x, y, z, s);
-    for (int k = 0; k < 4; k++) {
-      double d = k & 1 ? -h : h;
-      points_add(&p, k < 2 ? x + d : x, k < 2 ? y : y + d, z, s);
-    }
+    add_cross(&p, (const double[]){x, y, z}, h, s);
   }
   points_ask(&p, t);
   double off = 0, steep = 0;
   unsigned count = 0;
   for (unsigned i = 0; i < p.count; i += 5) {
-    const float *a = p.out[STONE_HEIGHT] + i;
-    if (!within(a[0])) continue;
-    double dx = (double)(a[1] - a[2]) / (2 * h), dy = (double)(a[3] - a[4]) / (2 * h);
-    double nz = (double)p.out[STONE_NORMAL + 2][i];
-    double gx = -(double)p.out[STONE_NORMAL][i] / nz, gy = -(double)p.out[STONE_NORMAL + 1][i] / nz;
-    off += (gx - dx) * (gx - dx) + (gy - dy) * (gy - dy);
-    steep += dx * dx + dy * dy;
+    if (!within(p.out[STONE_HEIGHT][i])) continue;
+    double d[2], g[2];
+    slope_across(&p, i, h, d);
+    slope_at(&p, i, g);
+    off += (g[0] - d[0]) * (g[0] - d[0]) + (g[1] - d[1]) * (g[1] - d[1]);
+    steep += d[0] * d[0] + d[1] * d[1];
     count++;
   }
   CHECK(count > 500 && off < 0.01 * steep,
@@ -143,22 +150,28 @@ static void domes_have_their_height(void **state) {
     for (int i = 0; i < N; i++) points_add(&p, 3000 * uniform(), 3000 * uniform(), 0, 0.05);
     points_add(&p, 0, 0, 0, 5000);
     points_ask(&p, t);
-    double low = 0, top = 0, mean = 0, variance = 0, level = 0;
+    double low = 0, top = 0, mean = 0, variance = 0, level = 0, below = 0, above = 0, tops = 0;
     for (int i = 0; i < N; i++) {
       double h = (double)p.out[STONE_HEIGHT][i] / high[g];
       low = fmin(low, h);
       top = fmax(top, h);
       mean += h / N;
+      double sky = (double)p.out[STONE_OCCLUSION][i] / N;
       level += fabs(h) < 1e-6 ? 1.0 / N : 0;
-      double nz = (double)p.out[STONE_NORMAL + 2][i];
-      double gx = (double)p.out[STONE_NORMAL][i] / nz, gy = (double)p.out[STONE_NORMAL + 1][i] / nz;
-      variance += 0.5 * (gx * gx + gy * gy) / N;
+      below += fabs(h) < 1e-6 ? sky : 0;
+      tops += h > 0.95 ? 1.0 / N : 0;
+      above += h > 0.95 ? sky : 0;
+      variance += variance_at(&p, (unsigned)i) / N;
     }
     double fine = (double)p.out[STONE_ROUGHNESS][0], wide = (double)p.out[STONE_ROUGHNESS][N];
     double gained = (wide * wide - fine * fine) / 2, far = (double)p.out[STONE_HEIGHT][N] / high[g];
     CHECK(low >= 0 && top <= 1 + 1e-6 && top > 0.95 && level > 0.2,
           "relief %4.1f mm, grading %.2f: of it heights have %.3f to %.3f, %.3f of the face none\n",
           high[g], grading[g], low, top, level);
+    /* what is higher sees more of the sky */
+    double less = high[g] > 0 ? below / level : above / tops;
+    double more = high[g] > 0 ? above / tops : below / level;
+    CHECK(less < more - 0.02, "  of the sky %.3f is seen low down, %.3f high up\n", less, more);
     CHECK(fabs(far - mean) < 0.02, "  mean %.4f, under 5 m %.4f\n", mean, far);
     CHECK(wide > 0.999 || fabs(gained - variance) <= 0.15 * variance,
           "  slope variance %.5f, roughness %.3f to %.3f: gained %.5f (ratio %.3f)\n", variance,
@@ -186,9 +199,7 @@ static void lost_slopes_are_roughness(void **state) {
     points_ask(&p, t);
     double variance = 0;
     for (int i = 0; i < N; i++) {
-      double nz = (double)p.out[STONE_NORMAL + 2][i];
-      double gx = (double)p.out[STONE_NORMAL][i] / nz, gy = (double)p.out[STONE_NORMAL + 1][i] / nz;
-      variance += 0.5 * (gx * gx + gy * gy) / N;
+      variance += variance_at(&p, (unsigned)i) / N;
     }
     double fine = (double)p.out[STONE_ROUGHNESS][0], wide = (double)p.out[STONE_ROUGHNESS][N];
     double gained = (wide * wide - fine * fine) / 2;

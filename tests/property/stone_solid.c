@@ -226,10 +226,83 @@ static void holes_are_as_ragged(void **state) {
       share[0], share[1], share[2], 0.15 / crossed[0], 0.15 / crossed[1], 0.15 / crossed[2]);
 }
 
+/* What lies between an inclusion's colour and the ground's takes as much of a face as its border is
+ * wide. */
+static void borders_are_as_wide(void **state) {
+  (void)state;
+  static const double wide[] = {0.4, 0.8, 1.6};
+  double between[3];
+  for (int k = 0; k < 3; k++) {
+    char text[200];
+    snprintf(text, sizeof text,
+             "inclusion_share=0.3; inclusion_size=30; inclusion_variation=0; grain_variation=0; "
+             "second_share=0; third_share=0; mottle=0; inclusion_blur=%g",
+             wide[k]);
+    sozai_texture *t = stone_make(NULL, text);
+    points p = {0};
+    uniform_seed(32);
+    for (int i = 0; i < 40000; i++) points_add(&p, 900 * uniform(), 900 * uniform(), 0, 0);
+    points_ask(&p, t);
+    float low = 1, high = 0;
+    for (unsigned i = 0; i < p.count; i++) {
+      low = fminf(low, p.out[0][i]);
+      high = fmaxf(high, p.out[0][i]);
+    }
+    unsigned in = 0;
+    for (unsigned i = 0; i < p.count; i++) {
+      float x = (p.out[0][i] - low) / (high - low);
+      in += x > 0.01f && x < 0.99f;
+    }
+    between[k] = (double)in / p.count;
+    points_free(&p);
+    textures->destroy(t);
+  }
+  double twice = between[1] / between[0], again = between[2] / between[1];
+  CHECK(between[0] > 0.01 && fabs(twice - 2) < 0.2 && fabs(again - 2) < 0.2,
+        "inclusion_blur %g, %g, %g mm: borders take %.4f, %.4f, %.4f of the area\n", wide[0],
+        wide[1], wide[2], between[0], between[1], between[2]);
+}
+
+/* Black flakes are of many blacks, with their cleavage; light ones of fewer. */
+static void specks_differ(void **state) {
+  (void)state;
+  for (int k = 0; k < 2; k++) {
+    double spread[2], mean[2];
+    for (int light = 0; light < 2; light++) {
+      const sozai_value v[] = {
+          number("cleavage", 0.8 * k), number(light ? "white_share" : "black_share", 0.2),
+          number("speck_size", 5), number("speck_flatness", 0.5), number("mottle", 0)};
+      sozai_texture *t = make(NULL, v, 5);
+      points p = {0};
+      uniform_seed(33);
+      for (int i = 0; i < 40000; i++) points_add(&p, 900 * uniform(), 900 * uniform(), 0, 0);
+      points_ask(&p, t);
+      double sum = 0, square = 0;
+      unsigned count = 0;
+      for (unsigned i = 0; i < p.count; i++) {
+        if (p.out[SPECK][i] < 0.9999f) continue;
+        double x = (double)p.out[0][i];
+        sum += x;
+        square += x * x;
+        count++;
+      }
+      mean[light] = sum / count;
+      spread[light] = sqrt(fmax(square / count - mean[light] * mean[light], 0)) / mean[light];
+      points_free(&p);
+      textures->destroy(t);
+    }
+    double ratio = spread[1] / spread[0];
+    CHECK(k ? spread[0] > 0.3 && ratio > 0.3 && ratio < 0.5 : spread[0] + spread[1] < 1e-4,
+          "cleavage %.1f: black specks' brightness has an sd of %.3f of it, white ones' %.3f\n",
+          0.8 * k, spread[0], spread[1]);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(any_face_shows_the_same),       cmocka_unit_test(shares_are_of_area),
       cmocka_unit_test(linear_in_the_palette),         cmocka_unit_test(crystals_keep_their_mean),
-      cmocka_unit_test(neighbours_see_what_each_sees), cmocka_unit_test(holes_are_as_ragged)};
+      cmocka_unit_test(neighbours_see_what_each_sees), cmocka_unit_test(holes_are_as_ragged),
+      cmocka_unit_test(borders_are_as_wide),           cmocka_unit_test(specks_differ)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }
