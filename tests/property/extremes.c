@@ -150,7 +150,7 @@ static void those_met(void **state) {
        "colour_mode=paper_rgb; paper_white=1; layout=chevron; tone_spread=0.5; wet=1"},
       {"stone", "araidashi",
        "inclusion_size=0.1; inclusion_gap=0; inclusion_share=0.4; inclusion_blur=50; "
-       "inclusion_relief=50; layout=igeta; crown=-50"},
+       "inclusion_relief=50; layout=igeta; joint_width=20; crown=-5"},
   };
   asked *a = malloc(sizeof *a);
   assert_non_null(a);
