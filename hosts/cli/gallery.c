@@ -28,6 +28,8 @@ typedef struct gallery {
   uint32_t spp;
   bool all;
   FILE *index;
+  const shot *section; /* its heading, until a picture of it is made */
+  bool *begun;         /* of the table's entries, headings that have one */
   sheet sheets[GALLERY_SHEETS];
   uint32_t made, left_out;
 } gallery;
@@ -86,6 +88,16 @@ static bool render_texture(gallery *g, const shot *s, const sozai_texture *textu
   return job_options_apply(&job, &look, NULL, why) && render(&job, f, why);
 }
 
+/* Small pictures stand closer. */
+static void begin_section(gallery *g, const shot *first) {
+  if (!g->section) return;
+  fprintf(g->index, "</main>\n<h2 id=\"%d\">%s</h2>\n", (int)(g->section - gallery_shots),
+          g->section->heading);
+  fprintf(g->index, "<main style=\"--column: %uem\">\n", first->width < 400 ? 14 : 26);
+  g->begun[g->section - gallery_shots] = true;
+  g->section = NULL;
+}
+
 /* The command that makes the same picture: the best of captions. */
 static void write_caption(const gallery *g, const shot *s, const char *file, const char *title,
                           const char *preset) {
@@ -113,6 +125,7 @@ static bool keep_picture(gallery *g, const shot *s, const film *f, const char *n
   for (int i = 0; s->sheet && i < GALLERY_SHEETS; i++)
     if (strcmp(s->sheet, gallery_sheets[i].id) == 0 && !sheet_add(&g->sheets[i], f, title, why))
       return false;
+  begin_section(g, s);
   write_caption(g, s, file, title, preset);
   g->made++;
   return true;
@@ -217,6 +230,10 @@ static bool make_pictures(gallery *g, failure *why) {
   const shot *end = gallery_shots + gallery_shot_count;
   for (const shot *s = gallery_shots; s < end;) {
     uint32_t each = 0;
+    if (s->heading) {
+      g->section = s++;
+      continue;
+    }
     while (s + each < end && s[each].each_preset && s[each].more == s->more &&
            strcmp(material_of(s + each), material_of(s)) == 0)
       each++;
@@ -232,6 +249,21 @@ static bool make_pictures(gallery *g, failure *why) {
   return make_sheets(g, why);
 }
 
+/* Links to the sections that have come to be, and to their sheets. They are written last and
+ * shown first. */
+static void write_contents(const gallery *g) {
+  fputs("<nav>\n", g->index);
+  for (uint32_t k = 0; k < gallery_shot_count; k++) {
+    const shot *s = &gallery_shots[k];
+    if (!g->begun[k]) continue;
+    fprintf(g->index, "<a href=\"#%u\">%s</a>\n", k, s->heading);
+    for (int i = 0; s->sheet && i < GALLERY_SHEETS; i++)
+      if (strcmp(s->sheet, gallery_sheets[i].id) == 0 && g->sheets[i].count > 0)
+        fprintf(g->index, "(<a href=\"%s.png\">on one sheet</a>)\n", s->sheet);
+  }
+  fputs("</nav>\n", g->index);
+}
+
 static bool make_index(gallery *g, failure *why) {
   char path[PATH_SIZE];
   output_file o;
@@ -240,15 +272,19 @@ static bool make_index(gallery *g, failure *why) {
   bool ok = g->index || fail(why, EXIT_FAILURE, "cannot write %s: %s", path, strerror(errno));
   if (ok) {
     fputs("<!doctype html>\n<meta charset=\"utf-8\">\n<title>sozai</title>\n<style>\n"
-          "body { font: 15px sans-serif; margin: 2em; background: #f4f3f1; color: #333 }\n"
-          "main { display: grid; grid-template-columns: repeat(auto-fill, minmax(26em, 1fr)); "
-          "gap: 1.5em }\n"
+          "body { font: 15px sans-serif; margin: 2em; background: #f4f3f1; color: #333;\n"
+          "  display: flex; flex-direction: column }\n"
+          "main { display: grid; gap: 1.5em;\n"
+          "  grid-template-columns: repeat(auto-fill, minmax(var(--column), 1fr)) }\n"
+          "nav { order: -1; line-height: 1.8 } nav a { margin-left: 1em } h2 { margin-top: 2em }\n"
           "figure { margin: 0 } img { width: 100%; display: block }\n"
           "figcaption { padding: .4em 0 } code { font-size: 80%; color: #777 }\n"
-          "</style>\n<h1>sozai</h1>\n<main>\n",
+          "</style>\n<h1>sozai</h1>\n"
+          "<p>Under each picture is the command that draws it.</p>\n<main>\n",
           g->index);
     ok = make_pictures(g, why);
     fputs("</main>\n", g->index);
+    write_contents(g);
     if (fclose(g->index) != 0 && ok)
       ok = fail(why, EXIT_FAILURE, "cannot write %s: %s", path, strerror(errno));
   }
@@ -262,9 +298,15 @@ static bool make_gallery(const session_options *shared, const char *folder, uint
   gallery g = {.folder = folder, .spp = spp, .all = all};
   if (!folder) return fail(why, EXIT_BAD_INPUT, "gallery: no output is given: -o DIR");
   if (!session_open(&g.session, shared, why)) return false;
+  g.begun = calloc(gallery_shot_count, sizeof *g.begun);
+  if (!g.begun) {
+    session_close(&g.session);
+    return fail(why, EXIT_FAILURE, "out of memory");
+  }
   bool ok = make_folder(folder, why) && make_index(&g, why);
   for (int i = 0; i < GALLERY_SHEETS; i++) sheet_free(&g.sheets[i]);
   session_close(&g.session);
+  free(g.begun);
   if (!ok) return false;
   printf("%s/index.html: %u pictures", folder, g.made);
   if (g.left_out) printf(", %u left out", g.left_out);
@@ -287,13 +329,13 @@ int run_gallery(int argc, char **argv) {
       {"spp", 0, OPTION_COUNT, &spp, "N", "samples per pixel (default: 16)", 1, VIEW_MOST_SAMPLES},
       SESSION_DISPLAY_OPTIONS(shared),
       SESSION_RUN_OPTIONS(shared)};
-  const command_line line = {.usage = "gallery -o DIR [options]",
-                             .about =
-                                 "Renders the woods, their grain and their figure, into a folder "
-                                 "with an index.html;\nwith --all every preset of every material, "
-                                 "and what each can do.\n",
-                             .options = options,
-                             .option_count = sizeof options / sizeof options[0]};
+  const command_line line = {
+      .usage = "gallery -o DIR [options]",
+      .about = "Renders woods, stones, cloth, floors and paving into a folder with "
+               "an index.html;\nwith --all every preset of every material, and "
+               "what each can do.\n",
+      .options = options,
+      .option_count = sizeof options / sizeof options[0]};
   int parsed = options_parse(&line, argc, argv, NULL, &why);
   int code = 0;
   if (parsed == OPTIONS_BAD ||

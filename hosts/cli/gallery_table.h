@@ -9,7 +9,8 @@
 #define SHOT_PARAMS 6
 
 typedef struct shot {
-  const char *name; /* of the file, without its ending; of an each_preset: what it begins with */
+  const char *heading; /* no picture but the beginning of a section; its sheet shows it whole */
+  const char *name;    /* of the file, without its ending; of an each_preset: what it begins with */
   const char *title;
   const char *material;            /* NULL: wood */
   const char *preset;              /* NULL: the parameters' defaults */

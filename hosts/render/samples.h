@@ -25,10 +25,10 @@ static inline uint32_t sample_reverse(uint32_t x) {
   return __builtin_bswap32(x);
 }
 
-/* Owen's scramble: each bit flips by a hash of those above it. */
-static inline uint32_t sample_scramble(uint32_t x, uint32_t seed) {
-  x = sample_reverse(x);
-  x += seed;
+/* Owen's scramble of a number that is given with its bits reversed, and comes out in order: each
+ * bit flips by a hash of those above it. */
+static inline uint32_t sample_scramble(uint32_t reversed, uint32_t seed) {
+  uint32_t x = reversed + seed;
   x ^= x * 0x6c50b47cu;
   x ^= x * 0xb82f1e52u;
   x ^= x * 0xc7afe638u;
@@ -36,12 +36,15 @@ static inline uint32_t sample_scramble(uint32_t x, uint32_t seed) {
   return sample_reverse(x);
 }
 
-/* Sobol's second dimension; the first is the index reversed. */
+/* Sobol's dimensions, reversed: the first is the index; the second's matrix is Pascal's
+ * triangle modulo 2, a product of five that add halves, quarters, and so on down to bits. */
 static inline uint32_t sample_sobol_1(uint32_t index) {
-  uint32_t result = 0;
-  for (uint32_t v = 0x80000000u; index; index >>= 1, v ^= v >> 1)
-    if (index & 1) result ^= v;
-  return result;
+  uint32_t x = index;
+  x ^= x >> 16;
+  x ^= (x & 0xff00ff00u) >> 8;
+  x ^= (x & 0xf0f0f0f0u) >> 4;
+  x ^= (x & 0xccccccccu) >> 2;
+  return x ^ (x & 0xaaaaaaaau) >> 1;
 }
 
 static inline float sample_unit(uint32_t x) { return (float)(x >> 8) * 0x1p-24f; }
@@ -61,8 +64,8 @@ static inline float sample_next(sample_stream *d) {
 /* Two numbers in [0, 1). pixel: any number of its own; pair: which dimensions. */
 static inline void sample_pair(uint32_t pixel, uint32_t index, uint32_t pair, float *u, float *v) {
   uint32_t seed = sample_hash(pixel + 0x9e3779b9u * (pair + 1));
-  uint32_t shuffled = sample_scramble(index, seed);
-  *u = sample_unit(sample_scramble(sample_reverse(shuffled), sample_hash(seed ^ 0x68bc21ebu)));
+  uint32_t shuffled = sample_scramble(sample_reverse(index), seed);
+  *u = sample_unit(sample_scramble(shuffled, sample_hash(seed ^ 0x68bc21ebu)));
   *v = sample_unit(sample_scramble(sample_sobol_1(shuffled), sample_hash(seed ^ 0x02e5be93u)));
 }
 

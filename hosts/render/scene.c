@@ -86,6 +86,7 @@ bool scene_open(scene *s, const render_job *job, failure *why) {
     return false;
   }
   s->step = 2e-5f * scene_radius(s);
+  s->convex = job->shape != SHAPE_GIVEN && job->shape != SHAPE_MESH;
   s->has_floor = job->floor;
   /* A sheet lies a little above the floor, for the floor not to show through. */
   s->floor = vec_dot(s->low, s->up) - (job->shape == SHAPE_PLANE ? 4 * s->step : 0);
@@ -187,4 +188,13 @@ bool scene_blocked(const scene *s, vec origin, vec direction) {
   struct RTCRay ray = ray_of(origin, direction);
   rtcOccluded1(s->embree, &context, &ray);
   return ray.tfar < 0;
+}
+
+bool scene_sees_all(const scene *s, const hit *from) {
+  return s->convex && from->what == HIT_SHAPE;
+}
+
+bool scene_blocked_from(const scene *s, const hit *from, vec direction) {
+  if (scene_sees_all(s, from)) return false;
+  return scene_blocked(s, vec_along(from->point, s->step, from->geometric), direction);
 }

@@ -18,6 +18,7 @@ typedef struct scene {
   float *sphere; /* x y z radius, or NULL */
   vec low, high; /* the shape's bounds */
   vec up;
+  bool convex; /* no ray that leaves the shape meets it again */
   bool has_floor;
   float floor; /* height along up */
   float step;  /* how far a ray starts from the surface it leaves */
@@ -38,6 +39,11 @@ void scene_close(scene *s);
 hit scene_trace(const scene *s, vec origin, vec direction);
 /* Whether the shape stands in the way. */
 bool scene_blocked(const scene *s, vec origin, vec direction);
+/* Whether nothing can stand in the way of a ray that leaves a surface on the side of the hit's
+ * geometric normal. */
+bool scene_sees_all(const scene *s, const hit *from);
+/* Whether the shape stands in the way of such a ray. */
+bool scene_blocked_from(const scene *s, const hit *from, vec direction);
 
 vec scene_centre(const scene *s);
 float scene_radius(const scene *s);

@@ -17,6 +17,7 @@ static const vec bounce = {0.10f, 0.09f, 0.08f};
 #define FAR_FLOOR 0.40f
 #define FADE_FROM 1.0f
 #define FADE_TO 14.0f
+#define PI 3.14159265f
 
 /* The sky's mean over a hemisphere that faces it, by its gradient in the sine
  * of the elevation: integral of (h + (z - h) u) 2u du. */
@@ -38,18 +39,16 @@ void studio_init(studio *st, const render_job *job, const scene *s) {
   st->lit_floor = vec_mul(floor_albedo, light);
 }
 
-static vec leave(const scene *s, const hit *h) {
-  return vec_along(h->point, s->step, h->geometric);
-}
-
 float studio_key(const studio *st, const scene *s, const hit *h, uint32_t pixel, uint32_t sample) {
-  float u, v;
+  float u, v, rise = vec_dot(h->geometric, st->light);
+  if (rise <= -st->light_spread) return 0;
+  if (rise > st->light_spread && scene_sees_all(s, h)) return 1;
   sample_pair(pixel, sample, PAIR_LIGHT, &u, &v);
-  float r = st->light_spread * sqrtf(u), turn = 6.2831853f * v;
+  float r = st->light_spread * sqrtf(u), turn = 2 * PI * v;
   vec towards = vec_along(st->light, r * cosf(turn), st->light_s);
   towards = vec_unit(vec_along(towards, r * sinf(turn), st->light_t));
   if (vec_dot(h->geometric, towards) <= 0) return 0;
-  return scene_blocked(s, leave(s, h), towards) ? 0 : 1;
+  return scene_blocked_from(s, h, towards) ? 0 : 1;
 }
 
 static vec sky_towards(const studio *st, vec direction) {
@@ -62,19 +61,31 @@ vec studio_mirrored(const studio *st, const scene *s, vec direction) {
   return sky_towards(st, direction);
 }
 
+/* What comes to a face with nothing before it. Of the hemisphere's cosine-weighted directions
+ * (1 + c) / 2 point upwards, c being the normal's; their mean height, downwards counted as 0,
+ * is the convolution of two clamped cosines. */
+static vec open_fill(const studio *st, const scene *s, vec normal) {
+  float c = fminf(fmaxf(vec_dot(normal, st->up), -1), 1), above = (1 + c) / 2;
+  float height = 2 / (3 * PI) * (sqrtf(1 - c * c) + (PI - acosf(c)) * c);
+  vec low = s->has_floor ? st->lit_floor : vec_scale(st->sky, sky_horizon);
+  vec sky = vec_along(vec_scale(above, sky_horizon), height, vec_sub(sky_zenith, sky_horizon));
+  return vec_along(vec_scale(1 - above, low), st->sky, sky);
+}
+
 vec studio_fill(const studio *st, const scene *s, const hit *h, uint32_t pixel, uint32_t sample) {
   vec sum = {0, 0, 0}, a, b;
   if (st->sky == 0 && !s->has_floor) return sum;
+  if (scene_sees_all(s, h)) return open_fill(st, s, h->normal);
   vec_frame(h->normal, &a, &b);
   for (uint32_t i = 0; i < SKY_RAYS; i++) {
     float u, v;
     sample_pair(pixel, sample * SKY_RAYS + i, PAIR_SKY, &u, &v);
-    float r = sqrtf(u), turn = 6.2831853f * v;
+    float r = sqrtf(u), turn = 2 * PI * v;
     vec towards = vec_scale(sqrtf(1 - u), h->normal);
     towards = vec_along(towards, r * cosf(turn), a);
     towards = vec_along(towards, r * sinf(turn), b);
     if (vec_dot(towards, h->geometric) <= 0) continue;
-    if (scene_blocked(s, leave(s, h), towards))
+    if (scene_blocked_from(s, h, towards))
       sum = vec_along(sum, st->sky, bounce);
     else if (s->has_floor && vec_dot(towards, st->up) < 0)
       sum = vec_add(sum, st->lit_floor);

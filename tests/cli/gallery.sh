@@ -18,6 +18,14 @@ done
 while IFS= read -r name; do
   check "$name, which the index shows, is there" test -s "$scratch/pictures/$name"
 done < <(grep -o 'img src="[^"]*"' "$scratch/pictures/index.html" | cut -d'"' -f2)
+while IFS= read -r name; do
+  case $name in
+  \#*) check "$name, which a link leads to, is there" \
+    grep -q "id=\"${name#\#}\"" "$scratch/pictures/index.html" ;;
+  *) check "$name, which a link leads to, is there" test -s "$scratch/pictures/$name" ;;
+  esac
+done < <(grep -o 'href="[^"]*"' "$scratch/pictures/index.html" | cut -d'"' -f2)
+check "woods have a section" grep -q '<h2 id=.*>Wood</h2>' "$scratch/pictures/index.html"
 same "nothing half-made" "" "$(find "$scratch/pictures" -name '.*.png' -o -name '.*.html')"
 refuses 2 "no output" gallery
 : >"$scratch/file"
