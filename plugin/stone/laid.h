@@ -209,22 +209,32 @@ INLINE vf fall_integral(vf m, float a, float w) {
   return vmin(m, splat(a)) + x - splat(w) * t * t * t * (splat(1.0f) - splat(0.5f) * t);
 }
 
-INLINE vf profile_at(const stone_paving *v, vf m) {
-  vf one = splat(1.0f), h = splat(0.0f);
-  vf in = m - splat(v->half);
+/* How wide the rounded edge is here, mm, as chipped edges differ. */
+typedef struct {
+  field wide;
+  vf inverse;
+} laid_round;
+
+/* 1 at the stone's edge, 0 where its face begins. in: from the edge. */
+INLINE vf profile_fallen(const laid_round *r, vf in) {
+  return splat(1.0f) - clamp01(in * r->inverse);
+}
+
+INLINE vf profile_at(const stone_paving *v, const laid_round *r, vf m) {
+  vf h = splat(0.0f), in = m - splat(v->half);
   if (v->depth > 0.0f) h = h - splat(v->depth) * fall_at(m, v->half - v->wall, v->wall);
   if (v->chamfer > 0.0f) {
     h = h - splat(v->slope) * (splat(v->chamfer) - clamp(in, splat(0.0f), splat(v->chamfer)));
   }
   if (v->round > 0.0f) {
-    vf t = one - clamp01(in * splat(1.0f / v->round));
+    vf t = profile_fallen(r, in);
     h = h - splat(v->drop) * t * t;
   }
   return h;
 }
 
 /* Integrals from 0 of the height, and of the square of its slope. */
-INLINE vf profile_integral(const stone_paving *v, vf m) {
+INLINE vf profile_integral(const stone_paving *v, const laid_round *r, vf m) {
   vf one = splat(1.0f), sum = splat(0.0f), zero = sum, half = splat(v->half);
   vf in = m - half, joint = vmin(m, half);
   if (v->depth > 0.0f) sum = sum - splat(v->depth) * fall_integral(m, v->half - v->wall, v->wall);
@@ -233,12 +243,12 @@ INLINE vf profile_integral(const stone_paving *v, vf m) {
     sum = sum - splat(v->slope) * (splat(v->chamfer) * (joint + x) - splat(0.5f) * x * x);
   }
   if (v->round > 0.0f) {
-    vf t = one - clamp01(in * splat(1.0f / v->round));
-    sum = sum - splat(v->drop) * (joint + splat(v->round / 3.0f) * (one - t * t * t));
+    vf t = profile_fallen(r, in);
+    sum = sum - splat(v->drop) * (joint + r->wide.v * splat(1.0f / 3.0f) * (one - t * t * t));
   }
   return sum;
 }
-INLINE vf profile_square(const stone_paving *v, vf m) {
+INLINE vf profile_square(const stone_paving *v, const laid_round *r, vf m) {
   vf one = splat(1.0f), sum = splat(0.0f), zero = sum, in = m - splat(v->half);
   if (v->depth > 0.0f) {
     vf t = clamp01((m - splat(v->half - v->wall)) * splat(1.0f / v->wall));
@@ -249,10 +259,15 @@ INLINE vf profile_square(const stone_paving *v, vf m) {
     sum = sum + splat(v->slope * v->slope) * clamp(in, zero, splat(v->chamfer));
   }
   if (v->round > 0.0f) {
-    vf t = one - clamp01(in * splat(1.0f / v->round));
-    sum = sum + splat(4.0f / 3.0f * v->drop * v->drop / v->round) * (one - t * t * t);
+    vf t = profile_fallen(r, in);
+    sum = sum + splat(4.0f / 3.0f * v->drop * v->drop) * r->inverse * (one - t * t * t);
   }
   return sum;
+}
+/* What the height's integral changes by as the rounding grows wider. */
+INLINE vf profile_widened(const stone_paving *v, const laid_round *r, vf m) {
+  vf t = profile_fallen(r, m - splat(v->half));
+  return splat(v->drop * (-1.0f / 3.0f)) * (splat(1.0f) - t * t * (splat(3.0f) - t - t));
 }
 
 /* Even continued below 0, its integral is odd. */
@@ -270,17 +285,23 @@ STAGE field laid_fall(const laid *q, float a, float w) {
 
 /* The edge's outline under the footprint; *lost: variance of slope along one
  * axis that the footprint averages out. */
-STAGE field laid_profile(const stone_paving *v, const laid *q, vf *lost) {
+STAGE field laid_profile(const stone_paving *v, const laid *q, const laid_round *r, vf *lost) {
   vf half = splat(0.5f) * q->e, low = q->m.v - half, high = q->m.v + half;
   vf l = vabs(low), inverse = splat(1.0f) / q->e, one = splat(1.0f);
-  vf value = (profile_integral(v, high) - odd_of(low, profile_integral(v, l))) * inverse;
-  vf slope = (profile_at(v, high) - profile_at(v, l)) * inverse;
-  vf square = (profile_square(v, high) - odd_of(low, profile_square(v, l))) * inverse;
+  vf value = (profile_integral(v, r, high) - odd_of(low, profile_integral(v, r, l))) * inverse;
+  vf slope = (profile_at(v, r, high) - profile_at(v, r, l)) * inverse;
+  vf square = (profile_square(v, r, high) - odd_of(low, profile_square(v, r, l))) * inverse;
   vf far = one - q->near;
   vf stretch = q->m.g[0] * q->m.g[0] + q->m.g[1] * q->m.g[1];
   vf spread = splat(0.5f) * stretch * vmax(square - slope * slope, splat(0.0f));
   *lost = mix(spread, splat(v->slope2), far);
-  return field_through(q->m, mix(value, splat(v->mean), far), slope * q->near);
+  field h = field_through(q->m, mix(value, splat(v->mean), far), slope * q->near);
+  if (v->chipping > 0.0f) {
+    vf change = profile_widened(v, r, high) - odd_of(low, profile_widened(v, r, l));
+    change = change * inverse * q->near;
+    for (int k = 0; k < 3; k++) h.g[k] = h.g[k] + change * r->wide.g[k];
+  }
+  return h;
 }
 
 /* ---- how the stone lies ------------------------------------------------ */

@@ -88,7 +88,8 @@ static void measure_laid(const stone_constants *w, uint32_t count, stone_laid_me
     surface f = surface_none();
     surface_lay(w, 1, &q, p, zero, field_of(zero), &f);
     vf lost, slope;
-    field profile = laid_profile(&w->paving, &q, &lost);
+    laid_round round = surface_round(w, &q, p, zero);
+    field profile = laid_profile(&w->paving, &q, &round, &lost);
     slope = profile.g[0] * profile.g[0] + profile.g[1] * profile.g[1];
     measure_add(&out->height, profile.v);
     measure_add(&out->slope2, slope * splat(0.5f));

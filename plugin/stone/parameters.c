@@ -565,6 +565,7 @@ const sozai_parameter *const stone_parameters[STONE_PARAMETERS] = {
    [P_BEVEL_ANGLE] = &laid_bevel_angle,
    [P_ROUND] = &laid_edge_round,
    [P_ROUND_DROP] = &laid_edge_drop,
+   [P_CHIPPING] = &laid_edge_chipping,
    [P_TILT] = &laid_tilt,
    [P_SETTLE] = &laid_settle,
    [P_CROWN] = &laid_crown,

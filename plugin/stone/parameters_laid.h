@@ -66,6 +66,8 @@ NUMBER_(laid_edge_round, "edge_round", "Rounded edge", "layout", "mm", 0, 1000, 
         "Width of the rounded edge, in from the joint.");
 NUMBER_(laid_edge_drop, "edge_drop", "Edge drop", "layout", "mm", 0, 1000, 0, 15, 0.5,
         "How far the rounding falls to the joint.");
+NUMBER_(laid_edge_chipping, "edge_chipping", "Edge chipping", "layout", "", 0, 1, 0, 1, 0,
+        "How unevenly the edges have broken away: by how much of itself the rounded edge is wider here and narrower there.");
 NUMBER_(laid_tilt, "tilt", "Tilt", "layout", "mm", 0, 200, 0, 6, 0,
         "How far the sides of a stone may stand above or below its middle.");
 NUMBER_(laid_settle, "settle", "Settlement", "layout", "mm", 0, 200, 0, 8, 0,

@@ -120,6 +120,8 @@ typedef struct {
   float depth;                   /* of the joint below the edge's foot */
   float chamfer, slope;          /* width; tangent of its angle */
   float round, drop;             /* width and fall of the rounded edge */
+  float chipping, round_most;    /* how much that width varies; its most, a factor */
+  float chip_frequency;          /* 1/mm */
   float tilt, settle, crown;     /* of a stone */
   float tone, tint;              /* sd, relative */
   float colour[3];               /* of the joint */

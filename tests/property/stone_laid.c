@@ -178,6 +178,7 @@ static void normals_are_slopes(void **state) {
   static const sloped cases[] = {
       {"edges", LAID "stack; bevel=6; edge_round=14; edge_drop=4; corner_radius=20", 0.01},
       {"wander", LAID "chidori; edge_round=10; edge_drop=3; joint_wander=0.06", 0.01},
+      {"chips", LAID "stack; edge_round=14; edge_drop=5; edge_chipping=0.8", 0.03},
       {"lie", LAID "hexagon; tilt=3; crown=5; settle=6; undulation=8", 0.01},
       {"fan", LAID "fan; joint_width=8; edge_round=10; edge_drop=4; crown=3", 0.03},
       {"worn", LAID "ashlar; wear=1", 0.01},
