@@ -30,7 +30,7 @@ stone() {
   "$sozai" render stone --preset "$2" -o "$scratch/$1.png" --shape plane --res 400x300 --spp 32 "${@:3}"
 }
 
-# Inada, Makabe and Mannari granite, Carrara, Rosso Verona; terrazzo, Rosa Beta flamed, wet setts in
+# Inada, Makabe and Mannari granite, Carrara, Rosso Verona; terrazzo, Rosa Beta flamed, setts in
 # fans, a mossy path, araidashi
 draw_stones() {
   stone 1 inada --camera front --size 80x60
@@ -39,7 +39,7 @@ draw_stones() {
   stone 4 carrara --camera front --size 800x600
   stone 5 terrazzo --camera front --size 160x120
   stone 6 rosa_beta --camera front --size 80x60 -p finish=flamed --light 20,24
-  stone 7 granite_fan --camera -90,36,14 --zoom 5 --size 12000x9000 -p wet=0.8 --light 140,20
+  stone 7 granite_fan --camera front --size 1400x1050 --light 35,28 --sky 0.6
   stone 8 ishidatami --camera -50,42,14 --zoom 5 --size 12000x9000 -p layout=chidori \
     -p stone_length=600 -p stone_width=300 -p moss=0.42 -p moss_spread=30
   stone 9 rosso_verona --camera front --size 320x240
