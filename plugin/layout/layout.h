@@ -36,6 +36,9 @@ typedef struct {
   double turn;          /* degrees, of the whole, from u towards v */
 } layout_choice;
 
+/* Arcs: half of what a row turns across its bay, ten widths, at its middle radius of 7.5. */
+#define LAYOUT_ARC 0.7297277f
+
 /* A layout, made. Pieces are columns, so that lanes can gather them. */
 typedef struct {
   int32_t kind;
@@ -51,6 +54,7 @@ typedef struct {
   float jitter;  /* of a joint along the course, of the length */
   float stagger; /* of the length */
   float radius;  /* mm, of the arcs */
+  float around;  /* setts of a row across a bay of them */
 
   float a[2], b[2];       /* lattice, mm */
   float to_i[2], to_j[2]; /* from the plane to lattice coordinates */

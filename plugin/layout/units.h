@@ -214,6 +214,8 @@ INLINE void unit_of_crazy(const layout *l, vf x, vf y, vf e, layout_unit *p, cov
 /* ---- round about ------------------------------------------------------ */
 
 #define TWO_PI_ 6.2831853f
+#define UNIT_FAR                                                                                   \
+  16.0f /* widths: to a side that is not there; much more would not tell footprints */
 
 /* Distance from radius r to the ray `turns` away. */
 INLINE vf ray_distance(vf r, vf turns) {
@@ -265,17 +267,24 @@ INLINE void unit_of_arcs(const layout *l, vf x, vf y, vf e, layout_unit *p, cove
   vf r = vsqrt(square + up * up), r1 = vsqrt(square + up1 * up1);
   vf low = r - radius, high = radius - r1;
   vf inverse = one / vmax(r, splat(1e-3f)), cx = across * inverse, cy = up * inverse;
-  vf angle = arctan2(across, up) * (radius * splat(l->inverse_length));
-  vf place = angle + to_float(j & splati(1)) * half;
-  vf f = place - vfloor(place, &m);
-  vf turns = splat(l->length / (TWO_PI_ * l->radius));
+  /* As many setts as fit the bay's middle height. Every other row is half a sett on, and begins
+   * and ends with one and a half, as paviours have it, for halves would be slivers. What the bay
+   * is wider or narrower by, below and above, is the end setts' too. */
+  vf odd = to_float(j & splati(1)), far = splat(UNIT_FAR * l->width), count = splat(l->around);
+  vf place = (arctan2(across, up) * splat(1.0f / LAYOUT_ARC) + one) * half * count + odd * half;
+  vf f = clamp(vfloor(place, &m), odd, count - one);
+  vm first = le(f, odd), last = le(count - one, f);
+  m = to_int(f);
+  f = place - f;
+  vf turns = splat(2.0f * LAYOUT_ARC / TWO_PI_) / count;
+  vf length = splat(15.0f * LAYOUT_ARC * l->width) / count;
   cover_pair(c, low, high, cx, cy, l->joint, e);
-  cover_pair(c, ray_distance(r, f * turns), ray_distance(r, (one - f) * turns), cy, zero - cx,
-             l->joint, e);
+  cover_pair(c, sel(first, far, ray_distance(r, vmax(f, zero) * turns)),
+             sel(last, far, ray_distance(r, vmax(one - f, zero) * turns)), cy, zero - cx, l->joint,
+             e);
   cover_pair(c, across + half * bay, half * bay - across, one, zero, l->joint, e);
   vi n = i * splati(64) + (m & splati(63));
-  unit_frame(p, layout_id(l, n, j, splati(0)), f * splat(l->length), low, splat(l->length), width,
-             cy, zero - cx);
+  unit_frame(p, layout_id(l, n, j, splati(0)), f * length, low, length, width, cy, zero - cx);
 }
 
 /* Fans that overlap as scales do: each a quarter of a disc about its tip, the
@@ -304,8 +313,8 @@ INLINE void unit_of_fan(const layout *l, vf x, vf y, vf e, layout_unit *p, cover
   ring = vfloor(ring, &unused);
   k = to_int(ring);
   vf in = ring * width, low = r - in;
-  vf cx = lx * inverse, cy = ly * inverse;
-  cover_pair(c, sel(eqi(k, splati(0)), splat(1e9f), low), width - low, cx, cy, l->joint, e);
+  vf cx = lx * inverse, cy = ly * inverse, far = splat(UNIT_FAR * l->width);
+  cover_pair(c, sel(eqi(k, splati(0)), far, low), width - low, cx, cy, l->joint, e);
   /* the fans below, to the left and right, and those beside */
   for (int s = -1; s <= 1; s += 2) {
     vf ax = lx - splat((float)s * d), ay = ly + side;
@@ -328,8 +337,7 @@ INLINE void unit_of_fan(const layout *l, vf x, vf y, vf e, layout_unit *p, cover
   vm first = eqi(m, splati(0)), last = eqi(m + splati(1), to_int(count));
   vf before = ray_distance(r, vmax(f, zero) * turns),
      after = ray_distance(r, vmax(one - f, zero) * turns);
-  cover_pair(c, sel(first, splat(1e9f), before), sel(last, splat(1e9f), after), cy, zero - cx,
-             l->joint, e);
+  cover_pair(c, sel(first, far, before), sel(last, far, after), cy, zero - cx, l->joint, e);
   vf length = (open + open) * rm / count;
   vi n = k * splati(most) + m;
   unit_frame(p, layout_id(l, i, j, n), f * length, low, length, width, cy, zero - cx);

@@ -111,7 +111,7 @@ static const expected layouts[] = {
     {.id = "butcher", .length = 450, .width = 42, .reach = 570},
     {.id = "ashlar", .length = 500, .width = 150, .reach = 660},
     {.id = "crazy", .length = 350, .width = 350, .reach = 900},
-    {.id = "arcs", .length = 100, .width = 100, .reach = 170, .bent = 1},
+    {.id = "arcs", .length = 100, .width = 100, .reach = 240, .bent = 1},
     {.id = "circles", .length = 100, .width = 100, .reach = 210, .bent = 1},
     {.id = "fan", .length = 90, .width = 90, .reach = 230, .bent = 1},
 };
