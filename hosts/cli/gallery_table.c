@@ -45,9 +45,9 @@ const shot_sheet gallery_sheets[GALLERY_SHEETS] = {
   }
 
 /* Two and a half metres before the eye and beyond, or so. */
-#define PAVED(id, label, among, stone, a, b, c, d, sun)                                            \
+#define PAVED(id, label, only_all, stone, a, b, c, d, sun)                                         \
   {                                                                                                \
-    .name = "paving-" id, .title = label, .more = among, .material = "stone", .preset = stone,     \
+    .name = "paving-" id, .title = label, .more = only_all, .material = "stone", .preset = stone,  \
     .params = {a, b, c, d}, .shape = "plane", .size = "5000x9000", .camera = "-90,20,30",          \
     .light = sun, .zoom = 4, .ahead = -2500, .width = 960, .height = 540                           \
   }

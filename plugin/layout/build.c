@@ -249,9 +249,9 @@ const char *layout_build(layout *l, const layout_choice *given, double *least, d
       while (l->numbers < 180.0 * c.width / c.length && l->numbers < 4096) l->numbers *= 2;
     }
     if (c.kind == LAYOUT_ARCS) {
-      double fit = 15.0 * (double)LAYOUT_ARC * c.width / c.length;
+      double row = (double)LAYOUT_ARC_LONG * c.width, fit = row / c.length;
       l->around = (float)(int)(fit < 1.5 ? 2.0 : fit > 1e6 ? 1e6 : fit + 0.5);
-      across = 0.5 * 15.0 * (double)LAYOUT_ARC * c.width / (double)l->around;
+      across = 0.5 * row / (double)l->around;
     }
     if (c.width < across) across = c.width;
     l->narrowest = (float)across;

@@ -36,8 +36,10 @@ typedef struct {
   double turn;          /* degrees, of the whole, from u towards v */
 } layout_choice;
 
-/* Arcs: half of what a row turns across its bay, ten widths, at its middle radius of 7.5. */
+/* Arcs: half of what a row turns across its bay, ten widths, at its middle radius of 7.5; and how
+ * long it is there, in widths. */
 #define LAYOUT_ARC 0.7297277f
+#define LAYOUT_ARC_LONG (15.0f * LAYOUT_ARC)
 
 /* A layout, made. Pieces are columns, so that lanes can gather them. */
 typedef struct {

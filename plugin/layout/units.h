@@ -277,7 +277,7 @@ INLINE void unit_of_arcs(const layout *l, vf x, vf y, vf e, layout_unit *p, cove
   m = to_int(f);
   f = place - f;
   vf turns = splat(2.0f * LAYOUT_ARC / TWO_PI_) / count;
-  vf length = splat(15.0f * LAYOUT_ARC * l->width) / count;
+  vf length = splat(LAYOUT_ARC_LONG * l->width) / count;
   cover_pair(c, low, high, cx, cy, l->joint, e);
   cover_pair(c, sel(first, far, ray_distance(r, vmax(f, zero) * turns)),
              sel(last, far, ray_distance(r, vmax(one - f, zero) * turns)), cy, zero - cx, l->joint,

@@ -61,7 +61,8 @@ static int32_t build_edges(stone_paving *p, const settings *s) {
   p->round = (float)(drop > 0.0 ? round : 0.0);
   p->drop = (float)(round > 0.0 ? drop : 0.0);
   p->chipping = (float)(round > 0.0 && drop > 0.0 ? number_at(s, P_CHIPPING) : 0.0);
-  p->round_most = (float)(round > 0.0 && most < 2.5 * round ? most / round : 2.5);
+  double wider = (double)STONE_ROUND_MOST;
+  p->round_most = (float)(round > 0.0 && most < wider * round ? most / round : wider);
   p->chip_frequency = (float)(0.45 / (round > 0.25 ? round : 0.25));
   p->reach = 0.3f * l->narrowest;
   p->grain_frequency = (float)(1.0 / number_at(s, P_JOINT_GRAIN));

@@ -109,6 +109,10 @@ typedef struct {
   float inset[PAPER_STONES * 4 * (PAPER_PARTS + 1)];    /* texels, from the place's side */
 } stone_tile;
 
+/* Where edges are chipped, least and most of the rounded edge's width. */
+#define STONE_ROUND_LEAST 0.2f
+#define STONE_ROUND_MOST 2.5f
+
 /* Paving, and what weather does to it: laid.h and weather.h. Lengths in mm; m is
  * the distance from the joint's middle. */
 typedef struct {

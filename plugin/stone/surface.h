@@ -47,9 +47,7 @@ INLINE vf surface_below(vf x) {
          (splat(1.0f) + exp2_(clamp(splat(-2.4555f) * x, splat(-40.0f), splat(40.0f))));
 }
 
-#define ROUND_LEAST 0.2f /* of the rounded edge's width, where edges are chipped */
-
-/* Chips of the rounding's own width and of a third of it, on each stone other ones. */
+/* Chips of some twice the rounding's width and of less than one, on each stone other ones. */
 STAGE laid_round surface_round(const stone_constants *w, const laid *q, const vf p[3], vf s) {
   const stone_paving *v = &w->paving;
   laid_round r = {field_of(splat(v->round)), splat(v->round > 0.0f ? 1.0f / v->round : 0.0f)};
@@ -59,7 +57,7 @@ STAGE laid_round surface_round(const stone_constants *w, const laid *q, const vf
   field n = weather_noise(at, v->chip_frequency, w->seed + 78u, 1.0f, s, &unused);
   n = field_add(n, weather_noise(at, 2.7f * v->chip_frequency, w->seed + 79u, 0.5f, s, &unused));
   n = field_scale(n, splat(3.0f * v->chipping));
-  vf f = clamp(one + n.v, splat(ROUND_LEAST), splat(v->round_most));
+  vf f = clamp(one + n.v, splat(STONE_ROUND_LEAST), splat(v->round_most));
   r.wide = field_through(n, splat(v->round) * f, sel(eq(f, one + n.v), splat(v->round), unused));
   r.inverse = one / r.wide.v;
   return r;

@@ -26,6 +26,8 @@ while IFS= read -r name; do
   esac
 done < <(grep -o 'href="[^"]*"' "$scratch/pictures/index.html" | cut -d'"' -f2)
 check "woods have a section" grep -q '<h2 id=.*>Wood</h2>' "$scratch/pictures/index.html"
+check "a link leads to it" grep -q '<a href="#.*>Wood</a>' "$scratch/pictures/index.html"
+check "and one to its sheet" grep -q '<a href="gallery.png">' "$scratch/pictures/index.html"
 same "nothing half-made" "" "$(find "$scratch/pictures" -name '.*.png' -o -name '.*.html')"
 refuses 2 "no output" gallery
 : >"$scratch/file"

@@ -78,7 +78,7 @@ static void key_is_the_same(void **state) {
   (void)state;
   place p;
   open_place(&p, true);
-  unsigned differ = 0, partly = 0;
+  unsigned differ = 0, partly = 0, sunk = 0;
   for (int k = 0; k < 400; k++) {
     float turn = 6.2831853f * (float)k / 400;
     vec n = vec_add(vec_scale(cosf(turn), p.studio.light), vec_scale(sinf(turn), p.studio.light_s));
@@ -92,11 +92,14 @@ static void key_is_the_same(void **state) {
       lit += told;
     }
     partly += lit > 0 && lit < 64;
+    sunk += lit > 0 && vec_dot(h.normal, p.studio.light) < 0;
   }
   scene_close(&p.scene);
-  print_message("%u of 25600 differ; %u places see a part of the light\n", differ, partly);
+  print_message(
+      "%u of 25600 differ; %u places see a part of the light, %u of them not its middle\n", differ,
+      partly, sunk);
   assert_int_equal(differ, 0);
-  assert_true(partly > 8);
+  assert_true(partly > 8 && sunk > partly / 3);
 }
 
 int main(void) {
