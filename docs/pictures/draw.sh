@@ -30,21 +30,23 @@ stone() {
   "$sozai" render stone --preset "$2" -o "$scratch/$1.png" --shape plane --res 400x300 --spp 32 "${@:3}"
 }
 
-# Inada, Makabe and Mannari granite, Carrara, Rosso Verona; terrazzo, Rosa Beta flamed, setts in
-# fans, a mossy path, araidashi
+# Inada and Mannari granite, Baltic Brown, Rosso Verona; Carrara, Calacatta, Rosso Levanto, terrazzo;
+# Rosa Beta flamed, setts in fans, a mossy path, araidashi
 draw_stones() {
   stone 1 inada --camera front --size 80x60
-  stone 2 makabe --camera front --size 80x60
-  stone 3 mannari --camera front --size 80x60
-  stone 4 carrara --camera front --size 800x600
-  stone 5 terrazzo --camera front --size 160x120
-  stone 6 rosa_beta --camera front --size 80x60 -p finish=flamed --light 20,24
-  stone 7 granite_fan --camera front --size 1400x1050 --light 35,28 --sky 0.6
-  stone 8 ishidatami --camera -50,42,14 --zoom 5 --size 12000x9000 -p layout=chidori \
+  stone 2 mannari --camera front --size 80x60
+  stone 3 baltic_brown --camera front --size 240x180
+  stone 4 rosso_verona --camera front --size 320x240
+  stone 5 carrara --camera front --size 800x600
+  stone 6 calacatta --camera front --size 1600x1200
+  stone 7 rosso_levanto --camera front --size 400x300
+  stone 8 terrazzo --camera front --size 160x120
+  stone 9 rosa_beta --camera front --size 80x60 -p finish=flamed --light 20,24
+  stone 10 granite_fan --camera front --size 1400x1050 --light 35,28 --sky 0.6
+  stone 11 ishidatami --camera -50,42,14 --zoom 5 --size 12000x9000 -p layout=chidori \
     -p stone_length=600 -p stone_width=300 -p moss=0.42 -p moss_spread=30
-  stone 9 rosso_verona --camera front --size 320x240
-  stone 10 araidashi --camera front --size 100x75 --light 30,30
-  oiiotool "$scratch"/{1,2,3,4,9,5,6,7,8,10}.png --mosaic 5x2 -d uint8 -o "$folder/stones.png"
+  stone 12 araidashi --camera front --size 100x75 --light 30,30
+  oiiotool "$scratch"/{1,2,3,4,5,6,7,8,9,10,11,12}.png --mosaic 4x3 -d uint8 -o "$folder/stones.png"
 }
 
 draw_log() {

@@ -10,7 +10,7 @@
 #include "cells.h"
 #include "square.h"
 
-#define CELLS_APART 1.8f /* cells: twice how far centres are apart that share a face */
+#define CELLS_APART 1.8f /* cells: twice how far centres are apart that share a face, mostly */
 #define CELLS_REACH 0.5f /* cells: the width of what shows through a border from behind it */
 
 /* Whether a cell's mineral is of kind 1, or of kind 2. */
@@ -41,12 +41,18 @@ INLINE vf cells_radius(const stone_cells *c, vu h) {
   return splat(c->radius) * (splat(1.0f) - splat(c->radius_spread) * u);
 }
 
-/* The ball about a cell's centre. */
-INLINE cells_edge edge_of_ball(const stone_cells *c, const cells_near *n, const cells_square *s,
-                               const cells_parts *p) {
+/* How thick a body's rim is: each one's by chance. */
+INLINE vf cells_rim(const stone_cells *c, vu h) {
+  vf u = to_float((vi)(hash_mix(h ^ splatu(0x68e31da4u)) >> 8)) * splat(1.0f / 16777216.0f);
+  return splat(c->rim) * (splat(0.4f) + splat(1.2f) * u);
+}
+
+/* The ball about a cell's centre, smaller by `less`. */
+INLINE cells_edge edge_of_ball(const stone_cells *c, const cells_near *n, vf less,
+                               const cells_square *s, const cells_parts *p) {
   vf r2 = dot3(n->x, n->x) + splat(1e-12f), k = inverse_root(r2), g[3];
   for (int i = 0; i < 3; i++) g[i] = n->x[i] * k;
-  return edge_of(s, p, cells_radius(c, n->h) - r2 * k, g, c->blur);
+  return edge_of(s, p, cells_radius(c, n->h) - less - r2 * k, g, c->blur);
 }
 
 /* The flake about a cell's centre, which lies its own way: how thick it is by half, and how far
@@ -72,19 +78,19 @@ INLINE vf cells_flake(const cells_edge *e, vf half, const cells_parts *p, int pa
   return vmax(vmin(at + side, half) - vmax(at - side, splat(0.0f) - half), splat(0.0f));
 }
 
-/* How many of the nearest cells tell what is there. A flake's outline is mostly its own. */
+/* How many of the nearest cells tell what is there: a footprint at a body's corner has two of its
+ * faces. A flake's outline is mostly its own. */
 INLINE int cells_asked(const stone_cells *c) { return c->shaped && c->thick >= 1.0f ? 3 : 2; }
 
-/* The face between two cells, `erosion` nearer to a's centre. Where the third nearest cell is
- * not asked for, what is taken off goes by how much further the second is and not by the distance
- * from the face: then nothing jumps where the second changes. */
+/* The face between two cells, `erosion` nearer to a's centre. What is taken off goes by how much
+ * further the second is, by the distance from the face as if all centres were as far apart: then
+ * a body is what another power diagram would make of its cell, the second nearest tells at a point
+ * whether it is in, and nothing jumps where cells change that are as near. */
 INLINE cells_edge edge_of_face(const stone_cells *c, const cells_near *a, const cells_near *b,
                                vf erosion, const cells_square *s, const cells_parts *p) {
   vf g[3];
   for (int k = 0; k < 3; k++) g[k] = splat(2.0f) * (a->x[k] - b->x[k]);
-  vf length = splat(CELLS_APART);
-  if (cells_asked(c) > 2) length = vsqrt(dot3(g, g) + splat(1e-12f));
-  return edge_of(s, p, b->d - a->d - length * erosion, g, c->blur);
+  return edge_of(s, p, b->d - a->d - splat(CELLS_APART) * erosion, g, c->blur);
 }
 
 /* Those of the cells about a point. together: see cells_find_as. three: of crystals, too. */
@@ -109,18 +115,33 @@ INLINE vf cells_calm(const stone_cells *c, vf mean, vf tone) {
   return mean + (tone - mean) * splat(c->calm);
 }
 
-/* How much of a square the bodies of its nearest two cells have. One ends at the faces to
- * both of the others: the nearest face need not be that to the nearest cell, and without
- * the third outlines would jump where the second changes. A flake is thin: mostly it is
- * elsewhere, and then its outline is nobody's. */
+/* How much of each part of the square has a body, `less` smaller all round: it ends at the faces to
+ * both of the others. */
+INLINE void cells_within(const stone_cells *c, const cells_near near[3], int n, vf less,
+                         const cells_square *s, const cells_parts *p, vf cover[4]) {
+  int third = cells_asked(c) > 2, rounded = c->radius < 4.0f;
+  const cells_near *a = &near[n];
+  vf erosion = cells_erosion(c, a->h) + less;
+  cells_edge face = edge_of_face(c, a, &near[1 - n], erosion, s, p), other = face, ball = face;
+  if (third) other = edge_of_face(c, a, &near[2], erosion, s, p);
+  if (rounded) ball = edge_of_ball(c, a, less, s, p);
+  for (int i = 0; i < p->count; i++) {
+    cover[i] = edge_cover(&face, p, i);
+    if (third) cover[i] = edges_both(cover[i], edge_cover(&other, p, i));
+    if (rounded) cover[i] = vmin(cover[i], edge_cover(&ball, p, i));
+  }
+}
+
+/* How much of a square the bodies of its nearest two cells have; core: and of it what is not
+ * rim. A flake is thin: mostly it is elsewhere, and then its outline is nobody's. */
 INLINE void cells_bodies(const stone_cells *c, const cells_near near[3], const vm body[2],
-                         const cells_square *s, const cells_parts *p, vf share[2]) {
+                         const cells_square *s, const cells_parts *p, vf share[2], vf core[2]) {
   vf zero = splat(0.0f), one = splat(1.0f);
-  int third = cells_asked(c) > 2, flat = c->thick < 1.0f, rounded = c->radius < 4.0f;
+  int flat = c->thick < 1.0f;
   for (int n = 0; n < 2; n++) {
     const cells_near *a = &near[n];
     vf flake[4] = {one, one, one, one}, cover[4], half, some = one, normal[3];
-    share[n] = zero;
+    share[n] = core[n] = zero;
     if (!any(body[n])) continue;
     if (flat) {
       cells_edge slab = edge_of_flake(c, a, s, p, &half, normal);
@@ -131,17 +152,12 @@ INLINE void cells_bodies(const stone_cells *c, const cells_near near[3], const v
       }
     }
     if (!any(and_(body[n], gt(some, zero)))) continue;
-    vf erosion = cells_erosion(c, a->h);
-    cells_edge face = edge_of_face(c, a, &near[1 - n], erosion, s, p), other = face, ball = face;
-    if (third) other = edge_of_face(c, a, &near[2], erosion, s, p);
-    if (rounded) ball = edge_of_ball(c, a, s, p);
-    for (int i = 0; i < p->count; i++) {
-      cover[i] = edge_cover(&face, p, i);
-      if (third) cover[i] = edges_both(cover[i], edge_cover(&other, p, i));
-      if (rounded) cover[i] = vmin(cover[i], edge_cover(&ball, p, i));
-      cover[i] = cover[i] * flake[i];
-    }
-    share[n] = cells_mean(p, cover);
+    cells_within(c, near, n, zero, s, p, cover);
+    for (int i = 0; i < p->count; i++) cover[i] = cover[i] * flake[i];
+    share[n] = core[n] = cells_mean(p, cover);
+    if (c->rim <= 0.0f) continue;
+    cells_within(c, near, n, cells_rim(c, a->h), s, p, cover);
+    core[n] = vmin(cells_mean(p, cover), share[n]);
   }
 }
 
@@ -185,16 +201,17 @@ INLINE void cells_crystals(const stone_cells *c, const cells_near near[3], const
 }
 
 /* A square no larger than about a cell: of the nearest cells, how much each has of it;
- * where cells have bodies, of those alone that are `body`. third: how much the third
- * crystal counts, three: whether it does to any. */
+ * where cells have bodies, of those alone that are `body`, and what is not rim. third: how
+ * much the third crystal counts, three: whether it does to any. */
 INLINE void cells_shares(const stone_cells *c, const cells_near near[3], const vm body[2],
                          const cells_square *s, const cells_parts *p, int three, vf third,
-                         vf share[3]) {
+                         vf share[3], vf core[3]) {
   share[2] = splat(0.0f);
   if (c->shaped)
-    cells_bodies(c, near, body, s, p, share);
+    cells_bodies(c, near, body, s, p, share, core);
   else
     cells_crystals(c, near, s, p, three, third, share);
+  for (int n = 0; n < 3 && !c->shaped; n++) core[n] = share[n];
 }
 
 #endif

@@ -28,18 +28,15 @@ typedef struct {
 #define DOME_SMOOTH 0.8f /* of the finish's relief that its top has lost */
 
 /* The face to another cell, less what the body is smaller by: how far within it the point is, in
- * cells, and how that grows. Of a dome as if all centres were as far apart: then nothing jumps
- * where one cell gives way to another as near. */
+ * cells, as bodies.h has it, and how that grows. */
 typedef struct {
   vf in, g[3];
 } height_side;
 
-INLINE height_side height_side_of(const height_form *form, const cells_near *a, const cells_near *b,
-                                  vf erosion) {
+INLINE height_side height_side_of(const cells_near *a, const cells_near *b, vf erosion) {
   height_side f;
   for (int k = 0; k < 3; k++) f.g[k] = a->x[k] - b->x[k];
-  vf inverse = splat(2.0f / CELLS_APART);
-  if (!form->dome) inverse = inverse_root(dot3(f.g, f.g) + splat(1e-12f));
+  const vf inverse = splat(2.0f / CELLS_APART);
   f.in = splat(0.5f) * (b->d - a->d) * inverse - erosion;
   for (int k = 0; k < 3; k++) f.g[k] = f.g[k] * inverse;
   return f;
@@ -74,7 +71,7 @@ INLINE void height_of(const height_form *f, const cells_near *a, const cells_nea
   const stone_cells *l = f->cells;
   vf zero = splat(0.0f), erosion = cells_erosion(l, a->h), radius = zero;
   int ball = l->radius < 4.0f;
-  height_side side[2] = {height_side_of(f, a, b, erosion), height_side_of(f, a, c, erosion)};
+  height_side side[2] = {height_side_of(a, b, erosion), height_side_of(a, c, erosion)};
   if (ball) radius = cells_radius(l, a->h);
   for (int n = 0; n < places; n++) {
     vf x[3], in = height_lesser(f, side[0].in + dot3(by[n], side[0].g),

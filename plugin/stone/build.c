@@ -21,6 +21,29 @@ static uint32_t seed_of(const settings *s) {
 
 /* ---- what varies slowly ----------------------------------------------- */
 
+/* Across the first family a direction with equal chances, by its height and azimuth; the
+ * others' at angles to it at which fractures of several strains cross, and to each other. */
+static void build_vein_frames(stone_constants *w) {
+  static const double lean[VEIN_FAMILIES] = {0.0, 1.05, 1.31},
+                      turn[VEIN_FAMILIES] = {0.0, 0.0, 1.9};
+  uint32_t h = hash1(w->seed + 211u);
+  double y = (double)(h >> 16) / 32768.0 - 1.0, r = __builtin_sqrt(1.0 - y * y),
+         t = 6.283185307179586 * (double)(h & 65535u) / 65536.0,
+         about = 6.283185307179586 * (double)(hash1(w->seed + 212u) >> 16) / 65536.0;
+  double m[3] = {r * scalar_cos(t), y, r * scalar_sin(t)},
+         u[3] = {-scalar_sin(t), 0.0, scalar_cos(t)},
+         v[3] = {-y * scalar_cos(t), r, -y * scalar_sin(t)};
+  for (int f = 0; f < VEIN_FAMILIES; f++) {
+    double a = about + turn[f], c = scalar_cos(lean[f]), d = scalar_sin(lean[f]);
+    for (int k = 0; k < 3; k++) {
+      double out = scalar_cos(a) * u[k] + scalar_sin(a) * v[k];
+      w->vein_frame[f][0][k] = (float)(c * m[k] + d * out);
+      w->vein_frame[f][1][k] = (float)(c * out - d * m[k]);
+      w->vein_frame[f][2][k] = (float)(scalar_cos(a) * v[k] - scalar_sin(a) * u[k]);
+    }
+  }
+}
+
 static void build_bands(stone_constants *w, const settings *s) {
   w->bed_contrast = (float)number_at(s, P_BED_CONTRAST);
   w->bed_frequency = (float)(1.0 / number_at(s, P_BED_THICKNESS));
@@ -33,17 +56,9 @@ static void build_bands(stone_constants *w, const settings *s) {
   w->vein_width = (float)number_at(s, P_VEIN_WIDTH);
   w->vein_soft = (float)number_at(s, P_VEIN_SOFTNESS);
   w->vein_frequency = (float)(1.0 / number_at(s, P_VEIN_SPACING));
-  w->vein_warp = (float)(1.3 * number_at(s, P_VEIN_WARP));
-  for (uint32_t f = 0; f < 2; f++) {
-    /* a direction with equal chances, by its height and azimuth */
-    uint32_t h = hash1(w->seed + 211u + f);
-    double y = (double)(h >> 16) / 32768.0 - 1.0,
-           t = 6.283185307179586 * (double)(h & 65535u) / 65536.0;
-    double r = __builtin_sqrt(1.0 - y * y);
-    w->vein_direction[f][0] = (float)(r * scalar_cos(t));
-    w->vein_direction[f][1] = (float)y;
-    w->vein_direction[f][2] = (float)(r * scalar_sin(t));
-  }
+  w->vein_warp = (float)number_at(s, P_VEIN_WARP);
+  w->vein_crossing = (float)number_at(s, P_VEIN_CROSSING);
+  build_vein_frames(w);
   w->has_veins = w->vein_width > 0.0f;
   w->seed_bed = hash1(w->seed + 101u);
   w->seed_vein = hash1(w->seed + 102u);

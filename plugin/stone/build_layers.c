@@ -14,7 +14,7 @@
 
 typedef struct {
   double size, stretch, grading, interlock, gap, roundness, variation, blur, share[2];
-  double depth, cleavage, turbidity, flatness, cluster, rest;
+  double depth, cleavage, turbidity, flatness, cluster, rest, rim;
 } body;
 
 static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped) {
@@ -32,6 +32,7 @@ static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped
   c->variation = (float)b->variation;
   c->calm = (float)(1.0 - b->rest);
   c->blur = (float)(b->blur / b->size);
+  c->rim = (float)(b->rim / b->size);
   c->depth = (float)(0.6 * b->depth);
   c->cleavage = (float)b->cleavage;
   c->turbidity = (float)b->turbidity;
@@ -66,7 +67,7 @@ static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped
 }
 
 /* What part of the cells a share of area takes, their bodies filling `fill`. */
-static void set_shares(stone_cells *c, const body *b, double fill) {
+static void set_shares(stone_cells *c, const body *b, double fill, double core) {
   double left = 1.0, sum = 0.0;
   for (int k = 0; k < 2; k++) {
     double p = fill > 1e-6 ? b->share[k] / fill : 0.0;
@@ -75,6 +76,12 @@ static void set_shares(stone_cells *c, const body *b, double fill) {
     sum += p;
     c->chance[k] = (float)sum;
     c->mean[k] = (float)(p * fill);
+  }
+  c->core = (float)(fill > 1e-6 ? core / fill : 1.0);
+  if (c->rim > 0.0f) {
+    float rim = c->mean[0] * (1.0f - c->core);
+    c->mean[0] -= rim;
+    c->mean[1] += rim;
   }
   /* where there are most there can be no more than all */
   double most = sum > 0.0 ? 1.0 / sum - 1.0 : 0.0;
@@ -132,6 +139,9 @@ static body inclusions_of(const settings *s) {
             .roundness = number_at(s, P_INCLUSION_ROUNDNESS),
             .variation = number_at(s, P_INCLUSION_VARIATION),
             .blur = number_at(s, P_INCLUSION_BLUR),
+            .rim = number_at(s, P_INCLUSION_RIM),
+            .cleavage = number_at(s, P_INCLUSION_CLEAVAGE),
+            .turbidity = number_at(s, P_INCLUSION_TURBIDITY),
             .share = {number_at(s, P_INCLUSION_SHARE), number_at(s, P_INCLUSION_SECOND_SHARE)}};
   return b;
 }
@@ -270,10 +280,10 @@ void stone_build_layers(stone_constants *w, const settings *s, stone_measure *me
     w->raise = (float)number_at(s, P_INCLUSION_RELIEF);
   stone_means m;
   measure(w, MEASURED, &m);
-  m.fill[LAYER_GRAINS] = 1.0;
+  m.fill[LAYER_GRAINS] = m.core[LAYER_GRAINS] = 1.0;
   w->vein_mean = (float)m.veins;
   for (int l = 0; l < STONE_LAYERS; l++) {
-    set_shares(&w->layer[l], &bodies[l], m.fill[l]);
+    set_shares(&w->layer[l], &bodies[l], m.fill[l], m.core[l]);
     if (m.fill[l] > 1e-6 && m.seen[l] > m.fill[l]) {
       w->layer[l].swell = (float)(m.seen[l] / m.fill[l] - 1.0);
     }

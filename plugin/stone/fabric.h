@@ -9,6 +9,7 @@
 #include "bands.h"
 #include "block.h"
 #include "together.h"
+#include "veins.h"
 
 /* From the lowest to what lies over all. */
 static const int fabric_order[STONE_LAYERS] = {LAYER_GRAINS, LAYER_SPECKS, LAYER_INCLUSIONS,

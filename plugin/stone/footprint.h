@@ -27,9 +27,9 @@ INLINE cells_cover cells_none(void) {
 
 #define CELLS_DARKEST 0.2f /* of its colour, a body's darkest: black mica's is near enough to 0 */
 
-/* A cell's share goes to its mineral, and with the cell's brightness. uneven: that
- * within the cell, of kinds 0 and 2, and of kind 1. */
-INLINE void cells_add(const stone_cells *c, vu h, const cells_kind *kind, vf share,
+/* A cell's share goes to its mineral, and with the cell's brightness; of a body's, what is
+ * not its core to kind 2. uneven: brightness within the cell, of kinds 0 and 2, and of kind 1. */
+INLINE void cells_add(const stone_cells *c, vu h, const cells_kind *kind, vf share, vf core,
                       const vf uneven[2], cells_cover *out) {
   vf zero = splat(0.0f);
   vf own = splat(c->variation / HASH_ONE) * hash_signed(h + splatu(HASH_Y));
@@ -40,6 +40,11 @@ INLINE void cells_add(const stone_cells *c, vu h, const cells_kind *kind, vf sha
   }
   vf a = sel(kind->first, share, zero), b = sel(kind->second, share, zero);
   out->of[0] = out->of[0] + (c->shaped ? a + b : (share - a - b) * tone);
+  if (c->shaped && c->rim > 0.0f) {
+    vf inner = sel(kind->first, core, zero);
+    b = b + (a - inner);
+    a = inner;
+  }
   out->of[1] = out->of[1] + a * tone1;
   out->of[2] = out->of[2] + b * tone;
 }
@@ -146,7 +151,7 @@ STAGE void looks_find(const stone_cells *c, cells_look *looks, int count) {
 
 /* Of bodies, those of kind 0 are not there. whole: that no lane's part is seen in quarters. */
 INLINE void look_add_as(const stone_cells *c, int whole, const cells_look *o) {
-  vf share[3], zero = splat(0.0f), one = splat(1.0f), third = zero;
+  vf share[3], core[3], zero = splat(0.0f), one = splat(1.0f), third = zero;
   cells_eye *eye = o->eye;
   const cells_view *view = eye->view;
   const int count = whole || c->shaped ? 2 : 3;
@@ -172,13 +177,14 @@ INLINE void look_add_as(const stone_cells *c, int whole, const cells_look *o) {
     parts = cells_part(view->part_wide, c->whole);
     third = one - crystal_keep(view->part_wide, c->whole, 2.0f * c->whole);
   }
-  cells_shares(c, o->near, body, &view->part, &parts, count > 2, third, share);
+  cells_shares(c, o->near, body, &view->part, &parts, count > 2, third, share, core);
   vf uneven = o->cloud * splat(1.3f * c->variation) + one, common[2] = {uneven, uneven};
   int textured = crystal_textured(c);
   if (textured && c->turbidity > 0.0f) {
     vf tone[2];
     crystal_tones(c, o->straight, &view->part, &parts, view->part_wide, o->cloud, tone);
-    for (int k = 0; k < 2; k++) common[k] = uneven + tone[k];
+    /* inclusions of either kind are feldspar's, if they are crystals */
+    for (int k = 0; k < 2; k++) common[k] = uneven + tone[c->shaped ? 0 : k];
   }
   const float gone = c->shaped ? LAMELLAE_BOTH : LAMELLAE_GONE;
   vf lamellae[2] = {crystal_keep(view->most, 0.4f * gone, gone),
@@ -197,7 +203,7 @@ INLINE void look_add_as(const stone_cells *c, int whole, const cells_look *o) {
     if (textured) {
       for (int k = 0; k < 2; k++) tone[k] = vmax(tone[k], zero);
     }
-    cells_add(c, o->near[n].h, &kind[n], share[n], tone, &look);
+    cells_add(c, o->near[n].h, &kind[n], share[n], core[n], tone, &look);
   }
   cells_cover *sum = &eye->sum;
   for (int k = 0; k < CELLS_PARTS; k++) {

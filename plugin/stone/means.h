@@ -6,29 +6,33 @@
 #define SOZAI_STONE_MEANS_H
 
 #include "../core/measure.h"
-#include "bands.h"
 #include "paper.h"
 #include "surface.h"
+#include "veins.h"
 
 #define MEASURED_EXTENT 512.0f /* large to everything */
 
-static void measure_layer(const stone_cells *c, uint32_t count, double *fill, double *seen) {
+/* What bodies fill, what of it is not rim, and what the widest looks see. */
+static void measure_layer(const stone_cells *c, uint32_t count, double *fill, double *core,
+                          double *seen) {
   const vf zero = splat(0.0f), side = splat(CELLS_LOOK_MOST);
   const cells_square point = {{zero, zero, zero}, {zero, zero, zero}};
   const cells_square look = {{side, zero, zero}, {zero, side, zero}};
   const vm all = le(zero, zero), body[2] = {all, all};
   const cells_parts one_part = cells_part(zero, c->whole), quarters = cells_part(side, c->whole);
   for (uint32_t i = 0; i < count; i += LANES) {
-    vf q[3], share[3];
+    vf q[3], share[3], inner[3];
     cells_near near[3];
     for (uint32_t a = 0; a < 3; a++) q[a] = measure_place(i, a, MEASURED_EXTENT);
     cells_find(c, 0, 0, q, near);
-    cells_shares(c, near, body, &point, &one_part, 0, zero, share);
+    cells_shares(c, near, body, &point, &one_part, 0, zero, share, inner);
     measure_add(fill, share[0] + share[1]);
-    cells_shares(c, near, body, &look, &quarters, 0, zero, share);
+    measure_add(core, inner[0] + inner[1]);
+    cells_shares(c, near, body, &look, &quarters, 0, zero, share, inner);
     measure_add(seen, share[0] + share[1]);
   }
   *fill /= count;
+  *core /= count;
   *seen /= count;
 }
 
@@ -56,22 +60,31 @@ static void measure_domes(const stone_cells *c, uint32_t count, double fill, sto
   out->dome_steep2 /= filled * (double)c->size * (double)c->size;
 }
 
+#define VEIN_BLUR 0.2f /* of the spacing */
+
+/* Of veins whose borders are so soft that many places have some, and which take as much. */
+static void measure_veins(const stone_constants *w, uint32_t count, stone_means *out) {
+  const vf zero = splat(0.0f), up[3] = {zero, splat(1.0f), zero};
+  const float spacing = 1.0f / w->vein_frequency;
+  stone_constants soft = *w;
+  if (soft.vein_soft < VEIN_BLUR * spacing) soft.vein_soft = VEIN_BLUR * spacing;
+  for (uint32_t i = 0; i < count; i += LANES) {
+    vf p[3];
+    for (uint32_t a = 0; a < 3; a++) p[a] = measure_place(i, a, MEASURED_EXTENT) * splat(spacing);
+    measure_add(&out->veins, vein_share(&soft, p, up, up, up, zero));
+  }
+  out->veins /= count;
+}
+
 static void measure(const stone_constants *w, uint32_t count, stone_means *out) {
   memset(out, 0, sizeof *out);
   for (int l = 0; l < STONE_LAYERS; l++) {
     const stone_cells *c = &w->layer[l];
-    if (c->on && c->shaped) measure_layer(c, count, &out->fill[l], &out->seen[l]);
+    if (c->on && c->shaped) measure_layer(c, count, &out->fill[l], &out->core[l], &out->seen[l]);
   }
   if (w->raise != 0.0f)
     measure_domes(&w->layer[LAYER_INCLUSIONS], count, out->fill[LAYER_INCLUSIONS], out);
-  const vf zero = splat(0.0f), up[3] = {zero, splat(1.0f), zero};
-  for (uint32_t i = 0; w->has_veins && i < count; i += LANES) {
-    vf p[3];
-    for (uint32_t a = 0; a < 3; a++)
-      p[a] = measure_place(i, a, MEASURED_EXTENT) * splat(1.0f / w->vein_frequency);
-    measure_add(&out->veins, vein_share(w, p, up, up, up, zero));
-  }
-  out->veins /= count;
+  if (w->has_veins) measure_veins(w, count, out);
 }
 
 /* Means over twenty metres of paving, of its edges and moss alone. */

@@ -228,6 +228,25 @@ static const sozai_parameter inclusion_blur = {
    .doc = "How gradually an inclusion becomes what holds it: the width of its border.",
    .hard_min = 0, .hard_max = 50, .soft_min = 0, .soft_max = 4, .default_number = {0.03}};
 
+static const sozai_parameter inclusion_rim = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "inclusion_rim", .label = "Inclusion rim", .group = "inclusions", .unit = "mm",
+   .doc = "How thick a rim of the second inclusions' colour the first ones have, in the mean; each "
+   "one's from 0.4 to 1.6 of it.",
+   .hard_min = 0, .hard_max = 500, .soft_min = 0, .soft_max = 10, .default_number = {0}};
+
+static const sozai_parameter inclusion_cleavage = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "inclusion_cleavage", .label = "Inclusion cleavage", .group = "inclusions", .unit = "",
+   .doc = "How clear the lamellae of cleavage and twins are within inclusions, as in phenocrysts.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
+
+static const sozai_parameter inclusion_turbidity = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "inclusion_turbidity", .label = "Inclusion turbidity", .group = "inclusions", .unit = "",
+   .doc = "How clouded and flecked inclusions are within, as altered phenocrysts are.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
+
 static const sozai_parameter inclusion_relief = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "inclusion_relief", .label = "Inclusion relief", .group = "inclusions", .unit = "mm",
@@ -294,7 +313,14 @@ static const sozai_parameter vein_softness = {
 static const sozai_parameter vein_warp = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "vein_warp", .label = "Vein warp", .group = "veins", .unit = "",
-   .doc = "How contorted they are.",
+   .doc = "How contorted they are: straight and even at 0; at 1 a vein strays by as much as two stand "
+   "apart, and they meet.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.5}};
+
+static const sozai_parameter vein_crossing = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "vein_crossing", .label = "Vein crossing", .group = "veins", .unit = "",
+   .doc = "How many of the finer veins there are that cross the first ones in two directions.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.5}};
 
 static const sozai_parameter hole_size = {
@@ -497,6 +523,9 @@ const sozai_parameter *const stone_parameters[STONE_PARAMETERS] = {
    [P_INCLUSION_INTERLOCK] = &inclusion_interlock,
    [P_INCLUSION_VARIATION] = &inclusion_variation,
    [P_INCLUSION_BLUR] = &inclusion_blur,
+   [P_INCLUSION_RIM] = &inclusion_rim,
+   [P_INCLUSION_CLEAVAGE] = &inclusion_cleavage,
+   [P_INCLUSION_TURBIDITY] = &inclusion_turbidity,
    [P_INCLUSION_RELIEF] = &inclusion_relief,
    [P_SPECK_SIZE] = &speck_size,
    [P_BLACK_SHARE] = &black_share,
@@ -508,6 +537,7 @@ const sozai_parameter *const stone_parameters[STONE_PARAMETERS] = {
    [P_VEIN_WIDTH] = &vein_width,
    [P_VEIN_SOFTNESS] = &vein_softness,
    [P_VEIN_WARP] = &vein_warp,
+   [P_VEIN_CROSSING] = &vein_crossing,
    [P_HOLE_SIZE] = &hole_size,
    [P_HOLE_SHARE] = &hole_share,
    [P_HOLE_STRETCH] = &hole_stretch,

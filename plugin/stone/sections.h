@@ -163,6 +163,11 @@ STAGE void sections_count(const stone_cells *c, const vf p[3], const cells_squar
     /* of the cells that have a body, all the same part is body */
     each = each * splat(c->chance[1] > 0.0f ? (c->mean[0] + c->mean[1]) / c->chance[1] : 0.0f);
     sum[0] = count[0] + count[1];
+    if (c->rim > 0.0f) {
+      vf rim = sum[1] * splat(1.0f - c->core);
+      sum[1] = sum[1] - rim;
+      sum[2] = sum[2] + rim;
+    }
   }
   for (int k = 0; k < 3; k++) out[k] = sum[k] * each;
 }

@@ -63,6 +63,7 @@ typedef struct {
   float erode, erode_spread;   /* what a body is smaller than its cell; by chance, more */
   float radius, radius_spread; /* of the ball that a body is cut to; a share of it */
   float thick;                 /* of a flake, half, the mean; 1: bodies are none */
+  float rim, core;             /* of a body of kind 1, as kind 2 is; what of all is not rim */
   float cluster;               /* how much chances change from place to place, 0..1 */
   float chance[2];             /* below the first: kind 1; below the second: kind 2 */
   float mean[2];               /* expected share of kinds 1 and 2 */
@@ -109,6 +110,8 @@ typedef struct {
   float inset[PAPER_STONES * 4 * (PAPER_PARTS + 1)];    /* texels, from the place's side */
 } stone_tile;
 
+#define VEIN_FAMILIES 3
+
 /* Where edges are chipped, least and most of the rounded edge's width. */
 #define STONE_ROUND_LEAST 0.2f
 #define STONE_ROUND_MOST 2.5f
@@ -151,8 +154,8 @@ typedef struct {
 
   float bed_frequency, bed_contrast, bed_wave, bed_wave_frequency; /* 1/mm; mm */
   float vein_frequency, vein_width, vein_warp, vein_mean;          /* 1/mm; mm */
-  float vein_soft;                                                 /* mm */
-  float vein_direction[2][3]; /* across each family's veins, unit */
+  float vein_soft, vein_crossing;                                  /* mm; 0..1 */
+  float vein_frame[VEIN_FAMILIES][3][3]; /* rows: across a family's veins, and two along; unit */
   float mottle, mottle_frequency;
   int32_t has_beds, has_veins, has_mottle;
   uint32_t seed_bed, seed_vein, seed_mottle, seed_relief;
@@ -213,7 +216,8 @@ enum {
  * veins' share; and where inclusions are domes, over their bodies, a dome's height, its
  * square and the square of its slope along one axis, 1/mm. */
 typedef struct {
-  double fill[STONE_LAYERS], seen[STONE_LAYERS], veins, dome, dome_square, dome_steep2;
+  double fill[STONE_LAYERS], seen[STONE_LAYERS], core[STONE_LAYERS], veins, dome, dome_square,
+      dome_steep2;
 } stone_means;
 
 /* The paving's means, likewise. */

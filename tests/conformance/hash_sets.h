@@ -40,6 +40,8 @@ static const hash_set texture_sets[] = {
     {"stone", "paper", NULL, "colour_mode=paper_rgb; paper_black=0.1; paper_white=0.1"},
     {"stone", "tile", NULL, "colour_mode=paper_lightness; paper_pattern=chidori"},
     {"stone", "veins", NULL, "vein_width=4; hole_share=0.05"},
+    {"stone", "rims", "baltic_brown",
+     "vein_width=6; vein_crossing=1; inclusion_gap=4; inclusion_grading=0.9"},
     {"stone", "split", NULL, "finish=split; bed=x"},
     {"stone", "paved", NULL, "layout=fan; joint_wander=0.05; tilt=2; edge_round=5; moss=0.4"},
     {"stone", "crazy", NULL, "layout=crazy; wear=0.5; wet=0.7; water_level=-2; bevel=2"},

@@ -186,17 +186,20 @@ static const sozai_value values_baltic_brown[] = {
     SRGB("base_colour", 62, 50, 42),
     SRGB("second_colour", 104, 90, 78),
     SRGB("third_colour", 128, 110, 88),
-    NUMBER("inclusion_size", 36.0),
-    NUMBER("inclusion_share", 0.28),
-    NUMBER("inclusion_second_share", 0.12),
-    NUMBER("inclusion_gap", 1.5),
-    NUMBER("inclusion_roundness", 0.8),
-    NUMBER("inclusion_grading", 0.55),
-    NUMBER("inclusion_interlock", 0.25),
+    NUMBER("inclusion_size", 34.0),
+    NUMBER("inclusion_share", 0.46),
+    NUMBER("inclusion_second_share", 0.03),
+    NUMBER("inclusion_gap", 0.8),
+    NUMBER("inclusion_roundness", 0.7),
+    NUMBER("inclusion_grading", 0.6),
+    NUMBER("inclusion_rim", 1.3),
+    NUMBER("inclusion_cleavage", 0.7),
+    NUMBER("inclusion_turbidity", 0.7),
+    NUMBER("inclusion_interlock", 0.9),
     NUMBER("inclusion_variation", 0.16),
     NUMBER("inclusion_blur", 0.35),
     SRGB("inclusion_colour", 122, 86, 68),
-    SRGB("inclusion_second_colour", 116, 98, 76),
+    SRGB("inclusion_second_colour", 84, 78, 62),
     NUMBER("black_share", 0.08),
     NUMBER("speck_size", 3.4),
     NUMBER("speck_flatness", 0.4),
@@ -206,7 +209,8 @@ static const sozai_value values_baltic_brown[] = {
     NUMBER("mottle_size", 3.0),
 };
 STONE(baltic_brown, "Baltic Brown (rapakivi granite, Finland)",
-      "Round eyes of brown alkali feldspar in a dark ground of quartz and hornblende.",
+      "Round eyes of brown alkali feldspar with green-grey rims of plagioclase in a dark ground of "
+      "quartz and hornblende.",
       IUGS "; " EN12440);
 
 static const sozai_value values_gabbro[] = {

@@ -1,55 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0
- * Marbles, limestones and travertine. */
+ * Limestones and travertine. */
 #include "entry.h"
-
-static const sozai_value values_carrara[] = {
-    NUMBER("grain_size", 0.45),
-    NUMBER("grain_grading", 0.4),
-    NUMBER("grain_interlock", 0.3),
-    NUMBER("grain_blur", 0.25),
-    NUMBER("second_share", 0.4),
-    NUMBER("third_share", 0.0),
-    NUMBER("grain_depth", 0.5),
-    NUMBER("cleavage", 0.5),
-    NUMBER("turbidity", 0.2),
-    NUMBER("grain_variation", 0.035),
-    NUMBER("mottle", 0.26),
-    NUMBER("mottle_size", 150.0),
-    SRGB("base_colour", 229, 230, 230),
-    SRGB("second_colour", 222, 224, 225),
-    NUMBER("vein_spacing", 110.0),
-    NUMBER("vein_width", 16.0),
-    NUMBER("vein_softness", 5.0),
-    NUMBER("vein_warp", 0.6),
-    SRGB("vein_colour", 158, 163, 169),
-    NUMBER("ior", 1.6),
-};
-STONE(carrara, "Carrara marble (Bianco Carrara)",
-      "White, of fine sugary grain, with soft grey veins and clouds.", PRIMAVORI "; " EN12440);
-
-static const sozai_value values_nero_marquina[] = {
-    NUMBER("grain_size", 0.3),
-    NUMBER("grain_grading", 0.5),
-    NUMBER("grain_interlock", 0.4),
-    NUMBER("grain_blur", 0.1),
-    NUMBER("second_share", 0.4),
-    NUMBER("grain_variation", 0.15),
-    NUMBER("mottle", 0.12),
-    NUMBER("mottle_size", 50.0),
-    SRGB("base_colour", 27, 27, 29),
-    SRGB("second_colour", 35, 35, 37),
-    NUMBER("white_share", 0.003),
-    NUMBER("speck_size", 2.0),
-    SRGB("white_colour", 120, 120, 122),
-    NUMBER("vein_spacing", 95.0),
-    NUMBER("vein_width", 4.5),
-    NUMBER("vein_softness", 0.35),
-    NUMBER("vein_warp", 0.8),
-    SRGB("vein_colour", 212, 210, 206),
-    NUMBER("ior", 1.6),
-};
-STONE(nero_marquina, "Nero Marquina (limestone, Spain)",
-      "Black, fine, cut by sharp white veins of calcite.", FLUGEL "; " EN12440);
 
 static const sozai_value values_travertino[] = {
     NUMBER("grain_size", 0.6),

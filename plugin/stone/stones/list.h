@@ -18,7 +18,13 @@
   X(komatsu) \
   X(oya) \
   X(carrara) \
+  X(statuario) \
+  X(calacatta) \
+  X(bardiglio) \
   X(nero_marquina) \
+  X(emperador) \
+  X(rosso_levanto) \
+  X(verde_alpi) \
   X(travertino) \
   X(jura) \
   X(bluestone) \

@@ -11,7 +11,7 @@ static const sozai_value values_terrazzo[] = {
     NUMBER("grain_variation", 0.05),
     SRGB("base_colour", 206, 202, 194),
     SRGB("second_colour", 196, 192, 184),
-    NUMBER("inclusion_size", 13.0),
+    NUMBER("inclusion_size", 12.2),
     NUMBER("inclusion_share", 0.24),
     NUMBER("inclusion_second_share", 0.16),
     NUMBER("inclusion_gap", 1.2),
@@ -19,8 +19,8 @@ static const sozai_value values_terrazzo[] = {
     NUMBER("inclusion_grading", 0.75),
     NUMBER("inclusion_interlock", 0.06),
     NUMBER("inclusion_variation", 0.12),
-    SRGB("inclusion_colour", 172, 130, 98),
-    SRGB("inclusion_second_colour", 104, 112, 106),
+    SRGB("inclusion_colour", 182, 148, 120),
+    SRGB("inclusion_second_colour", 121, 128, 122),
     NUMBER("black_share", 0.07),
     NUMBER("white_share", 0.16),
     NUMBER("speck_size", 4.2),
@@ -29,7 +29,7 @@ static const sozai_value values_terrazzo[] = {
     NUMBER("third_share", 0.0),
 };
 STONE(terrazzo, "Terrazzo (Venetian, marble chips in white cement)",
-      "Crushed marble chips, white, ochre and grey-green, of all sizes to 14 mm, ground flush in a "
+      "Crushed marble chips, white, ochre and grey-green, of all sizes to 13 mm, ground flush in a "
       "pale binder.",
       EN13748);
 

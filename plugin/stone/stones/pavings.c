@@ -77,7 +77,7 @@ static const sozai_value values_belgian_block[] = {
     NUMBER("tilt", 2.5),
     NUMBER("settle", 5.0),
     NUMBER("wear", 0.5),
-    NUMBER("grime", 0.3),
+    NUMBER("grime", 0.27),
     NUMBER("tone_spread", 0.12),
     NUMBER("tint_spread", 0.03),
     CHOICE("finish", "split"),

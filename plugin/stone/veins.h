@@ -1,0 +1,227 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Veins: fractures that filled with another mineral.
+ *
+ * Three families, each a stack of sheets across a direction of its own. A sheet is a
+ * height over its plane, so that none closes in a loop or ends in a knot; it is rough
+ * as fractures are, whose heights go with the power of 0.8 of their length (Bouchaud,
+ * Scaling properties of cracks, J. Phys. Condens. Matter 9, 1997). Sheets wander by as
+ * much as they stand apart: neighbours meet, run together and part again. Few are
+ * wide, most are hairlines, and each swells, pinches out, and here and there runs in
+ * two strands.
+ */
+#ifndef SOZAI_STONE_VEINS_H
+#define SOZAI_STONE_VEINS_H
+
+#include "../core/noise.h"
+#include "../core/vectors.h"
+#include "stone.h"
+
+/* How folded the whole is: how far veins lie from where they would, in their spacing,
+ * and how that changes. Over some eight spacings their direction wanders by fifteen
+ * degrees or so, and never so far that a family's coordinate turns back. */
+#define VEIN_FOLD 0.13f
+#define VEIN_FOLDED 2.6f
+
+typedef struct {
+  vf v, g[3];
+  vf many; /* where there are veins, and where there are few: +-0.5 or so, mean 0 */
+} vein_fold;
+
+INLINE vein_fold vein_folded(const stone_constants *w, const vf p[3]) {
+  vein_fold f;
+  vf k = splat(w->vein_frequency * VEIN_FOLD);
+  float far = VEIN_FOLDED * w->vein_warp;
+  f.many = noise_gradient3(p[0] * k, p[1] * k, p[2] * k, splatu(w->seed_vein + 2u), f.g);
+  f.v = splat(far) * f.many;
+  for (int a = 0; a < 3; a++) f.g[a] = splat(far * VEIN_FOLD) * f.g[a];
+  return f;
+}
+
+/* A sheet's height over its plane, in spacings: two octaves that tell which sheets are
+ * near, and two that matter to those alone. With VEIN_JITTER all of it is within 1. */
+#define VEIN_JITTER 0.25f
+#define VEIN_OCTAVES 4
+static const float vein_finer[VEIN_OCTAVES] = {0.43f, 1.5f, 4.7f, 13.0f},
+                   vein_height[VEIN_OCTAVES] = {0.46f, 0.17f, 0.068f, 0.03f};
+#define VEIN_FINE (0.068f + 0.03f)
+
+typedef struct {
+  noise_axis u, v;
+} vein_lattice;
+
+INLINE vein_lattice vein_split(vf u, vf v, float finer) {
+  vein_lattice a = {noise_split_cubic(u * splat(finer), HASH_X),
+                    noise_split_cubic(v * splat(finer), HASH_Z)};
+  return a;
+}
+
+/* Of one octave; adds to the slopes. */
+INLINE vf vein_octave(const vein_lattice *a, vu seed, int o, float warp, vf slope[2]) {
+  vf du, dv, high = splat(warp * vein_height[o] / HASH_ONE), steep = splat(vein_finer[o]) * high;
+  vf n = noise_value2(&a->u, &a->v, seed, &du, &dv);
+  slope[0] = slope[0] + du * steep;
+  slope[1] = slope[1] + dv * steep;
+  return n * high;
+}
+
+/* A family's place. Lengths in its spacings, but for those in mm. */
+typedef struct {
+  vf across, along[2];   /* where the point is */
+  vf g[3], n[3];         /* how `across` changes, and the face's normal: across, along, along */
+  vf s, many, soft2;     /* mm; vein_fold; mm^2, with what a footprint sees of the roughness */
+  float spacing, widest; /* mm, mm (half a width) */
+  float crossing;        /* of its veins, the part that is there */
+} vein_family;
+
+#define VEIN_APART 0.2f /* of the spacing: strands are no farther from each other */
+#define VEIN_STRAY 5.0f /* of the vein's half width */
+
+/* Of a strip, what a footprint of an extent shows that lies there: by its two sides, since a
+ * sharp one's width is below what a distance is known to. */
+INLINE vf vein_strip(vf low, vf high, vf inverse) {
+  const vf half = splat(0.5f);
+  return clamp01(half + high * inverse) - clamp01(half + low * inverse);
+}
+
+/* The share of the footprint that a sheet takes. widest: half its width, at most, mm; from,
+ * slope: how far off it is, and how it lies, by its two wide octaves. */
+INLINE vf vein_sheet(const stone_constants *w, const vein_family *f, vu seed, vf widest, vf from,
+                     vf slope[2], const vein_lattice fine[2]) {
+  const vf one = splat(1.0f);
+  vf rough = splat(0.0f), unused;
+  for (int o = 2; o < VEIN_OCTAVES; o++) {
+    vf fast[2] = {splat(0.0f), splat(0.0f)};
+    rough =
+        rough + vein_octave(&fine[o - 2], seed + splatu(7u * (uint32_t)o), o, w->vein_warp, fast);
+    /* a slope tells of the sides of a wide vein as little as they are far from its middle */
+    vf tells = one / (one + widest * splat(2.0f * vein_finer[o] / f->spacing));
+    for (int i = 0; i < 2; i++) slope[i] = slope[i] + tells * fast[i];
+  }
+  /* how wide: of few much, and along its way more and less */
+  vein_lattice a = vein_split(f->along[0], f->along[1], 0.37f),
+               b = vein_split(f->along[0], f->along[1], 0.9f);
+  vf swell = noise_value2(&a.u, &a.v, seed + splatu(40u), &unused, &unused),
+     strands =
+         noise_value2(&b.u, &b.v, seed + splatu(41u), &unused, &unused) +
+         splat(0.45f) * noise_value2(&fine[0].u, &fine[0].v, seed + splatu(42u), &unused, &unused);
+  swell = clamp01(splat(0.35f) + splat(1.2f / HASH_ONE) * swell + f->many + splat(2.0f) * rough);
+  vf wide = swell * widest;
+  /* a lesser strand, which leaves it on either side and comes back */
+  const float far = VEIN_APART * f->spacing, alone = 0.2f * HASH_ONE;
+  vf apart =
+      wide * splat(VEIN_STRAY / HASH_ONE) * (strands - clamp(strands, splat(-alone), splat(alone)));
+  apart = clamp(apart, splat(-far), splat(far));
+  /* the sheet's normal, in the family's frame */
+  vf g[3] = {f->g[0], f->g[1] - slope[0], f->g[2] - slope[1]};
+  vf k = inverse_root(vmax(dot3(g, g), splat(0.09f)));
+  vf d = (from - rough) * k * splat(f->spacing);
+  vf across = vmin(vabs(dot3(g, f->n) * k), one);
+  vf inverse = one / vsqrt(f->s * f->s * (one - across * across) + f->soft2);
+  /* on the strand's side, and of the strand what the vein itself does not cover */
+  vf to = sel(lt(apart, splat(0.0f)), splat(0.0f) - d, d), strand = vabs(apart);
+  vf low = vmax(strand - splat(0.55f) * wide, wide), high = vmax(strand + splat(0.55f) * wide, low);
+  return vein_strip(splat(0.0f) - wide - to, wide - to, inverse) +
+         vein_strip(low - to, high - to, inverse);
+}
+
+/* The share of the footprint that a family's veins take. */
+STAGE vf vein_family_share(const stone_constants *w, const vf p[3], const vf n[3], vf s,
+                           const vein_fold *fold, int family) {
+  static const float finer[3] = {1.0f, 1.7f, 2.9f}, sides[3] = {1.0f, -1.0f, 0.6f},
+                     many[3] = {0.8f, -0.5f, -0.9f};
+  const float(*m)[3] = w->vein_frame[family], side = sides[family];
+  const vf one = splat(1.0f), zero = splat(0.0f);
+  vein_family f = {.s = s, .spacing = 1.0f / (w->vein_frequency * finer[family])};
+  const vf frequency = splat(w->vein_frequency * finer[family]);
+  vf at[3];
+  for (int k = 0; k < 3; k++) {
+    vf row[3] = {splat(m[k][0]), splat(m[k][1]), splat(m[k][2])};
+    at[k] = dot3(row, p) * frequency;
+    f.n[k] = dot3(row, n);
+    f.g[k] = splat(side) * dot3(row, fold->g);
+  }
+  f.g[0] = f.g[0] + one;
+  f.across = at[0] + splat(side * finer[family]) * fold->v;
+  f.along[0] = at[1];
+  f.along[1] = at[2];
+  f.many = splat(many[family]) * fold->many;
+  f.crossing = family == 0 ? 1.0f : w->vein_crossing;
+  /* of a sheet within half a spacing of another's place nothing reaches over that */
+  float widest = 0.5f * w->vein_width / finer[family], soft = w->vein_soft;
+  f.widest = widest < 0.25f * f.spacing ? widest : 0.25f * f.spacing;
+  if (soft > 0.4f * f.spacing) soft = 0.4f * f.spacing;
+  f.soft2 = splat(soft * soft + 1e-12f);
+  for (int o = 2; o < VEIN_OCTAVES; o++) {
+    /* what bends within the footprint blurs: an octave's sd is 0.37 of its height */
+    const float sd = 0.37f * f.spacing * w->vein_warp * vein_height[o];
+    vf bent = s * frequency * splat(vein_finer[o]);
+    bent = vmin(bent * bent, one);
+    f.soft2 = f.soft2 + splat(12.0f * sd * sd) * bent * bent;
+  }
+
+  vein_lattice coarse[2], fine[2];
+  for (int o = 0; o < 2; o++) coarse[o] = vein_split(f.along[0], f.along[1], vein_finer[o]);
+  int made = 0;
+  vi middle;
+  (void)vfloor(f.across + splat(0.5f), &middle);
+  vf blur = splat(0.5f) * vsqrt(s * s + f.soft2);
+  vf free = one;
+  for (int i = -1; i <= 1; i++) {
+    vi which = middle + (vi)splatu((uint32_t)i);
+    vu seed = (vu)which * splatu(HASH_Y) + splatu(w->seed_vein + 16u * (uint32_t)family + 5u);
+    vf jitter = hash_signed(seed + splatu(1u)), slope[2] = {zero, zero};
+    vf chance = vabs(hash_signed(seed + splatu(2u))) * splat(1.0f / HASH_ONE / f.crossing);
+    vm there = lt(chance, one);
+    if (!any(there)) continue;
+    vf from = f.across - to_float(which) - splat(VEIN_JITTER / HASH_ONE) * jitter;
+    for (uint32_t o = 0; o < 2; o++)
+      from = from - vein_octave(&coarse[o], seed + splatu(7u * o), (int)o, w->vein_warp, slope);
+    /* a sheet at sixty degrees to its plane is half as far as it is high */
+    vf widest = chance * chance * chance * splat(f.widest);
+    vf seen =
+        widest + vmin(widest * splat(1.3f * VEIN_STRAY), splat(VEIN_APART * f.spacing)) + blur;
+    vf away = seen * frequency * splat(2.0f) + splat(VEIN_FINE * w->vein_warp);
+    vm near = and_(there, lt(vabs(from), away));
+    if (!any(near)) continue;
+    if (!made)
+      for (int o = 0; o < 2; o++) fine[o] = vein_split(f.along[0], f.along[1], vein_finer[o + 2]);
+    made = 1;
+    vf share = vein_sheet(w, &f, seed, widest, from, slope, fine);
+    free = sel(near, free * (one - share), free);
+  }
+  return one - free;
+}
+
+#define VEIN_STEPS 6
+
+/* Over the footprint: veins bend, so that a wide one is looked at in parts. */
+INLINE vf vein_share(const stone_constants *w, const vf p[3], const vf n[3], const vf t1[3],
+                     const vf t2[3], vf s) {
+  vf one = splat(1.0f), sum = splat(0.0f), wide = s * splat(w->vein_frequency);
+  const int families = w->vein_crossing > 0.0f ? VEIN_FAMILIES : 1;
+  vi whole;
+  vf parts = vmax(wide * splat(30.0f), vmin(s * splat(1.5f / w->vein_width), splat(1.3f)));
+  vf steps = clamp(vfloor(parts + splat(0.87f), &whole), one, splat(VEIN_STEPS));
+  vf inverse = one / steps, h = s * inverse;
+  vf keep = one - smooth_step(splat(3.0f), splat(7.0f), wide);
+  for (int j = 0; j < VEIN_STEPS; j++) {
+    vm row = lt(splat((float)j), steps);
+    if (!any(row)) break;
+    vf v = (splat((float)j + 0.5f) * inverse - splat(0.5f)) * s;
+    for (int i = 0; i < VEIN_STEPS; i++) {
+      vm there = and_(row, lt(splat((float)i), steps));
+      if (!any(there)) break;
+      vf u = (splat((float)i + 0.5f) * inverse - splat(0.5f)) * s, at[3];
+      for (int k = 0; k < 3; k++) at[k] = p[k] + t1[k] * u + t2[k] * v;
+      vein_fold fold = vein_folded(w, at);
+      vf free = one;
+      for (int f = 0; f < families; f++)
+        free = free * (one - vein_family_share(w, at, n, h, &fold, f));
+      sum = sel(there, sum + (one - free), sum);
+    }
+  }
+  return mix(splat(w->vein_mean), sum * (inverse * inverse), keep);
+}
+
+#endif

@@ -1,0 +1,160 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Veins: lengths in mm, areas as their widths, which way they lie, and the same from afar.
+ */
+#include <math.h>
+#include <stdio.h>
+
+#include "cmocka_all.h"
+#include "wood.h"
+
+/* White on black: albedo is the veins' share. */
+#define WHITE_VEINS                                                                                \
+  "grain_variation=0; second_share=0; third_share=0; mottle=0; cleavage=0; turbidity=0; "          \
+  "base_colour=0 0 0 @ lin_rec709; vein_colour=1 1 1 @ lin_rec709; "
+
+static sozai_texture *veined(const char *rest) {
+  char text[600];
+  snprintf(text, sizeof text, WHITE_VEINS "%s", rest);
+  return stone_make(NULL, text);
+}
+
+static double share_at(const points *p, unsigned i) { return (double)p->out[ALBEDO][i]; }
+
+/* Of a face, in the mean of many places. */
+static double area(const sozai_texture *t, double wide, unsigned count, double *afar) {
+  points p = {0};
+  double sum = 0;
+  uniform_seed(81);
+  for (unsigned i = 0; i < count; i++) points_add(&p, wide * uniform(), wide * uniform(), 0, 0);
+  points_add(&p, 0, 0, 0, 1e6);
+  points_ask(&p, t);
+  for (unsigned i = 0; i < count; i++) sum += share_at(&p, i) / count;
+  *afar = share_at(&p, count);
+  points_free(&p);
+  return sum;
+}
+
+/* All of it twice as large is the same, twice as large. */
+static void lengths_are_mm(void **state) {
+  (void)state;
+  sozai_texture *t[2] = {
+      veined("vein_spacing=50; vein_width=7; vein_softness=1.5; vein_warp=0.8; vein_crossing=0.7"),
+      veined("vein_spacing=100; vein_width=14; vein_softness=3; vein_warp=0.8; vein_crossing=0.7")};
+  points p[2] = {{0}, {0}};
+  uniform_seed(82);
+  for (int i = 0; i < 20000; i++) {
+    double x = 800 * uniform(), y = 800 * uniform(), z = 800 * uniform(), s = 20 * uniform();
+    for (int k = 0; k < 2; k++)
+      points_add(&p[k], x * (k + 1), y * (k + 1), z * (k + 1), s * (k + 1));
+  }
+  double most = 0, some = 0;
+  for (int k = 0; k < 2; k++) points_ask(&p[k], t[k]);
+  for (unsigned i = 0; i < p[0].count; i++) {
+    most = fmax(most, fabs(share_at(&p[0], i) - share_at(&p[1], i)));
+    some += share_at(&p[0], i) > 0.5;
+  }
+  CHECK(some > 100 && most < 1e-4, "twice as large: %.2g apart at most (%.0f places in veins)\n",
+        most, some);
+  for (int k = 0; k < 2; k++) {
+    points_free(&p[k]);
+    textures->destroy(t[k]);
+  }
+}
+
+/* The widest that vein_width says; the others are as much narrower. */
+static void areas_go_with_width(void **state) {
+  (void)state;
+  static const char *const crossing[3] = {"0", "0.5", "1"};
+  for (int c = 0; c < 3; c++) {
+    double share[3], afar;
+    for (int k = 0; k < 3; k++) {
+      char text[200];
+      snprintf(text, sizeof text,
+               "vein_spacing=40; vein_width=%g; vein_softness=0; vein_warp=0.7; vein_crossing=%s",
+               1.0 * (1 << k), crossing[c]);
+      sozai_texture *t = veined(text);
+      share[k] = area(t, 12000, 400000, &afar);
+      CHECK(fabs(afar - share[k]) < 0.1 * share[k],
+            "vein_crossing=%s: %.5f of a face, from afar %.5f\n", crossing[c], share[k], afar);
+      textures->destroy(t);
+    }
+    double twice = share[1] / share[0], again = share[2] / share[1];
+    CHECK(fabs(twice - 2) < 0.15 && fabs(again - 2) < 0.15,
+          "vein_crossing=%s: widths of 1, 2, 4 mm take %.4f, %.4f, %.4f of a face\n", crossing[c],
+          share[0], share[1], share[2]);
+  }
+}
+
+/* How much more borders face one way than the other: 0 to 1, of their gradients' tensor. */
+static double one_way(const sozai_texture *t) {
+  enum { SIDE = 300 };
+  const double step = 2;
+  points p = {0};
+  for (int j = 0; j < SIDE; j++) {
+    for (int i = 0; i < SIDE; i++) points_add(&p, step * i, step * j, 0, step);
+  }
+  points_ask(&p, t);
+  double xx = 0, xy = 0, yy = 0;
+  for (unsigned j = 1; j + 1 < SIDE; j++) {
+    for (unsigned i = 1; i + 1 < SIDE; i++) {
+      unsigned at = j * SIDE + i;
+      double x = share_at(&p, at + 1) - share_at(&p, at - 1);
+      double y = share_at(&p, at + SIDE) - share_at(&p, at - SIDE);
+      xx += x * x, xy += x * y, yy += y * y;
+    }
+  }
+  points_free(&p);
+  return sqrt((xx - yy) * (xx - yy) + 4 * xy * xy) / (xx + yy);
+}
+
+static void crossing_is_other_ways(void **state) {
+  (void)state;
+  enum { SEEDS = 8 };
+  static const double crossing[3] = {0, 0.5, 1};
+  double mean[3] = {0, 0, 0};
+  for (int k = 0; k < 3; k++) {
+    for (int seed = 0; seed < SEEDS; seed++) {
+      char text[200];
+      snprintf(text, sizeof text,
+               "seed=%d; vein_spacing=40; vein_width=5; vein_softness=1; vein_warp=0.4; "
+               "vein_crossing=%g",
+               seed + 1, crossing[k]);
+      sozai_texture *t = veined(text);
+      mean[k] += one_way(t) / SEEDS;
+      textures->destroy(t);
+    }
+  }
+  CHECK(mean[0] > 0.6 && mean[0] > mean[1] + 0.1 && mean[1] > mean[2] + 0.03,
+        "vein_crossing 0, 0.5, 1: veins lie one way by %.3f, %.3f, %.3f of 1\n", mean[0], mean[1],
+        mean[2]);
+}
+
+/* More warp, longer veins; without any they are straight: a line keeps its share along them. */
+static void warp_bends(void **state) {
+  (void)state;
+  static const double warp[3] = {0, 0.5, 1};
+  double mean[3] = {0, 0, 0};
+  for (int k = 0; k < 3; k++) {
+    for (int seed = 0; seed < 6; seed++) {
+      char text[200];
+      snprintf(text, sizeof text,
+               "seed=%d; vein_spacing=40; vein_width=5; vein_softness=1; vein_warp=%g; "
+               "vein_crossing=0",
+               seed + 1, warp[k]);
+      sozai_texture *t = veined(text);
+      mean[k] += one_way(t) / 6;
+      textures->destroy(t);
+    }
+  }
+  CHECK(mean[0] > 0.8 && mean[0] > mean[1] + 0.05 && mean[1] > mean[2] + 0.05,
+        "vein_warp 0, 0.5, 1: veins lie one way by %.3f, %.3f, %.3f of 1\n", mean[0], mean[1],
+        mean[2]);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(lengths_are_mm), cmocka_unit_test(areas_go_with_width),
+      cmocka_unit_test(crossing_is_other_ways), cmocka_unit_test(warp_bends)};
+  return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
+}
