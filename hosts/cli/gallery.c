@@ -13,6 +13,7 @@
 #include "cancel.h"
 #include "folder.h"
 #include "gallery_table.h"
+#include "gallery_tree.h"
 #include "job_options.h"
 #include "output_file.h"
 #include "progress.h"
@@ -103,8 +104,9 @@ static void write_caption(const gallery *g, const shot *s, const char *file, con
                           const char *preset) {
   fprintf(g->index, "<figure><img src=\"%s\" alt=\"%s\">\n<figcaption>%s<br><code>", file, title,
           title);
-  fprintf(g->index, "sozai render %s -o %s", material_of(s), file);
-  if (preset) fprintf(g->index, " --preset %s", preset);
+  bool tree = gallery_is_tree(s);
+  fprintf(g->index, "sozai %s %s -o %s", tree ? "grow" : "render", material_of(s), file);
+  if (preset) fprintf(g->index, " --%s %s", tree ? "species" : "preset", preset);
   for (int i = 0; i < SHOT_PARAMS && s->params[i]; i++) fprintf(g->index, " -p %s", s->params[i]);
   if (s->shape) fprintf(g->index, " --shape %s", s->shape);
   if (s->size) fprintf(g->index, " --size %s", s->size);
@@ -113,6 +115,7 @@ static void write_caption(const gallery *g, const shot *s, const char *file, con
   if (s->sky > 0) fprintf(g->index, " --sky %g", s->sky);
   if (s->zoom > 0) fprintf(g->index, " --zoom %g", s->zoom);
   if (s->ahead != 0) fprintf(g->index, " --target=0,%g,0", s->ahead);
+  if (tree) fprintf(g->index, " --level %u", GALLERY_TREE_LEVEL);
   fprintf(g->index, " --res %ux%u --spp %u</code></figcaption></figure>\n", s->width, s->height,
           samples(g, s));
 }
@@ -131,26 +134,34 @@ static bool keep_picture(gallery *g, const shot *s, const film *f, const char *n
   return true;
 }
 
-/* A texture that cannot be made is no failure of the gallery: see the head. */
+/* What cannot be made of the values is no failure of the gallery: see the head. */
+static bool leave_out(gallery *g, const char *name, const failure *why) {
+  if (why->exit_code != EXIT_BAD_INPUT) return false;
+  progress_clear();
+  fprintf(stderr, "sozai: left out %s: %s\n", name, why->text);
+  g->left_out++;
+  return true;
+}
+
 static bool make_picture(gallery *g, const shot *s, const char *name, const char *title,
                          const char *preset, failure *why) {
-  recipe r;
-  if (!make_recipe(&r, s, preset, why)) return false;
-  sozai_texture *texture = NULL;
-  const sozai_textures_1 *textures = g->session.plugin.textures;
-  bool made = recipe_create(&r, textures, &g->session.host.abi, &texture, why);
-  recipe_free(&r);
-  if (!made) {
-    progress_clear();
-    fprintf(stderr, "sozai: left out %s: %s\n", name, why->text);
-    g->left_out++;
-    return why->exit_code == EXIT_BAD_INPUT;
-  }
   film f;
-  bool ok = render_texture(g, s, texture, &f, why);
-  textures->destroy(texture);
-  if (!ok) return false;
-  ok = keep_picture(g, s, &f, name, title, preset, why);
+  if (gallery_is_tree(s)) {
+    if (!gallery_tree_render(&g->session, s, samples(g, s), &f, why))
+      return leave_out(g, name, why);
+  } else {
+    recipe r;
+    if (!make_recipe(&r, s, preset, why)) return false;
+    sozai_texture *texture = NULL;
+    const sozai_textures_1 *textures = g->session.plugin.textures;
+    bool made = recipe_create(&r, textures, &g->session.host.abi, &texture, why);
+    recipe_free(&r);
+    if (!made) return leave_out(g, name, why);
+    bool ok = render_texture(g, s, texture, &f, why);
+    textures->destroy(texture);
+    if (!ok) return false;
+  }
+  bool ok = keep_picture(g, s, &f, name, title, preset, why);
   film_free(&f);
   return ok;
 }
@@ -331,7 +342,7 @@ int run_gallery(int argc, char **argv) {
       SESSION_RUN_OPTIONS(shared)};
   const command_line line = {
       .usage = "gallery -o DIR [options]",
-      .about = "Renders woods, stones, cloth, floors and paving into a folder with "
+      .about = "Renders woods, stones, cloth, floors, paving and trees into a folder with "
                "an index.html;\nwith --all every preset of every material, and "
                "what each can do.\n",
       .options = options,

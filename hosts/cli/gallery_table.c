@@ -33,7 +33,7 @@ const shot_sheet gallery_sheets[GALLERY_SHEETS] = {
     {"macro", 3},                                           /* of a species its three faces */
     {"figured", 4},        {"fibers", 6},  {"knots", 4},
     {"stone-finishes", 6}, /* two stones in a row, three finishes of each */
-    {"plies", 3},
+    {"plies", 3},          {"trees", 6},
 };
 
 /* A finish of every stone, under light from the side. */
@@ -50,6 +50,13 @@ const shot_sheet gallery_sheets[GALLERY_SHEETS] = {
     .name = "paving-" id, .title = label, .more = only_all, .material = "stone", .preset = stone,  \
     .params = {a, b, c, d}, .shape = "plane", .size = "5000x9000", .camera = "-90,20,30",          \
     .light = sun, .zoom = 4, .ahead = -2500, .width = 960, .height = 540                           \
+  }
+
+#define TREE(species, label, years, only_all)                                                      \
+  {                                                                                                \
+    .name = "tree-" species, .title = label " of " years " years", .more = only_all,               \
+    .material = "tree", .preset = species, .sheet = "trees", .params = {"age=" years},             \
+    .width = 300, .height = 400                                                                    \
   }
 
 /* 8 mm across, 0.02 mm to a pixel */
@@ -419,6 +426,22 @@ const shot gallery_shots[] = {
      .size = "400x267",
      .light = "60,30",
      FACE},
+    HEADING("Trees", "trees"),
+    TREE("sugi", "Sugi", "30", false),
+    TREE("akamatsu", "Akamatsu", "40", false),
+    TREE("keyaki", "Keyaki", "40", false),
+    TREE("cherry", "Yamazakura", "40", false),
+    TREE("shirakaba", "Shirakaba", "25", false),
+    TREE("momiji", "Iroha-momiji", "30", false),
+    TREE("hinoki", "Hinoki", "30", true),
+    TREE("kuromatsu", "Kuromatsu", "40", true),
+    TREE("karamatsu", "Karamatsu", "30", true),
+    TREE("todomatsu", "Todomatsu", "30", true),
+    TREE("norway_spruce", "Norway spruce", "30", true),
+    TREE("scots_pine", "Scots pine", "40", true),
+    TREE("douglas_fir", "Douglas fir", "30", true),
+    TREE("buna", "Buna", "40", true),
+    TREE("mizunara", "Mizunara", "40", true),
     HEADING("Fiber", "fibers"),
     FIBERS("felt", "felt", "Wool felt, 3 mm across", "3x2"),
     FIBERS("felt-arm", "felt_grey", "Melange felt at arm's length, 120 mm across", "120x80"),

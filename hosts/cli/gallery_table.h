@@ -12,7 +12,7 @@ typedef struct shot {
   const char *heading; /* no picture but the beginning of a section; its sheet shows it whole */
   const char *name;    /* of the file, without its ending; of an each_preset: what it begins with */
   const char *title;
-  const char *material;            /* NULL: wood */
+  const char *material;            /* NULL: wood; or tree, which is grown */
   const char *preset;              /* NULL: the parameters' defaults */
   bool each_preset;                /* once for every preset there is, */
   const char *with, *without;      /* or that gives this parameter, or does not; NULL: all */
@@ -34,7 +34,7 @@ typedef struct shot_sheet {
   uint32_t columns;
 } shot_sheet;
 
-#define GALLERY_SHEETS 10
+#define GALLERY_SHEETS 11
 extern const shot_sheet gallery_sheets[GALLERY_SHEETS];
 extern const shot gallery_shots[];
 extern const uint32_t gallery_shot_count;
