@@ -575,6 +575,10 @@ static double limited(double x, double low, double high) {
 #define RAYS_ONE 20.0
 #define RAYS_ONE_BROAD 40.0
 
+#define RAY_RAGGED                                                                                 \
+  0.009 /* mm: most of a cell's width, by which its rows begin and end unevenly                    \
+         */
+
 static void build_rays(wood_constants *w, const settings *s) {
   double density = number_at(s, P_RAY_DENSITY), height = number_at(s, P_RAY_HEIGHT);
   double width = 1e-3 * number_at(s, P_RAY_WIDTH), length = number_at(s, P_RAY_LENGTH);
@@ -600,10 +604,12 @@ static void build_rays(wood_constants *w, const settings *s) {
   w->ray_per_radius = (float)(TWO_PI / (arc * sectors));
   /* within its cell, whatever it was asked for: 0.33 to each side of where it may
    * stand, for 1.3 times the mean, unevenly */
-  double half = 0.5 * width, room = 0.329, most = 1.3 * (1.0 + uneven);
+  double half = 0.5 * width, room = 0.329, ragged = limited(RAY_RAGGED / half, 0.0, 0.35);
+  double most = 1.3 * (1.0 + uneven) * (1.0 + ragged);
   if (half > 0.2 * arc) half = 0.2 * arc;
   if (half > room / most * arc) half = room / most * arc;
   w->ray_half = (float)half;
+  w->ray_ragged = (float)ragged;
   w->ray_room = (float)room;
   w->ray_thickest = (float)(most * half);
   /* Sheets sway along the fibre: fine ones little, broad ones by slopes of some degrees
@@ -657,6 +663,13 @@ static void build_canals(wood_constants *w, const settings *s, const float (*col
   }
 }
 
+/* Of 0..1. */
+static double cube_root(double x) {
+  double r = 1.0;
+  for (int i = 0; i < 40; i++) r = (2.0 * r + x / (r * r)) / 3.0;
+  return r;
+}
+
 static void build_cells(wood_constants *w, const settings *s) {
   double contrast = number_at(s, P_CELL_CONTRAST);
   w->has_cells = contrast > 0.0;
@@ -675,6 +688,13 @@ static void build_cells(wood_constants *w, const settings *s) {
   thick = limited(thick, share, share > 0.85 ? share : 0.85);
   w->wall_late = (float)thick;
   w->wall_early = (float)limited((share - part * thick) / (1.0 - part + 1e-9), 0.08, share);
+  w->cell_bend = (float)((double)CELL_BEND_BY * number_at(s, P_CELL_IRREGULARITY));
+  /* to a file, one in every so many mm of its height */
+  double pitch = number_at(s, P_FINE_RAYS) * width;
+  pitch = limited(pitch, 0.0, 0.6 / (double)FINE_RAY_TALL);
+  w->inverse_fine_pitch = (float)pitch;
+  w->fine_tall = (float)(pitch * (double)FINE_RAY_TALL);
+  w->fine_open = (float)cube_root(1.0 - (double)w->wall_early);
   double most = 1.0 / (1.0 - (double)w->wall_early);
   w->cell_white = (float)(0.97 * most / (1.0 + number_at(s, P_FIBRE_BRIGHTNESS)));
   w->cell_open = (float)most;
@@ -682,6 +702,8 @@ static void build_cells(wood_constants *w, const settings *s) {
   w->cell_side = (float)(0.26 * contrast);
   w->tyloses = (float)(1.1 * number_at(s, P_TYLOSES) * contrast);
   w->inverse_tylose = (float)(1.0 / (0.45e-3 * number_at(s, P_ROW_DIAMETER)));
+  double wide = 1.2e-3 * number_at(s, P_ROW_DIAMETER), apart = (double)w->pore_cell;
+  w->rim_squares = (float)(1.0 / (w->rows && apart < wide ? wide : apart));
   w->inverse_element = (float)(1.0 / number_at(s, P_ELEMENT_LENGTH));
 }
 

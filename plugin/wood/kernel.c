@@ -185,6 +185,7 @@ typedef struct {
   int rays_gone; /* no lane asks for the last two */
   canal_cover canal;
   vf cells, cell_contrast, lining; /* relative to the tissue's colour and the vessels' */
+  vf ray_cells;                    /* and to the rays' */
   spalt_place spalt;
   wood_board board; /* where there are boards */
   knot_place *knot; /* where there are knots, else NULL */
@@ -812,9 +813,16 @@ INLINE void stage_canals(const wood_constants *w, int boards, const wood_io *io,
 
 INLINE void stage_cells(const wood_constants *w, int boards, block *k) {
   vessel_place place = vessel_place_of(boards, k);
-  vf end = k->nrm[1] * k->nrm[1];
-  k->cells = cells_tissue(w, &place, k->p[1], k->late, end, &k->cell_contrast);
+  vf out = k->nrm[0] * k->stem.c + k->nrm[2] * k->stem.s;
+  vf round = k->nrm[2] * k->stem.c - k->nrm[0] * k->stem.s;
+  cell_face face = {round * round, k->nrm[1] * k->nrm[1], out * out};
+  k->cells = cells_tissue(w, &place, &face, k->p[1], k->extent, k->late, &k->cell_contrast);
   k->lining = splat(0.0f);
+  k->ray_cells = splat(0.0f);
+  if (w->has_rays && !k->rays_gone && any(gt(k->ray, splat(0.0f)))) {
+    ray_place p = ray_place_here(boards, k);
+    k->ray_cells = cells_ray(w, &p, &k->ray_on, &k->ray_in, &face);
+  }
   if (!any(gt(k->cover, splat(0.0f)))) return;
   vu own = own_of(boards, k);
   k->lining = k->cover * cells_rims(w, own, k->x, k->p[1], k->z, k->s, k->extent);
@@ -938,7 +946,14 @@ INLINE void stage_colour(const wood_constants *w, int boards, const wood_io *io,
   }
   if (w->has_rays) {
     UNROLL(3)
-    for (int c = 0; c < 3; c++) tissue[c] = mix(tissue[c], splat(w->ray[c]) * k->shift, k->ray);
+    for (int c = 0; c < 3; c++) {
+      vf ray = splat(w->ray[c]) * k->shift;
+      if (w->has_cells) {
+        vf contrast = vmin(k->cell_contrast, cells_room(w, splat(w->ray[c])));
+        ray = ray + ray * k->ray_cells * contrast;
+      }
+      tissue[c] = mix(tissue[c], ray, k->ray);
+    }
   }
   if (w->has_canals) {
     UNROLL(3)

@@ -563,6 +563,18 @@ static const sozai_parameter cell_length = {
    .doc = "Along the fibre.",
    .hard_min = 0.1, .hard_max = 20, .soft_min = 0.5, .soft_max = 6, .default_number = {1.2}};
 
+static const sozai_parameter cell_irregularity = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "cell_irregularity", .label = "Cell irregularity", .group = "cells", .unit = "",
+   .doc = "How much files of cells bend aside: 0 for straight files, which a cut almost along them shows as stripes.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.5}};
+
+static const sozai_parameter fine_ray_density = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "fine_ray_density", .label = "Fine rays", .group = "cells", .unit = "1/mm2",
+   .doc = "Rays one cell wide and some ten cells high, on the tangential face; seen with the cells alone.",
+   .hard_min = 0, .hard_max = 200, .soft_min = 0, .soft_max = 80, .default_number = {0}};
+
 static const sozai_parameter tyloses = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "tyloses", .label = "Tyloses", .group = "cells", .unit = "",
@@ -1195,6 +1207,8 @@ const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_CELL_DEPTH_LATE] = &cell_depth_late,
    [P_BASIC_DENSITY] = &basic_density,
    [P_CELL_LENGTH] = &cell_length,
+   [P_CELL_IRREGULARITY] = &cell_irregularity,
+   [P_FINE_RAYS] = &fine_ray_density,
    [P_TYLOSES] = &tyloses,
    [P_ELEMENT_LENGTH] = &element_length,
    [P_SPALT] = &spalt,

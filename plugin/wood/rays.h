@@ -144,6 +144,18 @@ INLINE vf ray_unevenness(const wood_constants *w, const ray_place *p, vu root) {
   return splat(1.0f) + keep * n;
 }
 
+#define RAY_ROW 0.02f /* mm: height of a row of a ray's cells, usual in wood (IAWA lists, 1989) */
+
+/* Factor of a ray's thickness in one row of its cells, of which there are not as many as in the
+ * next; its mean is 1. hash: the ray's own. Far from every ray it does not matter. */
+INLINE vf ray_raggedness(const wood_constants *w, const ray_place *p, vu hash) {
+  vi row;
+  vfloor(p->y * splat(1.0f / RAY_ROW), &row);
+  vu h = hash_mix(hash + (vu)row * splatu(HASH_Y));
+  vf part = to_float((vi)(h >> 16)) * splat(2.0f / 65535.0f) - splat(1.0f);
+  return splat(1.0f) + splat(w->ray_ragged) * filter_keep(p->along, RAY_ROW) * part;
+}
+
 /* Which ray a cell has, and where along the fibre the point is in it. */
 typedef struct {
   vu root, hash; /* of the column, and of the ray */
@@ -187,6 +199,10 @@ INLINE ray_body ray_body_of(const wood_constants *w, const ray_place *p, const r
   if (w->ray_uneven > 0.0f) {
     vf most = r.thick * splat(1.0f + w->ray_uneven) + q->reach;
     if (any(lt(vabs(r.a), most))) r.thick = r.thick * ray_unevenness(w, p, seat->root);
+  }
+  if (any(lt(p->along, splat(2.0f * RAY_ROW)))) {
+    vf most = r.thick * splat(1.0f + w->ray_ragged) + q->reach;
+    if (any(lt(vabs(r.a), most))) r.thick = r.thick * ray_raggedness(w, p, h);
   }
   r.inverse_tall = one / tall;
   r.at = (y - centre) * r.inverse_tall;

@@ -44,11 +44,13 @@ enum { SPALT_OCTAVES = 4 };
 static const float spalt_scale[SPALT_OCTAVES] = {1.0f, 2.3f, 5.3f, 12.2f};
 static const float spalt_weight[SPALT_OCTAVES] = {1.0f, 0.4f, 0.13f, 0.045f};
 #define SPALT_VARIANCE 0.0365f
-#define SPALT_SECOND 1.3f /* the second fungus's colonies are that much smaller */
-#define SPALT_PALE 0.5f   /* and bleach so much, where the first bleaches by 1 */
-#define CANAL_LOW 0.42f   /* phase of a ring from which on resin canals stand */
-#define CANAL_MARGIN 1.6f /* radii from a resin canal's middle to its ring's ends */
-#define WOOD_RIM 256      /* directions in which the rim of a picture is known */
+#define SPALT_SECOND 1.3f   /* the second fungus's colonies are that much smaller */
+#define SPALT_PALE 0.5f     /* and bleach so much, where the first bleaches by 1 */
+#define CANAL_LOW 0.42f     /* phase of a ring from which on resin canals stand */
+#define CANAL_MARGIN 1.6f   /* radii from a resin canal's middle to its ring's ends */
+#define FINE_RAY_TALL 0.22f /* mm: the mean height of a fine ray, of some ten cells */
+#define CELL_BEND_BY 1.6f   /* files by which files bend, at an irregularity of 1 */
+#define WOOD_RIM 256        /* directions in which the rim of a picture is known */
 
 /* The seeds of the noises, kept apart. */
 enum {
@@ -82,7 +84,8 @@ enum {
   SEED_RIBBON,
   SEED_PIGMENT,
   SEED_SPALT_MORE,
-  WOOD_SEEDS = SEED_SPALT_MORE + 4
+  SEED_CELL_BEND = SEED_SPALT_MORE + 4,
+  WOOD_SEEDS
 };
 
 #define WOOD_ROWS_ALONE 0.45f /* of a ring: past that a footprint meets the rows of others */
@@ -231,8 +234,12 @@ typedef struct {
   float cell_side, cell_end;             /* contrast: along the fibre, and on end grain */
   float cell_white, cell_open;           /* room above a colour: white / colour - open */
   float cell_gone;                       /* mm: the footprint from which on nothing is left */
+  float cell_bend;                       /* files by which files bend */
+  float inverse_fine_pitch, fine_tall;   /* 1/mm; fine rays' mean height, of their pitch */
+  float fine_open;                       /* of a fine ray's cell, each way, that is lumen */
   float tyloses;                         /* contrast */
   float inverse_tylose, inverse_element; /* 1/mm */
+  float rim_squares;                     /* 1/mm: to a vessel, about one */
 
   /* spalting */
   int32_t has_spalt;
@@ -256,6 +263,7 @@ typedef struct {
   float ray_wave_radial, ray_wave_along; /* 1/mm */
   float ray_sharp2;                      /* mm2: no edge is sharper */
   float ray_uneven;                      /* of the thickness, within which it varies */
+  float ray_ragged;                      /* the same, from row to row of its cells */
 
   /* shifted brightness */
   float fibre_scale[WOOD_FIBRE_OCTAVES];     /* amplitude, over the noise's bound */

@@ -3,9 +3,11 @@
  * and as the texture under five footprints: what is covered, what comes back of light from all
  * around, and the radiance under light from seven sides. Prints docs/fiber-texture.md's table. */
 #include <math.h>
+#include <string.h>
 #include "clothed.h"
 
-enum { SCALES = 5, POINTS = 1200, RAYS = 6000 };
+enum { SCALES = 5, POINTS = 1200, RAYS = 3000 };
+static int rays = RAYS; /* twice as many with --long */
 static const double footprints[SCALES] = {0, 0.03, 0.3, 3, 30};
 static const char *const names[3] = {"white", "wool", "dark"};
 /* What is asked of every preset, colour and footprint; and beyond how often the chance of the
@@ -29,7 +31,7 @@ static double compare(const char *what, const double got[SCALES], double real, d
 }
 
 static double compare_all(const cloth *c, const sozai_textures_1 *textures) {
-  clothed real = cloth_as_curves(c, 1, RAYS), seen_of[SCALES];
+  clothed real = cloth_as_curves(c, 1, rays), seen_of[SCALES];
   sozai_texture *t = cloth_as_texture(c, textures, colours);
   for (int f = 0; f < SCALES; f++) seen_of[f] = cloth_as_seen(t, textures, footprints[f], POINTS);
   textures->destroy(t);
@@ -70,7 +72,8 @@ static void all_of_them(void **unused) {
   assert_true(most <= asked && !missed);
 }
 
-int main(void) {
+int main(int argc, char **argv) {
+  if (argc > 1 && strcmp(argv[1], "--long") == 0) rays = 2 * RAYS;
   const struct CMUnitTest tests[] = {cmocka_unit_test(all_of_them)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -85,10 +85,12 @@ SPECIES_ALL(DECLARE)
 /* Cells in um and basic density, from which the share of walls follows. */
 #define TRACHEIDS(width, early, late, density)                                                     \
   NUMBER("cell_width", width), NUMBER("cell_depth", early), NUMBER("cell_depth_late", late),       \
-      NUMBER("cell_length", 3.0), NUMBER("basic_density", density)
+      NUMBER("cell_length", 3.0), NUMBER("basic_density", density),                                \
+      NUMBER("fine_ray_density", 40.0)
 #define FIBRES(width, density)                                                                     \
   NUMBER("cell_width", width), NUMBER("cell_depth", width),                                        \
       NUMBER("cell_depth_late", 0.85 * (width)), NUMBER("cell_length", 1.2),                       \
+      NUMBER("cell_irregularity", 1.0), NUMBER("fine_ray_density", 20.0),                          \
       NUMBER("basic_density", density)
 
 /* Of the generator tree; years; mm up its stem. */
