@@ -7,7 +7,7 @@
 #include "clothed.h"
 
 enum { SCALES = 5, POINTS = 1200, RAYS = 3000 };
-static int rays = RAYS; /* twice as many with --long */
+static uint32_t rays = RAYS; /* twice as many with --long */
 static const double footprints[SCALES] = {0, 0.03, 0.3, 3, 30};
 static const char *const names[3] = {"white", "wool", "dark"};
 /* What is asked of every preset, colour and footprint; and beyond how often the chance of the
