@@ -33,8 +33,9 @@ bool sheet_add(sheet *s, const film *f, const char *name, failure *why) {
   char(*names)[SHEET_NAME] = realloc(s->names, (s->count + 1) * sizeof *names);
   if (!names) return fail(why, EXIT_FAILURE, "out of memory");
   s->names = names;
-  size_t length = strcspn(name, ",(");
+  size_t length = strcspn(name, "(");
   if (length >= SHEET_NAME) length = SHEET_NAME - 1;
+  while (length && (name[length - 1] == ' ' || (name[length] & 0xC0) == 0x80)) length--;
   memcpy(names[s->count], name, length);
   names[s->count][length] = 0;
   float *to = s->pictures + s->count++ * picture_floats(s);
@@ -58,7 +59,6 @@ static void write_names(const sheet *s, uint32_t columns, film *out) {
     uint32_t width = run_of(s, i, columns) * (s->width + GAP) - GAP;
     uint32_t x = (i % columns) * (s->width + GAP);
     uint32_t y = (i / columns + 1) * (s->height + CAPTION + GAP) - GAP;
-    /* the same ground, so that a long name is cut off where its room ends */
     image_text(out->beauty, out->width, out->height, x, y - 4, x + width, LETTER, s->names[i]);
   }
 }

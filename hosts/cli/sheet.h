@@ -15,7 +15,7 @@ typedef struct sheet {
 } sheet;
 
 /* Half its size. Pictures of another size than the first's are refused. A name
- * ends at its first comma or bracket; neighbours of one name share one caption. */
+ * ends at its first bracket; neighbours of one name share one caption. */
 bool sheet_add(sheet *s, const film *f, const char *name, failure *why);
 /* Lay them out, with captions where there is a font to write them in; out holds a beauty and no
  * layers. */

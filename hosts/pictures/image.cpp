@@ -154,6 +154,24 @@ const char *font() {
   return nullptr;
 }
 
+bool fits(const std::string &text, int size, int room) {
+  return OIIO::ImageBufAlgo::text_size(text, size, font()).width() <= room;
+}
+
+/* As much of a text as fits: up to a comma, or to a word with dots after it, or as many letters. */
+std::string fitting(const std::string &text, int size, int room) {
+  if (fits(text, size, room)) return text;
+  for (size_t at = text.rfind(','); at != std::string::npos && at; at = text.rfind(',', at - 1))
+    if (fits(text.substr(0, at), size, room)) return text.substr(0, at);
+  for (size_t at = text.rfind(' '); at != std::string::npos && at; at = text.rfind(' ', at - 1))
+    if (fits(text.substr(0, at) + "\u2026", size, room)) return text.substr(0, at) + "\u2026";
+  std::string letters = text;
+  while (!letters.empty() && !fits(letters, size, room))
+    do letters.pop_back();
+    while (!letters.empty() && (letters.back() & 0xC0) == 0x80); // the whole of an UTF-8 letter
+  return letters;
+}
+
 } // namespace
 
 bool image_has_text() {
@@ -172,11 +190,7 @@ void image_text(float *rgb, uint32_t width, uint32_t height, uint32_t x, uint32_
   guarded(&unused, [&] {
     if (!font()) return false;
     OIIO::ImageBuf picture(OIIO::ImageSpec(int(width), int(height), 3, OIIO::TypeDesc::FLOAT), rgb);
-    std::string shown = text;
-    while (!shown.empty() &&
-           int(x) + OIIO::ImageBufAlgo::text_size(shown, int(size), font()).width() > int(end))
-      do shown.pop_back();
-      while (!shown.empty() && (shown.back() & 0xC0) == 0x80); // the whole of an UTF-8 letter
+    const std::string shown = fitting(text, int(size), int(end) - int(x));
     const float dark[3] = {0.05f, 0.05f, 0.05f};
     return OIIO::ImageBufAlgo::render_text(picture, int(x), int(y), shown, int(size), font(), dark);
   });

@@ -333,8 +333,50 @@ static void wear_follows_the_rings(void **state) {
   }
 }
 
+/* ---- char ---------------------------------------------------------------- */
+
+/* Between cracks the face of a plate is plane, and no two lie alike. */
+static void plates_lie_their_own_way(void **state) {
+  (void)state;
+  static const char *const woods[] = {"sugi", "oak"};
+  for (int k = 0; k < 2; k++) {
+    sozai_texture *t = wood_make(woods[k], "cut=flat;cut_distance=70;surface=charred;erosion=0;"
+                                           "fibre_wear=0;vessel_relief=0;charring=1");
+    points p = {0};
+    uniform_seed(96);
+    enum { PLACES = 6000 };
+    for (int i = 0; i < PLACES; i++) {
+      double x = 60 * (uniform() - 0.5), y = 400 * uniform();
+      for (int j = 0; j < 3; j++) points_add(&p, x + (j == 1) * 0.1, y + (j == 2) * 0.1, 0, 0);
+    }
+    points_ask(&p, t);
+    double plane = 0, tilted = 0, square = 0;
+    for (unsigned i = 0; i < p.count; i += 3) {
+      double most = 0, slope[2];
+      for (int c = 0; c < 2; c++) {
+        slope[c] = (double)(p.out[NORMAL + c][i] / p.out[NORMAL + 2][i]);
+        for (unsigned j = 1; j < 3; j++) {
+          double other = (double)(p.out[NORMAL + c][i + j] / p.out[NORMAL + 2][i + j]);
+          most = fmax(most, fabs(other - slope[c]));
+        }
+      }
+      if (most > 0.01) continue;
+      double s = hypot(slope[0], slope[1]);
+      plane++;
+      tilted += s > 0.03;
+      square += s * s;
+    }
+    CHECK(plane > 0.1 * PLACES && tilted > 0.6 * plane && sqrt(square / plane) < 0.16,
+          "%-5s %.2f of char is plane; of that %.2f is tilted, by %.3f RMS\n", woods[k],
+          plane / PLACES, tilted / plane, sqrt(square / plane));
+    points_free(&p);
+    textures->destroy(t);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
+      cmocka_unit_test(plates_lie_their_own_way),
       cmocka_unit_test(normal_is_the_heights),     cmocka_unit_test(lost_slopes_are_roughness),
       cmocka_unit_test(marks_are_as_asked),        cmocka_unit_test(arcs_have_the_blades_radius),
       cmocka_unit_test(scratches_follow_the_grit), cmocka_unit_test(wear_follows_the_rings),

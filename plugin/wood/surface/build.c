@@ -214,11 +214,14 @@ static void build_cracks(wood_constants *w, const surface_finish *f, const setti
    * narrower by a factor that is uniform from 1 to 2, 2 to 3.5 and 1.2 to 2.2:
    * its area goes with the mean of the inverse, its slope's square with the
    * mean. Then the integrals of cracks.h's profile, less what overlaps. */
-  double lines = along * (0.693 + 2.6 * 0.373) + 2.0 * across * 0.606;
-  double steep = along * (1.5 + 2.6 * 2.75) + 2.0 * across * 1.7 * 0.5;
+  double hairs = 2.6 * 0.59 * 0.72; /* there are, and not too near a crack */
+  double lines = along * (0.693 + hairs * 0.373) + 2.0 * across * 0.606;
+  double steep = along * (1.5 + hairs * 2.75) + 2.0 * across * 1.7 * 0.5;
   m->crack_mean = (float)(0.8 * lines * 2.0 * width * (0.45 / 3.0 + 0.55 / 12.0));
   m->crack_dark = (float)(0.8 * lines * 2.0 * width / 8.0);
-  m->crack_slope2 = (float)(0.85 * depth * depth * steep * 2.0 / width * 2.791);
+  /* a plate's slopes are uniform, and end at its rims */
+  double tilt = (double)PLATE_TILT * (double)PLATE_TILT * 2.0 / 3.0 * 0.7;
+  m->crack_slope2 = (float)(0.85 * depth * depth * steep * 2.0 / width * 2.791 + tilt);
   m->stains = 1;
 }
 

@@ -2,7 +2,8 @@
  *
  * Charred wood shrinks into cells, like an alligator's skin: columns along the
  * fibre, Voronoi's in the reference section, and each cracked across at places
- * of its own, all of it bent by noise. The height is a parabola of the distance to the nearest
+ * of its own, all of it bent by noise. Between two such cracks a plate lies, warped its own way, so
+ * that no two mirror the same sky; some have a hairline more. The height is a parabola of the distance to the nearest
  * crack, with a narrow core: -depth (0.45 (1 - d / W)^2 + 0.55 (1 - 4 d / W)^2), each where its
  * bracket is positive. At a column's edge the distance is 0, so that where neighbours' cracks do
  * not meet nothing jumps.
@@ -32,19 +33,34 @@ typedef struct {
   vf back[3][3]; /* rows: of x, y and z over the place's own */
 } crack_warp;
 
-INLINE crack_warp cracks_warp(const wood_surface *m, vu seed, vf x, vf y, vf z) {
+#define CRACK_JAG 0.3f       /* of the bends' size: the finer ones' */
+#define CRACK_JAG_REACH 0.8f /* and how far those go, beside the others for their size */
+
+/* s: mm, what the footprint takes the finer bends with. */
+INLINE crack_warp cracks_warp(const wood_surface *m, vu seed, vf x, vf y, vf z, vf s) {
   crack_warp q;
   float cell = 1.0f / m->crack_frequency[0];
   const float size[3] = {1.6f * cell, 2.2f * cell, 1.6f * cell}; /* x, y, z */
   const float reach[3] = {0.42f * cell, 0.75f * cell, 0.42f * cell};
   vf at[3] = {x, y, z}, to[3];
   for (int c = 0; c < 3; c++) {
-    vf g[3], k = splat(reach[c]);
-    vf n = noise_gradient3(x * splat(1.0f / size[0]), y * splat(1.0f / size[1]),
-                           z * splat(1.0f / size[2]), seed + splatu(HASH_X * (uint32_t)(c + 1)), g);
-    to[c] = at[c] + k * n;
-    for (int i = 0; i < 3; i++) {
-      q.back[c][i] = k * splat(1.0f / size[i]) * g[i] + splat(c == i ? 1.0f : 0.0f);
+    to[c] = at[c];
+    for (int i = 0; i < 3; i++) q.back[c][i] = splat(c == i ? 1.0f : 0.0f);
+  }
+  for (int o = 0; o < 2; o++) {
+    float finer = o ? CRACK_JAG : 1.0f;
+    vf keep = splat(o ? CRACK_JAG * CRACK_JAG_REACH : 1.0f);
+    if (o && filter_touches(s, CRACK_JAG * cell)) keep = keep * filter_keep(s, CRACK_JAG * cell);
+    if (o && !any(gt(keep, splat(0.0f)))) break;
+    for (int c = 0; c < 3; c++) {
+      vf g[3], k = splat(reach[c]) * keep;
+      vf n = noise_gradient3(x * splat(1.0f / (finer * size[0])), y * splat(1.0f / (finer * size[1])),
+                             z * splat(1.0f / (finer * size[2])),
+                             seed + splatu(HASH_X * (uint32_t)(c + 1 + 3 * o)), g);
+      to[c] = to[c] + k * n;
+      for (int i = 0; i < 3; i++) {
+        q.back[c][i] = q.back[c][i] + k * splat(1.0f / (finer * size[i])) * g[i];
+      }
     }
   }
   q.x = to[0];
@@ -58,23 +74,51 @@ INLINE vf crack_narrow(vu h, float least, float most) {
   return splat(least) + splat((most - least) / 255.0f) * to_float((vi)(h & splatu(255u)));
 }
 
-/* The nearest crack across the column: distance in mm times its factor, and
- * the slope of that along y. */
-INLINE vf crack_across(vf y, float frequency, vu column, float least, float most, vf *slope) {
-  vf zero = splat(0.0f), f = splat(frequency), best = splat(1e9f);
-  vf u = y * f + to_float((vi)(column >> 8)) * splat(1.0f / 16777216.0f);
+/* What is across a column at a height. */
+typedef struct {
+  vf d, slope; /* mm to the nearest crack, times its factor; and how that goes with y */
+  vf off;      /* mm from that crack upwards */
+  vu plate;    /* a hash of the stretch between two cracks, */
+  vf from;     /* and mm from its middle */
+} crack_spot;
+
+/* chance: of 256, how many of the cracks there are. */
+INLINE crack_spot crack_across(vf y, float frequency, vu column, float least, float most,
+                               uint32_t chance) {
+  crack_spot q;
+  vf zero = splat(0.0f), half = splat(0.5f), f = splat(frequency), per = splat(1.0f / frequency);
+  vf u = y * f + to_float((vi)(column >> 8)) * splat(1.0f / 16777216.0f), c[3];
   vi at;
   vf within = u - vfloor(u, &at);
-  *slope = zero;
-  for (int i = -1; i <= 1; i++) {
-    vu h = hash_mix((vu)(at + splati(i)) * splatu(HASH_Y) + column);
-    vf c = within - (splat((float)i + 0.5f) + to_float((vi)h) * splat(0.36f / 2147483648.0f));
-    vf narrow = crack_narrow(h, least, most), d = vabs(c) * narrow;
-    vm nearer = lt(d, best);
-    best = sel(nearer, d, best);
-    *slope = sel(nearer, sel(lt(c, zero), zero - narrow, narrow), *slope);
+  q.d = splat(1e9f);
+  q.slope = q.off = zero;
+  for (int i = 0; i < 3; i++) {
+    vu h = hash_mix((vu)(at + splati(i - 1)) * splatu(HASH_Y) + column);
+    c[i] = within - (splat((float)i - 0.5f) + to_float((vi)h) * splat(0.36f / 2147483648.0f));
+    vf narrow = crack_narrow(h, least, most), d = vabs(c[i]) * narrow;
+    vm nearer = lt(d, q.d);
+    if (chance < 256) {
+      nearer = and_(nearer, lti((vi)(h >> 8 & splatu(255u)), splati((int32_t)chance)));
+    }
+    q.d = sel(nearer, d, q.d);
+    q.slope = sel(nearer, sel(lt(c[i], zero), zero - narrow, narrow), q.slope);
+    q.off = sel(nearer, c[i], q.off);
   }
-  return best * splat(1.0f / frequency);
+  vm above = gt(c[1], zero);
+  vi plate = at + seli(above, splati(1), splati(0));
+  q.plate = hash_mix((vu)plate * splatu(HASH_Z) + column);
+  q.from = half * (sel(above, c[1], c[0]) + sel(above, c[2], c[1])) * per;
+  q.d = q.d * per;
+  q.off = q.off * per;
+  return q;
+}
+
+#define HAIRLINES 150       /* of 256 places, those that have one */
+#define HAIRLINE_KEEPS 0.2f /* of the way between cracks: what it keeps from them */
+
+/* A hash's 10 bits as a slope within +-PLATE_TILT. */
+INLINE vf plate_slope(vu h) {
+  return (to_float((vi)(h & splatu(1023u))) - splat(511.5f)) * splat(PLATE_TILT / 511.5f);
 }
 
 /* widen: mm that the footprint takes at least. */
@@ -82,7 +126,7 @@ INLINE crack_place cracks_at(const wood_constants *w, vu own, vf px, vf py, vf p
   const wood_surface *m = &w->surface;
   vf zero = splat(0.0f), one = splat(1.0f), half = splat(0.5f), far = splat(1e9f);
   vu seed = wood_seed(w, own, SEED_CRACKS);
-  crack_warp q = cracks_warp(m, seed, px, py, pz);
+  crack_warp q = cracks_warp(m, seed, px, py, pz, widen + widen);
   vf f = splat(m->crack_frequency[0]), ux = q.x * f, uz = q.z * f;
   vi ix, iz;
   vf fx = ux - vfloor(ux, &ix), fz = uz - vfloor(uz, &iz);
@@ -113,16 +157,15 @@ INLINE crack_place cracks_at(const wood_constants *w, vu own, vf px, vf py, vf p
   }
   edge = vmax(edge, zero) * splat(1.0f / m->crack_frequency[0]);
 
-  /* across: cracks that part the cells, and hairlines between them */
-  vf rise, fine_rise;
-  vf d = crack_across(q.y, m->crack_frequency[1], column, 1.0f, 2.0f, &rise);
-  vf fine = crack_across(q.y, 2.6f * m->crack_frequency[1], column + splatu(HASH_X), 2.0f, 3.5f,
-                         &fine_rise);
-  vm hair = lt(fine, d);
-  d = sel(hair, fine, d);
-  rise = sel(hair, fine_rise, rise);
-  vm along = lt(edge, d);
-  d = sel(along, edge, d);
+  /* across: cracks that part the plates, and hairlines between them */
+  crack_spot part = crack_across(q.y, m->crack_frequency[1], column, 1.0f, 2.0f, 256);
+  crack_spot fine =
+      crack_across(q.y, 2.6f * m->crack_frequency[1], column + splatu(HASH_X), 2.0f, 3.5f, HAIRLINES);
+  vm along = lt(edge, part.d);
+  vf rim = sel(along, edge, part.d), d = rim;
+  vf keeps = splat(HAIRLINE_KEEPS / m->crack_frequency[1]);
+  vm hair = and_(lt(fine.d, d), gt(vabs(part.off - fine.off), keeps));
+  d = sel(hair, fine.d, d);
 
   vf wide = splat(m->crack_width) + widen, inverse = one / wide;
   vf share = splat(m->crack_width) * inverse;
@@ -131,8 +174,23 @@ INLINE crack_place cracks_at(const wood_constants *w, vu own, vf px, vf py, vf p
   p.depth = share * (splat(0.45f) * outer * outer + splat(0.55f) * core * core);
   p.dark = share * core;
   vf slope = zero - share * inverse * (splat(0.9f) * outer + splat(4.4f) * core);
-  vf g[3] = {sel(along, slope * ex, zero), sel(along, zero, slope * rise),
-             sel(along, slope * ez, zero)};
+  vm on_edge = and_(along, not_(hair));
+  vf rise = sel(hair, fine.slope, part.slope);
+  vf g[3] = {sel(on_edge, slope * ex, zero), sel(on_edge, zero, slope * rise),
+             sel(on_edge, slope * ez, zero)};
+
+  /* the plate's own plane, which its rims end */
+  vf size = splat(1.0f / m->crack_frequency[0]);
+  vu h = part.plate;
+  vf tilt[3] = {plate_slope(h), plate_slope(h >> 10), plate_slope(h >> 20)};
+  vf plane = tilt[0] * (fx - mx) * size + tilt[1] * part.from + tilt[2] * (fz - mz) * size;
+  vf over = vmax(one - rim * inverse, zero), level = one - over * over;
+  vf fall = splat(2.0f) * over * inverse * plane;
+  vf edges[3] = {sel(along, fall * ex, zero), sel(along, zero, fall * part.slope),
+                 sel(along, fall * ez, zero)};
+  vf deep = zero - share * splat(1.0f / m->crack_depth);
+  p.depth = p.depth + deep * plane * level;
+  for (int c = 0; c < 3; c++) g[c] = g[c] + deep * (tilt[c] * level + edges[c]);
   p.x = g[0] * q.back[0][0] + g[1] * q.back[1][0] + g[2] * q.back[2][0];
   p.y = g[0] * q.back[0][1] + g[1] * q.back[1][1] + g[2] * q.back[2][1];
   p.z = g[0] * q.back[0][2] + g[1] * q.back[1][2] + g[2] * q.back[2][2];

@@ -24,6 +24,8 @@ enum { MARKS_NONE, MARKS_BAND, MARKS_CIRCULAR, MARKS_KNIVES, MARKS_STROKES };
 #define SURFACE_WEAR_STEPS 24 /* of the table of slopes that a footprint leaves */
 
 /* A layer of noise: value noise of two axes. */
+#define PLATE_TILT 0.11f /* slope of a plate of char, at most, each way */
+
 typedef struct {
   float height;       /* mm, over HASH_ONE; 0: there is none */
   float frequency[2]; /* 1/mm, along each axis */
