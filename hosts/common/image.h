@@ -52,8 +52,8 @@ void image_free(image *picture);
 /* Whether there is a font to write in. */
 bool image_has_text(void);
 /* Dark letters of `size` pixels onto a picture of three floats a pixel, their
- * base line beginning at x, y. What reaches past x = end is cut off: from a comma on, or from a word
- * on with dots in its place. Nothing without a font. */
+ * base line beginning at x, y. What reaches past x = end is cut off: from a comma on, or from a
+ * word on with dots in its place. Nothing without a font. */
 void image_text(float *rgb, uint32_t width, uint32_t height, uint32_t x, uint32_t y, uint32_t end,
                 uint32_t size, const char *text);
 

@@ -166,8 +166,8 @@ std::string fitting(const std::string &text, int size, int room) {
   for (size_t at = text.rfind(' '); at != std::string::npos && at; at = text.rfind(' ', at - 1))
     if (fits(text.substr(0, at) + "\u2026", size, room)) return text.substr(0, at) + "\u2026";
   std::string letters = text;
-  while (!letters.empty() && !fits(letters, size, room))
-    do letters.pop_back();
+  while (!letters.empty() && !fits(letters, size, room)) do
+      letters.pop_back();
     while (!letters.empty() && (letters.back() & 0xC0) == 0x80); // the whole of an UTF-8 letter
   return letters;
 }

@@ -341,7 +341,7 @@ static void plates_lie_their_own_way(void **state) {
   static const char *const woods[] = {"sugi", "oak"};
   for (int k = 0; k < 2; k++) {
     sozai_texture *t = wood_make(woods[k], "cut=flat;cut_distance=70;surface=charred;erosion=0;"
-                                           "fibre_wear=0;vessel_relief=0;charring=1");
+                                           "fibre_wear=0;charring=1");
     points p = {0};
     uniform_seed(96);
     enum { PLACES = 6000 };
@@ -376,10 +376,10 @@ static void plates_lie_their_own_way(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(plates_lie_their_own_way),
-      cmocka_unit_test(normal_is_the_heights),     cmocka_unit_test(lost_slopes_are_roughness),
-      cmocka_unit_test(marks_are_as_asked),        cmocka_unit_test(arcs_have_the_blades_radius),
-      cmocka_unit_test(scratches_follow_the_grit), cmocka_unit_test(wear_follows_the_rings),
+      cmocka_unit_test(plates_lie_their_own_way),    cmocka_unit_test(normal_is_the_heights),
+      cmocka_unit_test(lost_slopes_are_roughness),   cmocka_unit_test(marks_are_as_asked),
+      cmocka_unit_test(arcs_have_the_blades_radius), cmocka_unit_test(scratches_follow_the_grit),
+      cmocka_unit_test(wear_follows_the_rings),
   };
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

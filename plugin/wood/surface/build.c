@@ -196,6 +196,8 @@ static void build_checks(wood_surface *m, const surface_finish *f, const setting
   m->stains = 1;
 }
 
+#define PLATE_TILT 0.11 /* slope of a plate of wood that is all char */
+
 static void build_cracks(wood_constants *w, const surface_finish *f, const settings *s) {
   wood_surface *m = &w->surface;
   /* char cracks once it is thick */
@@ -220,8 +222,10 @@ static void build_cracks(wood_constants *w, const surface_finish *f, const setti
   m->crack_mean = (float)(0.8 * lines * 2.0 * width * (0.45 / 3.0 + 0.55 / 12.0));
   m->crack_dark = (float)(0.8 * lines * 2.0 * width / 8.0);
   /* a plate's slopes are uniform, and end at its rims */
-  double tilt = (double)PLATE_TILT * (double)PLATE_TILT * 2.0 / 3.0 * 0.7;
-  m->crack_slope2 = (float)(0.85 * depth * depth * steep * 2.0 / width * 2.791 + tilt);
+  double tilt = PLATE_TILT * how;
+  m->plate_tilt = (float)(tilt / depth);
+  double plates = tilt * tilt * 2.0 / 3.0 * 0.7;
+  m->crack_slope2 = (float)(0.85 * depth * depth * steep * 2.0 / width * 2.791 + plates);
   m->stains = 1;
 }
 

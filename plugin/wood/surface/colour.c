@@ -24,11 +24,14 @@ static double wetted(double r, double f) {
   return 1.0 + x - scalar_root(x * x + 2.0 * x);
 }
 
-/* Toasted, which deepens what colour there is; then soot over it. */
-static double charred(double c, double how) {
+/* Toasted, then soot over it. Heat darkens wood by far more than it deepens the hue (wood modified
+ * at 220 degrees is a dark brown of the chroma that it had): the grey y goes with a high power,
+ * the channel c's share of it with a low one. */
+static double charred(double c, double y, double how) {
   const double black = 0.022;
   if (c < black || how <= 0.0) return c;
-  double toasted = scalar_exp((1.0 + 2.2 * how) * scalar_log(c));
+  double deeper = 2.2 * how * scalar_log(y) + 0.7 * how * scalar_log(c / y);
+  double toasted = c * scalar_exp(deeper);
   double soot = black * scalar_exp(0.2 * scalar_log(c / black));
   double x = toasted + how * how * (soot - toasted);
   return x < c ? x : c;
@@ -44,7 +47,7 @@ static void treat(float colour[3], const settings *s, const float early[3], cons
   double f = wet[choice_at(s, P_FINISH)], own = grey_of(colour), base = grey_of(early);
   for (int c = 0; c < 3; c++) {
     double x = (double)colour[c];
-    if (surface == SURFACE_CHARRED) x = charred(x, number_at(s, P_CHARRING));
+    if (surface == SURFACE_CHARRED) x = charred(x, own, number_at(s, P_CHARRING));
     if (surface == SURFACE_WEATHERED) {
       double g = number_at(s, P_GREYING);
       x += g * (follow(own, base, (double)grey[c], 0.6) - x);

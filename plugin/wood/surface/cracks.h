@@ -3,10 +3,10 @@
  * Charred wood shrinks into cells, like an alligator's skin: columns along the
  * fibre, Voronoi's in the reference section, and each cracked across at places
  * of its own, all of it bent by noise. Between two such cracks a plate lies, warped its own way, so
- * that no two mirror the same sky; some have a hairline more. The height is a parabola of the distance to the nearest
- * crack, with a narrow core: -depth (0.45 (1 - d / W)^2 + 0.55 (1 - 4 d / W)^2), each where its
- * bracket is positive. At a column's edge the distance is 0, so that where neighbours' cracks do
- * not meet nothing jumps.
+ * that no two mirror the same sky; some have a hairline more. A crack's height is a parabola of the
+ * distance to the nearest crack, with a narrow core: -depth (0.45 (1 - d / W)^2 + 0.55 (1 - 4 d /
+ * W)^2), each where its bracket is positive. At a column's edge the distance is 0, so that where
+ * neighbours' cracks do not meet nothing jumps.
  */
 #ifndef SOZAI_WOOD_SURFACE_CRACKS_H
 #define SOZAI_WOOD_SURFACE_CRACKS_H
@@ -54,9 +54,10 @@ INLINE crack_warp cracks_warp(const wood_surface *m, vu seed, vf x, vf y, vf z, 
     if (o && !any(gt(keep, splat(0.0f)))) break;
     for (int c = 0; c < 3; c++) {
       vf g[3], k = splat(reach[c]) * keep;
-      vf n = noise_gradient3(x * splat(1.0f / (finer * size[0])), y * splat(1.0f / (finer * size[1])),
-                             z * splat(1.0f / (finer * size[2])),
-                             seed + splatu(HASH_X * (uint32_t)(c + 1 + 3 * o)), g);
+      vf n =
+          noise_gradient3(x * splat(1.0f / (finer * size[0])), y * splat(1.0f / (finer * size[1])),
+                          z * splat(1.0f / (finer * size[2])),
+                          seed + splatu(HASH_X * (uint32_t)(c + 1 + 3 * o)), g);
       to[c] = to[c] + k * n;
       for (int i = 0; i < 3; i++) {
         q.back[c][i] = q.back[c][i] + k * splat(1.0f / (finer * size[i])) * g[i];
@@ -116,9 +117,9 @@ INLINE crack_spot crack_across(vf y, float frequency, vu column, float least, fl
 #define HAIRLINES 150       /* of 256 places, those that have one */
 #define HAIRLINE_KEEPS 0.2f /* of the way between cracks: what it keeps from them */
 
-/* A hash's 10 bits as a slope within +-PLATE_TILT. */
+/* A hash's 10 bits, from -1 to 1. */
 INLINE vf plate_slope(vu h) {
-  return (to_float((vi)(h & splatu(1023u))) - splat(511.5f)) * splat(PLATE_TILT / 511.5f);
+  return (to_float((vi)(h & splatu(1023u))) - splat(511.5f)) * splat(1.0f / 511.5f);
 }
 
 /* widen: mm that the footprint takes at least. */
@@ -159,8 +160,8 @@ INLINE crack_place cracks_at(const wood_constants *w, vu own, vf px, vf py, vf p
 
   /* across: cracks that part the plates, and hairlines between them */
   crack_spot part = crack_across(q.y, m->crack_frequency[1], column, 1.0f, 2.0f, 256);
-  crack_spot fine =
-      crack_across(q.y, 2.6f * m->crack_frequency[1], column + splatu(HASH_X), 2.0f, 3.5f, HAIRLINES);
+  crack_spot fine = crack_across(q.y, 2.6f * m->crack_frequency[1], column + splatu(HASH_X), 2.0f,
+                                 3.5f, HAIRLINES);
   vm along = lt(edge, part.d);
   vf rim = sel(along, edge, part.d), d = rim;
   vf keeps = splat(HAIRLINE_KEEPS / m->crack_frequency[1]);
@@ -188,7 +189,7 @@ INLINE crack_place cracks_at(const wood_constants *w, vu own, vf px, vf py, vf p
   vf fall = splat(2.0f) * over * inverse * plane;
   vf edges[3] = {sel(along, fall * ex, zero), sel(along, zero, fall * part.slope),
                  sel(along, fall * ez, zero)};
-  vf deep = zero - share * splat(1.0f / m->crack_depth);
+  vf deep = zero - share * splat(m->plate_tilt);
   p.depth = p.depth + deep * plane * level;
   for (int c = 0; c < 3; c++) g[c] = g[c] + deep * (tilt[c] * level + edges[c]);
   p.x = g[0] * q.back[0][0] + g[1] * q.back[1][0] + g[2] * q.back[2][0];

@@ -24,8 +24,6 @@ enum { MARKS_NONE, MARKS_BAND, MARKS_CIRCULAR, MARKS_KNIVES, MARKS_STROKES };
 #define SURFACE_WEAR_STEPS 24 /* of the table of slopes that a footprint leaves */
 
 /* A layer of noise: value noise of two axes. */
-#define PLATE_TILT 0.11f /* slope of a plate of char, at most, each way */
-
 typedef struct {
   float height;       /* mm, over HASH_ONE; 0: there is none */
   float frequency[2]; /* 1/mm, along each axis */
@@ -74,6 +72,7 @@ typedef struct {
   float crack_frequency[2]; /* 1/mm: of the cells, across and along the fibre */
   float crack_depth;        /* mm; 0: there are none */
   float crack_width;        /* mm: half of a crack with its rounded shoulders */
+  float plate_tilt;         /* over crack_depth: a plate's slope, at most, each way */
   float crack_stain;        /* share of the albedo that a crack's core takes */
   float crack_dark, crack_mean, crack_slope2;
 } wood_surface;
