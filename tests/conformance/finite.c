@@ -58,7 +58,7 @@ static void finite_in(const char *id, const char *set) {
   for (uint32_t k = 0; k <= info->preset_count; k += step) {
     t = make(k);
     assert_non_null(t);
-    for (uint32_t round = 0; round < 60; round++) {
+    for (uint32_t round = 0; round < 44; round++) {
       batch_make(&b, info, BATCH_MAX);
       /* all of an input, here and there among ordinary ones, or everything */
       for (uint32_t a = 0; a < 16; a++) {
