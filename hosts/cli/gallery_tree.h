@@ -12,6 +12,12 @@ bool gallery_is_tree(const shot *s);
 /* As `sozai grow tree` draws it, which takes GALLERY_TREE_LEVEL as --level: of what a finer one
  * has, pixels of the gallery see nothing. */
 #define GALLERY_TREE_LEVEL 2u
-bool gallery_tree_render(session *g, const shot *s, uint32_t spp, film *out, failure *why);
+
+typedef struct gallery_tree {
+  const shot *shot;
+  uint32_t spp, threads;
+} gallery_tree;
+
+bool gallery_tree_render(session *s, const gallery_tree *t, film *out, failure *why);
 
 #endif

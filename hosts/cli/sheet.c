@@ -20,12 +20,35 @@ static float mean_of_four(const film *f, uint32_t x, uint32_t y, uint32_t k) {
   return 0.25f * (p[0] + p[3] + p[row] + p[row + 3]);
 }
 
-bool sheet_add(sheet *s, const film *f, const char *name, failure *why) {
+bool sheet_shrink(sheet_picture *out, const film *f, failure *why) {
+  *out = (sheet_picture){.width = f->width / 2, .height = f->height / 2};
+  float *to = out->rgb = malloc((size_t)3 * out->width * out->height * sizeof *to);
+  if (!to) return fail(why, EXIT_FAILURE, "out of memory");
+  for (uint32_t y = 0; y < out->height; y++)
+    for (uint32_t x = 0; x < out->width; x++)
+      for (uint32_t k = 0; k < 3; k++) *to++ = mean_of_four(f, x, y, k);
+  return true;
+}
+
+void sheet_picture_free(sheet_picture *p) {
+  free(p->rgb);
+  *p = (sheet_picture){0};
+}
+
+static void keep_name(char to[SHEET_NAME], const char *name) {
+  size_t length = strcspn(name, "(");
+  if (length >= SHEET_NAME) length = SHEET_NAME - 1;
+  while (length && (name[length - 1] == ' ' || (name[length] & 0xC0) == 0x80)) length--;
+  memcpy(to, name, length);
+  to[length] = 0;
+}
+
+bool sheet_add(sheet *s, const sheet_picture *p, const char *name, failure *why) {
   if (s->count == 0) {
-    s->width = f->width / 2;
-    s->height = f->height / 2;
+    s->width = p->width;
+    s->height = p->height;
   }
-  if (f->width / 2 != s->width || f->height / 2 != s->height)
+  if (p->width != s->width || p->height != s->height)
     return fail(why, EXIT_FAILURE, "pictures of different sizes on one sheet");
   float *more = realloc(s->pictures, (s->count + 1) * picture_floats(s) * sizeof *more);
   if (!more) return fail(why, EXIT_FAILURE, "out of memory");
@@ -33,15 +56,8 @@ bool sheet_add(sheet *s, const film *f, const char *name, failure *why) {
   char(*names)[SHEET_NAME] = realloc(s->names, (s->count + 1) * sizeof *names);
   if (!names) return fail(why, EXIT_FAILURE, "out of memory");
   s->names = names;
-  size_t length = strcspn(name, "(");
-  if (length >= SHEET_NAME) length = SHEET_NAME - 1;
-  while (length && (name[length - 1] == ' ' || (name[length] & 0xC0) == 0x80)) length--;
-  memcpy(names[s->count], name, length);
-  names[s->count][length] = 0;
-  float *to = s->pictures + s->count++ * picture_floats(s);
-  for (uint32_t y = 0; y < s->height; y++)
-    for (uint32_t x = 0; x < s->width; x++)
-      for (uint32_t k = 0; k < 3; k++) *to++ = mean_of_four(f, x, y, k);
+  keep_name(names[s->count], name);
+  memcpy(more + s->count++ * picture_floats(s), p->rgb, picture_floats(s) * sizeof *more);
   return true;
 }
 

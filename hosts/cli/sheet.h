@@ -7,6 +7,15 @@
 
 #define SHEET_NAME 64
 
+/* A picture at half its size. */
+typedef struct sheet_picture {
+  uint32_t width, height;
+  float *rgb;
+} sheet_picture;
+
+bool sheet_shrink(sheet_picture *out, const film *f, failure *why);
+void sheet_picture_free(sheet_picture *p);
+
 typedef struct sheet {
   uint32_t width, height; /* of a small picture */
   uint32_t count;
@@ -14,9 +23,9 @@ typedef struct sheet {
   char (*names)[SHEET_NAME];
 } sheet;
 
-/* Half its size. Pictures of another size than the first's are refused. A name
- * ends at its first bracket; neighbours of one name share one caption. */
-bool sheet_add(sheet *s, const film *f, const char *name, failure *why);
+/* Pictures of another size than the first's are refused. A name ends at its first bracket;
+ * neighbours of one name share one caption. */
+bool sheet_add(sheet *s, const sheet_picture *p, const char *name, failure *why);
 /* Lay them out, with captions where there is a font to write them in; out holds a beauty and no
  * layers. */
 bool sheet_finish(const sheet *s, uint32_t columns, film *out, failure *why);

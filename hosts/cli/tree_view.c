@@ -84,7 +84,8 @@ bool tree_view_render(const tree_view *v, const sozai_mesh *m, session *s, film 
   mesh given;
   render_job job;
   render_job_init(&job, NULL, NULL);
-  job.threads = s->host.threads;
+  job.threads = v->threads ? v->threads : s->host.threads;
+  job.quiet = v->quiet;
   job.spp = v->spp;
   job.zoom = v->zoom;
   const job_options look = {.camera = v->camera, .target = v->target};

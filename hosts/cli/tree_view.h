@@ -12,6 +12,8 @@ typedef struct tree_view {
   const char *camera; /* AZ,EL[,ANGLE] */
   const char *target; /* X,Y,Z, or NULL */
   double zoom;
+  uint32_t threads; /* 0: the session's */
+  bool quiet;       /* no progress bar */
 } tree_view;
 
 #define TREE_VIEW_DEFAULT                                                                          \

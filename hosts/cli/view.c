@@ -43,14 +43,15 @@ static void draw_row(void *context, uint32_t y) {
   const film *f = d->picture->film;
   if (cancel_requested()) return;
   for (uint32_t x = 0; x < f->width; x++) draw_pixel(d->picture, x, y);
-  progress_show((float)(atomic_fetch_add(&d->rows, 1) + 1) / (float)f->height, "rendering");
+  uint32_t rows = atomic_fetch_add(&d->rows, 1) + 1;
+  if (!d->picture->job->quiet) progress_show((float)rows / (float)f->height, "rendering");
 }
 
 bool view_draw(const view_picture *p, failure *why) {
   drawing d = {.picture = p};
   atomic_init(&d.rows, 0);
   parallel_for(p->job->threads, p->film->height, draw_row, &d);
-  progress_clear();
+  if (!p->job->quiet) progress_clear();
   return !cancel_requested() || fail(why, EXIT_FAILURE, "cancelled");
 }
 

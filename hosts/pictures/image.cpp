@@ -46,6 +46,8 @@ bool write(const char *path, uint32_t width, uint32_t height, const image_channe
   oiio::add_channels(spec, channels, count);
   oiio::add_writing(spec);
   if (colour) oiio::add_colour(spec, *colour);
+  // 6, the writer's own, takes 2.5 times as long for pictures of materials, for 5 % of their size
+  spec.attribute("png:compressionLevel", 4);
 
   size_t pixels = size_t(width) * height;
   std::vector<float> interleaved(pixels * count);

@@ -66,7 +66,7 @@ static bool run_tiles(const render_job *job, const scene *s, const sozai_texture
             .lock = PTHREAD_MUTEX_INITIALIZER};
   find_sky(&w.context);
   parallel_for(job->threads, w.tiles, run_tile, &w);
-  progress_clear();
+  if (!job->quiet) progress_clear();
   if (atomic_load(&w.failed)) *why = w.why;
   return !atomic_load(&w.failed);
 }
