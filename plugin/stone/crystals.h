@@ -3,7 +3,9 @@
  * What is seen within a crystal, as brightness relative to its mineral, mean 1:
  * the lamellae of cleavage and of twins, straight, in each crystal in a direction
  * of its own; clouds, as of altered feldspar; the healed cracks of quartz, light,
- * and flecks of mica, dark. MacKenzie, Donaldson and Guilford, Atlas of Igneous
+ * and flecks of mica, dark. Cracks are sheets along the stone's rift, in every crystal
+ * the same: they are what a quarryman splits it by. Dale, The Commercial Granites of
+ * New England, USGS Bulletin 738 (1923); MacKenzie, Donaldson and Guilford, Atlas of Igneous
  * Rocks and their Textures (1982); Deer, Howie and Zussman, An Introduction to the
  * Rock-Forming Minerals (1992).
  *
@@ -27,13 +29,18 @@
 #define CRYSTAL_GONE 0.19f  /* and from which on not; */
 #define CRYSTAL_SEEN4 0.12f /* the same of squares in quarters */
 #define CRYSTAL_GONE4 0.21f
-#define CRACK_MEAN 0.1023f /* of max(0, 1 - |n| / 0.05), n gradient noise */
+#define CRACK_SHEETS 5.5f  /* to a cell across the rift */
+#define CRACK_SWAY 0.32f   /* of their distance over the noise: steeper, they would close to loops \
+                            */
+#define CRACK_WIDE 0.055f  /* of their distance: half of one's width */
 #define FLECK_MEAN 0.0137f /* of clamp01((n - 0.36) 8) */
 
-/* What cracks and flecks are cut from: a noise's mean over the footprint, as far as its middle
- * tells, how much it changes there, and by what along each side. */
+/* What flecks are cut from: a noise's mean over the footprint, as far as its middle tells, how
+ * much it changes there, and by what along each side. And cracks, where `sheet` is whole: the
+ * place across the rift, which the noise sways. */
 typedef struct {
   vf fine, extent2, along[2];
+  vf sheet, sheet_along[2];
 } crystal_noise;
 
 /* Whether there is anything to be seen. */
@@ -63,6 +70,11 @@ INLINE crystal_noise crystal_at(const stone_cells *c, const vf q[3], const cells
   n.along[1] = b * splat(CRYSTAL_FINE / HASH_ONE);
   const float square = 0.5f * 1.8f * CRYSTAL_FINE * CRYSTAL_FINE / (HASH_ONE * HASH_ONE);
   /* a noise is no plane for long, and bends where it has no slope */
+  const float rift[3] = {0.77f * CRACK_SHEETS, -0.53f * CRACK_SHEETS, 0.355f * CRACK_SHEETS};
+  vf across[3] = {splat(rift[0]), splat(rift[1]), splat(rift[2])}, sway = splat(CRACK_SWAY);
+  n.sheet = dot3(across, q) + sway * n.fine;
+  n.sheet_along[0] = dot3(across, s->u) + sway * n.along[0];
+  n.sheet_along[1] = dot3(across, s->v) + sway * n.along[1];
   n.extent2 = vmin(splat(square) * (a * a + b * b), splat(0.05f)) + splat(0.1f) * wide2 * wide2;
   return n;
 }
@@ -116,17 +128,25 @@ INLINE vf crystal_lamellae(vu h, const vf q[3], const cells_square *s) {
   return keep * (sum[1] - sum[0]) * (inverse * splat(0.70710678f / HASH_ONE));
 }
 
+/* The nearest sheet's, of area CRACK_WIDE to a unit across, wherever the footprint is, and the
+ * mean is half of that: a crack heals away as the noise falls. */
+INLINE vf crystal_crack(const crystal_noise *n) {
+  vf half = splat(0.5f), a = n->sheet_along[0], b = n->sheet_along[1];
+  vi unused;
+  vf off = vabs(n->sheet - vfloor(n->sheet, &unused) - half);
+  vf wide = vsqrt(a * a + b * b + splat(4.0f * CRACK_WIDE * CRACK_WIDE));
+  vf broad = half * wide, inverse = splat(1.0f) / broad;
+  vf there = clamp01(half + n->fine + n->fine);
+  return splat(CRACK_WIDE) * (vmax(broad - off, splat(0.0f)) * inverse * inverse * there - half);
+}
+
 /* What is cut from the noise, of the base's and the third mineral (feldspars), and of the second
  * (quartz). Cracks and flecks are blurred as if the noise were a plane over the footprint. */
 INLINE void crystal_cut(const crystal_noise *n, vf tone[2]) {
-  vf zero = splat(0.0f), wide = vsqrt(n->extent2 + splat(0.015625f)),
-     broad = splat(0.5f) * wide - splat(0.0125f), inverse = splat(1.0f) / (broad * wide);
-  vf per = inverse * wide; /* 1 / broad */
-  vf crack = splat(0.05f) * vmax(broad - vabs(n->fine), zero) * per * per - splat(CRACK_MEAN);
-  vf fleck =
-      clamp01(splat(0.5f) + (n->fine - splat(0.4225f)) * (inverse * broad)) - splat(FLECK_MEAN);
+  vf wide = vsqrt(n->extent2 + splat(0.015625f));
+  vf fleck = clamp01(splat(0.5f) + (n->fine - splat(0.4225f)) / wide) - splat(FLECK_MEAN);
   tone[0] = splat(0.16f) * n->fine - splat(0.6f) * fleck;
-  tone[1] = splat(0.3f) * n->fine + splat(0.16f) * crack;
+  tone[1] = splat(0.3f) * n->fine + splat(0.26f) * crystal_crack(n);
 }
 
 /* Clouds, of a size of a third of a cell, in a square so wide. */
@@ -185,11 +205,13 @@ INLINE void crystal_tones_sloped(const stone_cells *c, const vf q[3], const cell
     part.v[k] = s->v[k] * half;
   }
   crystal_noise n = crystal_at(c, q, &part, wide * half);
-  vf middle = n.fine, u = n.along[0] * splat(CRYSTAL_SLOPED),
-     v = n.along[1] * splat(CRYSTAL_SLOPED);
+  const vf sloped = splat(CRYSTAL_SLOPED);
+  vf middle = n.fine, u = n.along[0] * sloped, v = n.along[1] * sloped;
+  vf sheet = n.sheet, sheet_u = n.sheet_along[0] * sloped, sheet_v = n.sheet_along[1] * sloped;
   for (int i = 0; i < 4; i++) {
     vf here[2];
     n.fine = cells_towards(&quarters, i, middle, u, v);
+    n.sheet = cells_towards(&quarters, i, sheet, sheet_u, sheet_v);
     crystal_cut(&n, here);
     for (int k = 0; k < 2; k++) cut[k][i] = here[k];
   }
