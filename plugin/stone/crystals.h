@@ -29,10 +29,8 @@
 #define CRYSTAL_GONE 0.19f  /* and from which on not; */
 #define CRYSTAL_SEEN4 0.12f /* the same of squares in quarters */
 #define CRYSTAL_GONE4 0.21f
-#define CRACK_SHEETS 5.5f /* to a cell across the rift */
-#define CRACK_SWAY                                                                                 \
-  0.32f                    /* of their distance over the noise: steeper, they would close to loops \
-                            */
+#define CRACK_SHEETS 5.5f  /* to a cell across the rift */
+#define CRACK_SWAY 0.32f   /* of their distance over the noise: steeper, they would close */
 #define CRACK_WIDE 0.055f  /* of their distance: half of one's width */
 #define FLECK_MEAN 0.0137f /* of clamp01((n - 0.36) 8) */
 
