@@ -166,7 +166,7 @@ std::string fitting(const std::string &text, int size, int room) {
   for (size_t at = text.rfind(','); at != std::string::npos && at; at = text.rfind(',', at - 1))
     if (fits(text.substr(0, at), size, room)) return text.substr(0, at);
   for (size_t at = text.rfind(' '); at != std::string::npos && at; at = text.rfind(' ', at - 1))
-    if (fits(text.substr(0, at) + "\u2026", size, room)) return text.substr(0, at) + "\u2026";
+    if (fits(text.substr(0, at) + "...", size, room)) return text.substr(0, at) + "...";
   std::string letters = text;
   while (!letters.empty() && !fits(letters, size, room)) do
       letters.pop_back();

@@ -214,8 +214,11 @@ static double late_profile_integral(const wood_constants *w, double f) {
   double before = 6.0 * (double)w->late_sixth, after = (double)w->late_after;
   double past = f - (double)w->late_middle;
   double a = within01((f - (double)w->late_start) / before), b = 1.0 - within01(past / after);
-  return before / 6.0 * a * a * a + after * (5.0 / 6.0 - b + b * b * b / 6.0) +
-         (past > after ? past - after : 0.0);
+  double full = past > after ? past - after : 0.0;
+  double missing = after * (2.0 / 3.0 - b + b * b * b / 3.0) +
+                   full * (1.0 - 0.5 * full * (double)w->inverse_late_full);
+  return before / 6.0 * a * a * a + after * (5.0 / 6.0 - b + b * b * b / 6.0) + full -
+         (double)w->late_deepening * missing;
 }
 
 static void build_season(wood_constants *w, const settings *s) {
@@ -228,6 +231,8 @@ static void build_season(wood_constants *w, const settings *s) {
   w->late_sixth = (float)(before / 6.0);
   w->late_after = (float)after;
   w->inverse_late_after = (float)(1.0 / after);
+  w->late_deepening = (float)number_at(s, P_LATE_DEEPENING);
+  w->inverse_late_full = (float)(1.0 / (1.0 - middle - after));
 }
 
 static int32_t build_rings(wood_constants *w, const settings *s, const knot_source *tree) {
@@ -750,8 +755,8 @@ static void build_spalt(wood_constants *w, const settings *s) {
 static void build_fibres(wood_constants *w, const settings *s) {
   static const double size[WOOD_FIBRE_OCTAVES] = {1.0, 7.0, 60.0};
   static const double weight[WOOD_FIBRE_OCTAVES] = {0.34, 0.33, 0.33};
-  /* of the growth front, which single fibres do not make */
-  static const double bundle[WOOD_FIBRE_OCTAVES] = {0.0, 0.5, 0.5};
+  /* of the growth front: a cell more or less in a radial file of them, and bundles */
+  static const double bundle[WOOD_FIBRE_OCTAVES] = {0.25, 0.4, 0.35};
   double most = 0.25 * number_at(s, P_RING_WIDTH), stray = number_at(s, P_LATE_STRAY);
   if (stray > most) stray = most;
   w->has_front = stray > 0.0;

@@ -148,6 +148,12 @@ static const sozai_parameter late_variation = {
    .doc = "How much paler than the darkest the latewood of a year may be.",
    .hard_min = 0, .hard_max = 0.9, .soft_min = 0, .soft_max = 0.6, .default_number = {0.3}};
 
+static const sozai_parameter late_deepening = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "latewood_deepening", .label = "Latewood deepening", .group = "season", .unit = "",
+   .doc = "How much paler latewood is where it begins than at the ring's end, towards which its cells go on flattening: 0 alike throughout.",
+   .hard_min = 0, .hard_max = 0.5, .soft_min = 0, .soft_max = 0.4, .default_number = {0}};
+
 static const sozai_parameter late_stray = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "latewood_stray", .label = "Latewood stray", .group = "season", .unit = "mm",
@@ -1143,6 +1149,7 @@ const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_LATE_FRACTION] = &late_fraction,
    [P_LATE_ABRUPTNESS] = &late_abruptness,
    [P_LATE_VARIATION] = &late_variation,
+   [P_LATE_DEEPENING] = &late_deepening,
    [P_LATE_STRAY] = &late_stray,
    [P_GRAIN] = &grain,
    [P_SPIRAL_SLOPE] = &spiral_slope,

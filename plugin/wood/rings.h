@@ -67,17 +67,33 @@ INLINE ring_place ring_at(const wood_constants *w, vf rho) {
   return p;
 }
 
-/* Integral from 0 to f of the latewood profile: 0 up to late_start, rising by
- * a parabola to 1/2 at late_middle, by another to 1 late_after further on, and
- * 1 to the ring's end. */
+/* The latewood profile at phase f: 0 up to late_start, rising by a parabola to 1/2 at
+ * late_middle, by another to 1 - late_deepening late_after further on, and by a line to 1
+ * at the ring's end: the tracheids' lumina narrow to the last row, and with them the
+ * density, as microdensitometry shows it (Polge, Wood Science
+ * and Technology 12, 1978). */
+INLINE vf late_profile(const wood_constants *w, vf f) {
+  vf one = splat(1.0f), half = splat(0.5f), past = f - splat(w->late_middle);
+  vf a = clamp01((f - splat(w->late_start)) * splat(w->inverse_late_before));
+  vf b = one - clamp01(past * splat(w->inverse_late_after));
+  vf left = one - clamp01((past - splat(w->late_after)) * splat(w->inverse_late_full));
+  vf missing = splat(w->late_deepening) * (left - b * b);
+  return sel(lt(past, splat(0.0f)), half * a * a, one - half * b * b - missing);
+}
+
+/* Its integral from 0 to f. */
 INLINE vf late_integral(const wood_constants *w, vf f) {
   vf one = splat(1.0f), past = f - splat(w->late_middle);
   vf a = clamp01((f - splat(w->late_start)) * splat(w->inverse_late_before));
   vf b = one - clamp01(past * splat(w->inverse_late_after));
-  vf after = splat(w->late_after);
-  return splat(w->late_sixth) * a * a * a +
-         after * (splat(5.0f / 6.0f) - b + b * b * b * splat(1.0f / 6.0f)) +
-         vmax(past - after, splat(0.0f));
+  vf after = splat(w->late_after), sixth = splat(1.0f / 6.0f),
+     full = vmax(past - after, splat(0.0f));
+  vf whole = splat(w->late_sixth) * a * a * a +
+             after * (splat(5.0f / 6.0f) - b + b * b * b * sixth) + full;
+  if (!(w->late_deepening > 0.0f)) return whole;
+  vf missing = after * (splat(2.0f / 3.0f) - b + b * b * b * splat(1.0f / 3.0f)) +
+               full * (one - full * splat(0.5f * w->inverse_late_full));
+  return whole - splat(w->late_deepening) * missing;
 }
 
 /* Integral from 0 to f of the pores' expected coverage over its full value. */
@@ -133,7 +149,10 @@ INLINE vf ring_average(const wood_constants *w, int what, const ring_place *at, 
     if (any(edge)) {
       vf width = splat(1.0f) / at->inverse_width;
       vf within = at->weight * (late_integral(w, g1) - late_integral(w, g0));
-      vf before = vmax(splat(0.0f) - f0, splat(0.0f)) * at->last;
+      vf before = vmax(splat(0.0f) - f0, splat(0.0f));
+      /* as if the last ring were as wide as this one */
+      vf missing = before * splat(0.5f * w->late_deepening * w->inverse_late_full);
+      before = before * (splat(1.0f) - missing) * at->last;
       m = sel(edge, (within + before) * width / e, m);
       inside = or_(inside, edge);
     }

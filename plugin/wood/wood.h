@@ -182,6 +182,8 @@ typedef struct {
   float inverse_late_before;            /* 1 / (middle - start) */
   float late_after, inverse_late_after; /* from the middle to the whole, and its inverse */
   float late_sixth;                     /* (middle - start) / 6 */
+  float late_deepening;                 /* what is missing where latewood begins, */
+  float inverse_late_full;              /* and gone 1 / this further on, at the ring's end */
   float late_period;                    /* integral over the table */
   float blur;                           /* mm: no ring edge is sharper */
   float safe; /* mm: footprints this small never span a ring's rise and an edge */

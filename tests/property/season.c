@@ -63,6 +63,30 @@ static void fraction_and_abruptness(void **state) {
   }
 }
 
+/* From the knee, where the parabola ends, latewood deepens along a line to the ring's end; where
+ * it is half way does not move. */
+static void deepens_to_the_end(void **state) {
+  (void)state;
+  for (int k = 0; k <= 2; k++) {
+    double deepening = 0.2 * k, late[STEPS], share = 0, worst = 0;
+    char text[128];
+    snprintf(text, sizeof text,
+             "latewood_fraction=0.5; latewood_abruptness=1; latewood_deepening=%g", deepening);
+    profile(text, late);
+    /* abruptness 1: the knee is 0.08 of the latewood past its middle */
+    double knee = 0.5 + 0.08 * 0.5;
+    for (int i = 0; i < STEPS; i++) {
+      double f = (i + 0.5) / STEPS;
+      share += (late[i] > 0.5) / (double)STEPS;
+      if (f < knee + 0.002 || f > 0.998) continue;
+      worst = fmax(worst, fabs(late[i] - (1 - deepening * (1 - f) / (1 - knee))));
+    }
+    CHECK(fabs(share - 0.5) < 0.005 && worst < 1e-3,
+          "deepening by %.2f: %.3f of the ring above half, at most %.1e off the line\n", deepening,
+          share, worst);
+  }
+}
+
 static void every_species_has_seasons(void **state) {
   (void)state;
   for (unsigned k = 0; k < wood_presets(); k++) {
@@ -85,6 +109,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(rises_through_the_ring),
       cmocka_unit_test(fraction_and_abruptness),
+      cmocka_unit_test(deepens_to_the_end),
       cmocka_unit_test(every_species_has_seasons),
   };
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);

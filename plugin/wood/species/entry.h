@@ -49,7 +49,10 @@ SPECIES_ALL(DECLARE)
 #define FAIRLY_DISTINCT 3.0
 #define INDISTINCT 8.0
 
-#define CONIFER CHOICE("porosity", "none"), NUMBER("latewood_stray", 0.1)
+/* deepening: of latewood, as densities rise within it in the literature's profiles. */
+#define CONIFER(deepening)                                                                         \
+  CHOICE("porosity", "none"), NUMBER("latewood_stray", 0.12),                                      \
+      NUMBER("latewood_deepening", deepening)
 #define DIFFUSE_POROUS(density, diameter, spread)                                                  \
   CHOICE("porosity", "diffuse"), NUMBER("latewood_stray", 0.15),                                   \
       NUMBER("vessel_density", density), NUMBER("vessel_diameter", diameter),                      \

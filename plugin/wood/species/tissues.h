@@ -57,7 +57,7 @@
     LATEWOOD(0.32, 0.85), \
     NUMBER("latewood_variation", 0.25), \
     NUMBER("slope_noise", 0.02), \
-    CONIFER, \
+    CONIFER(0.2), \
     NUMBER("fibre_brightness", 0.12), \
     NUMBER("fibre_width", 0.05), \
     SRGB("earlywood_colour", 208, 152, 104), \
@@ -76,7 +76,7 @@
     LATEWOOD(0.26, 0.62), \
     NUMBER("latewood_variation", 0.3), \
     NUMBER("slope_noise", 0.018), \
-    CONIFER, \
+    CONIFER(0.3), \
     NUMBER("fibre_brightness", 0.12), \
     NUMBER("fibre_width", 0.05), \
     SRGB("earlywood_colour", 224, 180, 128), \
@@ -96,7 +96,7 @@
     LATEWOOD(0.2, 0.72), \
     NUMBER("latewood_variation", 0.35), \
     NUMBER("slope_noise", 0.012), \
-    CONIFER, \
+    CONIFER(0.3), \
     NUMBER("fibre_brightness", 0.1), \
     NUMBER("fibre_width", 0.05), \
     SRGB("earlywood_colour", 226, 176, 138), \

@@ -108,7 +108,11 @@ static double late_profile(const wood_constants *w, double rho) {
   double b = 1.0 - (f - (double)w->late_middle) * (double)w->inverse_late_after;
   a = a < 0.0 ? 0.0 : a > 1.0 ? 1.0 : a;
   b = b < 0.0 ? 0.0 : b > 1.0 ? 1.0 : b;
-  double rise = f < (double)w->late_middle ? 0.5 * a * a : 1.0 - 0.5 * b * b;
+  double left =
+      1.0 - (f - (double)w->late_middle - (double)w->late_after) * (double)w->inverse_late_full;
+  left = left < 0.0 ? 0.0 : left > 1.0 ? 1.0 : left;
+  double missing = (double)w->late_deepening * (left - b * b);
+  double rise = f < (double)w->late_middle ? 0.5 * a * a : 1.0 - 0.5 * b * b - missing;
   return (double)w->late_weight[low + 1] * rise;
 }
 

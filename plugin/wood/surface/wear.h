@@ -14,11 +14,7 @@
 /* Latewood's profile at rho, not averaged. */
 INLINE vf wear_profile(const wood_constants *w, vf rho) {
   ring_place p = ring_at(w, vmax(rho, splat(0.0f)));
-  vf a = clamp01((p.phase - splat(w->late_start)) * splat(w->inverse_late_before));
-  vf b = splat(1.0f) - clamp01((p.phase - splat(w->late_middle)) * splat(w->inverse_late_after));
-  vf half = splat(0.5f);
-  vf rise = sel(lt(p.phase, splat(w->late_middle)), half * a * a, splat(1.0f) - half * b * b);
-  return p.weight * rise;
+  return p.weight * late_profile(w, p.phase);
 }
 
 /* The average, and its slope along rho. e: mm of the boxes. */
