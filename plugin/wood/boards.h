@@ -21,7 +21,6 @@ typedef struct {
 
   /* of plies; see plies/ply.h */
   vf filler[3];        /* colour of what is no wood: glue, gaps and joints */
-  vf ending;           /* share of end grain's colour */
   vf down[3], squeeze; /* log space: down the surface; how much shorter the footprint is there */
   vf wide;             /* mm: the footprint, where rings curve under it, else 0 */
   vf bent;             /* mm: the footprint on peeled veneer, else 0 */
@@ -276,7 +275,6 @@ INLINE vf board_filler(const wood_constants *w, const wood_board *board, int c) 
 
 /* What the joint and the board's shade make of a channel of the albedo. */
 INLINE vf board_albedo(const wood_constants *w, const wood_board *board, int c, vf albedo) {
-  if (w->plies.count) albedo = mix(albedo, splat(w->plies.end_colour[c]), board->ending);
   return mix(albedo * board->tone, board_filler(w, board, c), board->unit.joint);
 }
 

@@ -896,6 +896,13 @@ INLINE void stage_knot_colour(const wood_constants *w, block *k, vf late) {
   }
 }
 
+/* How far a face looks into the open ends of the cells along the stem, or of the rays': the
+ * square of the normal's part along them, from 0.1 of the normal on. Without normals nothing. */
+#define ENDS_FROM 0.01f
+INLINE vf ends_seen(vf along2) {
+  return vmax(along2 - splat(ENDS_FROM), splat(0.0f)) * splat(1.0f / (1.0f - ENDS_FROM));
+}
+
 INLINE void stage_colour(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf one = splat(1.0f), zero = splat(0.0f);
   /* pores stand everywhere; earlywood rows where there is no latewood, or in its stead */
@@ -944,10 +951,23 @@ INLINE void stage_colour(const wood_constants *w, int boards, const wood_io *io,
       tissue[c] = mix(tissue[c], splat(w->streak[c]) * k->shift, k->streak);
     }
   }
+  int ends = w->has_ends && io->in->normal[0];
+  if (ends) {
+    vf seen = ends_seen(one - k->up2);
+    if (any(gt(seen, zero))) {
+      UNROLL(3)
+      for (int c = 0; c < 3; c++) tissue[c] = tissue[c] - tissue[c] * (seen * splat(w->shade[c]));
+    }
+  }
   if (w->has_rays) {
+    vf seen = zero;
+    if (ends) {
+      vf out = k->nrm[0] * k->stem.c + k->nrm[2] * k->stem.s;
+      seen = ends_seen(out * out);
+    }
     UNROLL(3)
     for (int c = 0; c < 3; c++) {
-      vf ray = splat(w->ray[c]) * k->shift;
+      vf ray = splat(w->ray[c]) * (k->shift - k->shift * (seen * splat(w->ray_shade[c])));
       if (w->has_cells) {
         vf contrast = vmin(k->cell_contrast, cells_room(w, splat(w->ray[c])));
         ray = ray + ray * k->ray_cells * contrast;

@@ -739,6 +739,18 @@ static const sozai_parameter streak_colour = {
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.52, 0.46, 0.34},
    .default_text = "sRGB"};
 
+static const sozai_parameter end_shade = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "end_shade", .label = "End shade", .group = "colour", .unit = "",
+   .doc = "Share of what the walls reflect that stays among them, where a face looks into the cells' open ends: end grain is darker and deeper in colour than a face along the fibre. 0 for none.",
+   .hard_min = 0, .hard_max = 0.9, .soft_min = 0, .soft_max = 0.6, .default_number = {0}};
+
+static const sozai_parameter ray_shade = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "ray_shade", .label = "Rays' end shade", .group = "colour", .unit = "",
+   .doc = "The same of rays, whose ends the tangential face looks into: pale flakes of a quarter-sawn face are dark dashes on a flat-sawn one. 0 for none.",
+   .hard_min = 0, .hard_max = 0.9, .soft_min = 0, .soft_max = 0.7, .default_number = {0}};
+
 static const sozai_parameter age_years = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "age_years", .label = "Age", .group = "colour", .unit = "years",
@@ -1241,6 +1253,8 @@ const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_STREAK_WIDTH] = &streak_width,
    [P_STREAK_LENGTH] = &streak_length,
    [P_STREAK_COLOUR] = &streak_colour,
+   [P_END_SHADE] = &end_shade,
+   [P_RAY_SHADE] = &ray_shade,
    [P_AGE_YEARS] = &age_years,
    [P_AGEING_YEARS] = &ageing_years,
    [P_AGED_COLOUR] = &aged_colour,
@@ -1314,8 +1328,7 @@ const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_GLUE_LINE] = &plies_glue_line,
    [P_GLUE_UNEVENNESS] = &plies_glue_unevenness,
    [P_GLUE_COLOUR] = &plies_glue_colour,
-   [P_GLUE_STEP] = &plies_glue_step,
-   [P_END_SHADE] = &plies_end_shade};
+   [P_GLUE_STEP] = &plies_glue_step};
 
 static const sozai_channel channel_albedo = {
    .size = sizeof(sozai_channel), .first = WOOD_ALBEDO, .components = 3,

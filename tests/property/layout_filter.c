@@ -74,8 +74,8 @@ static void against_1024_samples(void **state) {
   CHECK(worst <= 0.01 && worst_mean <= 0.002,
         "anywhere: worst RMS %.4f (goal 0.01), worst mean %.4f (goal 0.002), up to 100 mm\n", worst,
         worst_mean);
-  CHECK(beyond <= 0.016 && astride <= 0.02,
-        "worst RMS %.4f under 300 mm (0.016), %.4f astride of joints (0.02)\n", beyond, astride);
+  CHECK(beyond <= 0.017 && astride <= 0.02,
+        "worst RMS %.4f under 300 mm (0.017), %.4f astride of joints (0.02)\n", beyond, astride);
 }
 
 int main(void) {

@@ -108,7 +108,6 @@ int32_t plies_build(wood_constants *w, const settings *s, const float (*colours)
   /* what a lathe's chucks leave, at the least */
   p->radius = (float)(radius > 40.0 ? radius : 40.0);
   p->tone = (float)number_at(s, P_TONE_SPREAD);
-  p->end_shade = (float)number_at(s, P_END_SHADE);
   p->face_cut = choice_at(s, P_FACE_CUT);
   p->match = choice_at(s, P_LEAF_MATCH);
   double leaf = number_at(s, P_LEAF_WIDTH), core = number_at(s, P_CORE_WIDTH);
@@ -133,7 +132,6 @@ int32_t plies_build(wood_constants *w, const settings *s, const float (*colours)
   memcpy(p->glue_colour, colours[P_GLUE_COLOUR], sizeof p->glue_colour);
   for (int c = 0; c < 3; c++) {
     p->hollow_colour[c] = (float)PLIES_HOLLOW * w->early[c];
-    p->end_colour[c] = (float)PLIES_END * w->late[c];
   }
   /* no line wanders through a ply */
   double uneven = number_at(s, P_GLUE_UNEVENNESS), least = 1e30;

@@ -127,10 +127,4 @@ const sozai_parameter plies_glue_step = {
    .id = "glue_step", .label = "Glue step", .group = "plies", .unit = "mm",
    .doc = "How far the glue, which is harder, stands above the wood of a sanded edge; below 0, beneath it.",
    .hard_min = -1, .hard_max = 1, .soft_min = -0.05, .soft_max = 0.05, .default_number = {0.004}};
-
-const sozai_parameter plies_end_shade = {
-   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
-   .id = "end_shade", .label = "End grain's shade", .group = "plies", .unit = "",
-   .doc = "How far plies are darkened towards half of their latewood's colour where fibres end at the surface, since light goes in along them.",
-   .hard_min = 0, .hard_max = 0.9, .soft_min = 0, .soft_max = 0.6, .default_number = {0.42}};
 /* clang-format on */

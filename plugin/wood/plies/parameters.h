@@ -11,6 +11,6 @@ enum { CONSTRUCTION_SOLID, CONSTRUCTION_PLYWOOD, CONSTRUCTION_LVL, CONSTRUCTION_
 extern const sozai_parameter plies_construction, plies_sheet_thickness, plies_sheets,
     plies_face_height, plies_count, plies_face_veneer, plies_core_veneer, plies_face_cut,
     plies_leaf_width, plies_leaf_match, plies_core_width, plies_core_gap, plies_lathe_checks,
-    plies_glue_line, plies_glue_unevenness, plies_glue_colour, plies_glue_step, plies_end_shade;
+    plies_glue_line, plies_glue_unevenness, plies_glue_colour, plies_glue_step;
 
 #endif

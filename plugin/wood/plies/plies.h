@@ -18,7 +18,6 @@
 #define PLIES_MOST 101   /* of a sheet */
 #define PLIES_TAPS 16    /* plies that a footprint looks at, at most */
 #define PLIES_LEAVES 24  /* of a flitch */
-#define PLIES_END 0.45   /* of latewood's reflectance: what shade end grain tends to */
 #define PLIES_HOLLOW 0.1 /* of the wood's reflectance is seen in a gap of the core */
 
 /* What a ply is. */
@@ -38,10 +37,8 @@ typedef struct {
   int32_t kind[PLIES_MOST];
   int32_t crossed[PLIES_MOST]; /* 1: its grain runs across the faces' */
 
-  float radius;    /* mm: of the log, where the knife begins; the mean */
-  float tone;      /* sd of a ply's shade, relative */
-  float end_shade; /* share of end_colour where fibres end at the surface */
-  float end_colour[3];
+  float radius;   /* mm: of the log, where the knife begins; the mean */
+  float tone;     /* sd of a ply's shade, relative */
   float width[2]; /* mm, of the pieces: the core's, the faces' */
   int32_t face_cut, match;
   float gap;                   /* mm, of the widest joint in the core */

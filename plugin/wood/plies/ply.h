@@ -188,14 +188,12 @@ INLINE void ply_at(const wood_constants *w, const ply_taps *taps, uint32_t i, ui
     out->turn[2][c] = row_z[c] * sn - row_x[c] * cs;
   }
 
-  /* its shade: of its own, where fibres end, and where the knife left checks */
-  vf ending = row_y[0] * n[0] + row_y[1] * n[1];
+  /* its shade: of its own, and where the knife left checks */
   out->tone = one;
   if (q->tone > 0.0f) {
     vf sum = board_random(&h) + board_random(&h) + board_random(&h);
     out->tone = vmax(one + (sum + sum - splat(3.0f)) * splat(q->tone), splat(0.2f));
   }
-  out->ending = ball ? zero : splat(q->end_shade) * ending * ending;
   vf down[3];
   ply_downwards(n, ball, down);
   out->squeeze = one - in[TAP_SHARE];

@@ -71,7 +71,11 @@ SPECIES_ALL(DECLARE)
       NUMBER("earlywood_jitter", jitter)
 #define RAYS(density, height, width, length)                                                       \
   NUMBER("ray_density", density), NUMBER("ray_height", height), NUMBER("ray_width", width),        \
-      NUMBER("ray_length", length)
+      NUMBER("ray_length", length), NUMBER("ray_shade", 0.5)
+/* Wide compound rays, which are darkest where they end. */
+#define COMPOUND_RAYS(density, height, width, length)                                              \
+  NUMBER("ray_density", density), NUMBER("ray_height", height), NUMBER("ray_width", width),        \
+      NUMBER("ray_length", length), NUMBER("ray_shade", 0.7)
 
 /* What the light makes of earlywood's colour, sRGB, and in how many years 63 % of
  * it: directions after Sandermann and Schlumbom (Holz als Roh- und Werkstoff 20,
@@ -85,16 +89,17 @@ SPECIES_ALL(DECLARE)
       NUMBER("pigment_stray", stray), NUMBER("pigment_reach", reach)
 #define CANALS(density, diameter)                                                                  \
   NUMBER("canal_density", density), NUMBER("canal_diameter", diameter)
-/* Cells in um and basic density, from which the share of walls follows. */
+/* Cells in um and basic density, from which the share of walls follows: of the rest, which is
+ * lumina, three quarters keep what light they get. */
+#define DENSITY(density)                                                                           \
+  NUMBER("basic_density", density), NUMBER("end_shade", 0.75 * (1.0 - (density) / 1500.0))
 #define TRACHEIDS(width, early, late, density)                                                     \
   NUMBER("cell_width", width), NUMBER("cell_depth", early), NUMBER("cell_depth_late", late),       \
-      NUMBER("cell_length", 3.0), NUMBER("basic_density", density),                                \
-      NUMBER("fine_ray_density", 40.0)
+      NUMBER("cell_length", 3.0), DENSITY(density), NUMBER("fine_ray_density", 40.0)
 #define FIBRES(width, density)                                                                     \
   NUMBER("cell_width", width), NUMBER("cell_depth", width),                                        \
       NUMBER("cell_depth_late", 0.85 * (width)), NUMBER("cell_length", 1.2),                       \
-      NUMBER("cell_irregularity", 1.0), NUMBER("fine_ray_density", 20.0),                          \
-      NUMBER("basic_density", density)
+      NUMBER("cell_irregularity", 1.0), NUMBER("fine_ray_density", 20.0), DENSITY(density)
 
 /* Of the generator tree; years; mm up its stem. */
 #define TREE(species, age, height)                                                                 \

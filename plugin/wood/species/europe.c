@@ -18,7 +18,7 @@ static const sozai_value values_beech[] = {
     NUMBER("heartwood_edge", INDISTINCT),
     NUMBER("specular", 0.06),
     RAYS(0.9, 1.4, 110.0, 45.0),
-    SRGB("ray_colour", 184, 133, 97),
+    SRGB("ray_colour", 193, 143, 107),
     AGED(190, 140, 96, 4.0),
     FIBRES(20.0, 570.0),
 };
@@ -41,7 +41,7 @@ static const sozai_value values_oak[] = {
     SRGB("sapwood_latewood_colour", 196, 170, 128),
     NUMBER("heartwood_years", 140.0),
     NUMBER("specular", 0.06),
-    RAYS(0.026, 16.0, 370.0, 100.0),
+    COMPOUND_RAYS(0.026, 16.0, 370.0, 100.0),
     SRGB("ray_colour", 203, 170, 125),
     AGED(168, 124, 76, 4.0),
     FIBRES(18.0, 570.0),
@@ -332,7 +332,7 @@ static const sozai_value values_plane[] = {
     NUMBER("heartwood_edge", INDISTINCT),
     NUMBER("specular", 0.07),
     RAYS(0.3, 2.6, 230.0, 60.0),
-    SRGB("ray_colour", 187, 139, 100),
+    SRGB("ray_colour", 195, 148, 109),
     AGED(182, 136, 92, 4.0),
     FIBRES(20.0, 520.0),
 };

@@ -88,7 +88,7 @@ static const sozai_value values_spalted_beech[] = {
     NUMBER("heartwood_edge", INDISTINCT),
     NUMBER("specular", 0.06),
     RAYS(0.9, 1.4, 110.0, 45.0),
-    SRGB("ray_colour", 184, 133, 97),
+    SRGB("ray_colour", 193, 143, 107),
     FIBRES(20.0, 570.0),
     AGED(196, 146, 100, 4.0),
     SPALT(0.8, 45.0, 0.7),

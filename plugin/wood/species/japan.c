@@ -89,7 +89,7 @@ static const sozai_value values_mizunara[] = {
     SRGB("sapwood_latewood_colour", 200, 176, 136),
     NUMBER("heartwood_years", 150.0),
     NUMBER("specular", 0.06),
-    RAYS(0.028, 14.0, 370.0, 100.0),
+    COMPOUND_RAYS(0.028, 14.0, 370.0, 100.0),
     SRGB("ray_colour", 207, 176, 134),
     AGED(172, 132, 86, 4.0),
     FIBRES(18.0, 560.0),
@@ -193,7 +193,7 @@ static const sozai_value values_buna[] = {
     NUMBER("heartwood_edge", INDISTINCT),
     NUMBER("specular", 0.06),
     RAYS(0.8, 1.6, 105.0, 45.0),
-    SRGB("ray_colour", 188, 143, 107),
+    SRGB("ray_colour", 197, 153, 117),
     AGED(190, 144, 100, 4.0),
     FIBRES(20.0, 540.0),
 };

@@ -325,7 +325,7 @@ static const sozai_value values_silky_oak[] = {
     NUMBER("heartwood_years", 120.0),
     NUMBER("heartwood_edge", FAIRLY_DISTINCT),
     NUMBER("specular", 0.1),
-    RAYS(0.06, 8.0, 370.0, 100.0),
+    COMPOUND_RAYS(0.06, 8.0, 370.0, 100.0),
     SRGB("ray_colour", 203, 156, 123),
     AGED(160, 110, 80, 3.0),
     FIBRES(20.0, 510.0),
