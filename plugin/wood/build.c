@@ -771,22 +771,6 @@ static void build_fibres(wood_constants *w, const settings *s) {
   }
 }
 
-/* What is missing where cells stand open: of light that walls of albedo a reflect the part
- * `shade` meets walls again, and again. */
-static float shaded(float albedo, double shade) {
-  double a = (double)albedo;
-  return (float)(1.0 - (1.0 - shade) / (1.0 - a * shade));
-}
-
-static void build_ends(wood_constants *w, const settings *s) {
-  double shade = number_at(s, P_END_SHADE), rays = number_at(s, P_RAY_SHADE);
-  w->has_ends = shade > 0.0 || rays > 0.0;
-  for (int c = 0; c < 3; c++) {
-    w->shade[c] = shaded(w->early[c], shade);
-    w->ray_shade[c] = shaded(w->ray[c], rays);
-  }
-}
-
 static int32_t build_colour(wood_constants *w, const sozai_host *host, const settings *s,
                             const float (*colours)[3]) {
   memcpy(w->early, colours[P_EARLY_COLOUR], sizeof w->early);
@@ -909,7 +893,9 @@ int32_t wood_build(wood_constants *w, const sozai_host *host, const settings *s,
   r = surface_build(w, s);
   if (r) return r;
   age_build(w, s, colours);
-  build_ends(w, s);
+  w->shade = (float)number_at(s, P_END_SHADE);
+  w->ray_shade = (float)number_at(s, P_RAY_SHADE);
+  w->has_ends = w->shade > 0.0f || w->ray_shade > 0.0f;
   surface_build_colour(w, s, colours);
   build_canals(w, s, colours);
   build_cells(w, s);

@@ -955,19 +955,20 @@ INLINE void stage_colour(const wood_constants *w, int boards, const wood_io *io,
   if (ends) {
     vf seen = ends_seen(one - k->up2);
     if (any(gt(seen, zero))) {
+      vf left = one - seen * splat(w->shade);
       UNROLL(3)
-      for (int c = 0; c < 3; c++) tissue[c] = tissue[c] - tissue[c] * (seen * splat(w->shade[c]));
+      for (int c = 0; c < 3; c++) tissue[c] = tissue[c] * left;
     }
   }
   if (w->has_rays) {
-    vf seen = zero;
+    vf lit = k->shift;
     if (ends) {
       vf out = k->nrm[0] * k->stem.c + k->nrm[2] * k->stem.s;
-      seen = ends_seen(out * out);
+      lit = lit * (one - ends_seen(out * out) * splat(w->ray_shade));
     }
     UNROLL(3)
     for (int c = 0; c < 3; c++) {
-      vf ray = splat(w->ray[c]) * (k->shift - k->shift * (seen * splat(w->ray_shade[c])));
+      vf ray = splat(w->ray[c]) * lit;
       if (w->has_cells) {
         vf contrast = vmin(k->cell_contrast, cells_room(w, splat(w->ray[c])));
         ray = ray + ray * k->ray_cells * contrast;

@@ -742,13 +742,13 @@ static const sozai_parameter streak_colour = {
 static const sozai_parameter end_shade = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "end_shade", .label = "End shade", .group = "colour", .unit = "",
-   .doc = "Share of what the walls reflect that stays among them, where a face looks into the cells' open ends: end grain is darker and deeper in colour than a face along the fibre. 0 for none.",
+   .doc = "How much darker end grain is than a face along the fibre, since light that goes into open cells does not all come back. Not of a picture for section. 0 for none.",
    .hard_min = 0, .hard_max = 0.9, .soft_min = 0, .soft_max = 0.6, .default_number = {0}};
 
 static const sozai_parameter ray_shade = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "ray_shade", .label = "Rays' end shade", .group = "colour", .unit = "",
-   .doc = "The same of rays, whose ends the tangential face looks into: pale flakes of a quarter-sawn face are dark dashes on a flat-sawn one. 0 for none.",
+   .doc = "How much darker rays are where the tangential face cuts across them: pale flakes of a quarter-sawn face are dark dashes on a flat-sawn one. 0 for none.",
    .hard_min = 0, .hard_max = 0.9, .soft_min = 0, .soft_max = 0.7, .default_number = {0}};
 
 static const sozai_parameter age_years = {

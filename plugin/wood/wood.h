@@ -292,7 +292,7 @@ typedef struct {
   float pigment_per_mm;                  /* samples */
   float pigment_frequency, pigment_near; /* 1/mm; mm^2: the footprint that bands are whole under */
   float heart_years, heart_edge;         /* years: where the heartwood ends, and how gradually */
-  float shade[3], ray_shade[3];          /* what open ends swallow of the colour, and of a ray's */
+  float shade, ray_shade;                /* light lost in open ends of cells, and of rays */
   int32_t has_ends;
   float heart_stray; /* years: most that the boundary departs from the ring */
   float heart_cos[3], heart_sin[3];

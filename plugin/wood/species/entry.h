@@ -71,11 +71,11 @@ SPECIES_ALL(DECLARE)
       NUMBER("earlywood_jitter", jitter)
 #define RAYS(density, height, width, length)                                                       \
   NUMBER("ray_density", density), NUMBER("ray_height", height), NUMBER("ray_width", width),        \
-      NUMBER("ray_length", length), NUMBER("ray_shade", 0.5)
+      NUMBER("ray_length", length), NUMBER("ray_shade", 0.25)
 /* Wide compound rays, which are darkest where they end. */
 #define COMPOUND_RAYS(density, height, width, length)                                              \
   NUMBER("ray_density", density), NUMBER("ray_height", height), NUMBER("ray_width", width),        \
-      NUMBER("ray_length", length), NUMBER("ray_shade", 0.7)
+      NUMBER("ray_length", length), NUMBER("ray_shade", 0.5)
 
 /* What the light makes of earlywood's colour, sRGB, and in how many years 63 % of
  * it: directions after Sandermann and Schlumbom (Holz als Roh- und Werkstoff 20,
@@ -90,9 +90,9 @@ SPECIES_ALL(DECLARE)
 #define CANALS(density, diameter)                                                                  \
   NUMBER("canal_density", density), NUMBER("canal_diameter", diameter)
 /* Cells in um and basic density, from which the share of walls follows: of the rest, which is
- * lumina, three quarters keep what light they get. */
+ * lumina, two fifths keep what light they get. */
 #define DENSITY(density)                                                                           \
-  NUMBER("basic_density", density), NUMBER("end_shade", 0.75 * (1.0 - (density) / 1500.0))
+  NUMBER("basic_density", density), NUMBER("end_shade", 0.4 * (1.0 - (density) / 1500.0))
 #define TRACHEIDS(width, early, late, density)                                                     \
   NUMBER("cell_width", width), NUMBER("cell_depth", early), NUMBER("cell_depth_late", late),       \
       NUMBER("cell_length", 3.0), DENSITY(density), NUMBER("fine_ray_density", 40.0)
