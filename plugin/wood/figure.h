@@ -147,7 +147,22 @@ INLINE void figure_quilt(const wood_constants *w, vu own, vf y, vf footprint, st
 #define EYE_LAYERS 4
 #define EYE_SHARE 0.62f /* of the cells that have one, the mean */
 #define EYE_SWARM 0.38f /* how far the share departs from it: eyes swarm */
-#define EYE_LONG 1.25f  /* along the stem, to a width of 1 */
+/* How dark an eye is, 0 to 1: an outline, half a radius off, and a pin in the middle. square: of
+ * the distance from the middle; r2: the radius'; s2: the footprint's side's. A small footprint
+ * widens the outline, a wide one fills it: a disc of the outline's variance, which is an eighth of
+ * the radius' square, and a square's twelfth. What it has in all stays. */
+INLINE vf eye_outline(vf square, vf r2, vf s2) {
+  vf one = splat(1.0f), zero = splat(0.0f);
+  vf wide = r2 + splat(0.6667f) * s2, q = square / wide;
+  vf t = vmin(q + q, one), ring = splat(4.0f) * t * (one - t);
+  vf pin = splat(WOOD_EYE_PIN) * vmax(one - splat(10.0f) * q, zero);
+  vf dark = (ring * ring + pin) * (r2 / wide);
+  vf filled = clamp01((s2 - splat(0.06f) * r2) / (splat(0.5f) * r2));
+  if (!any(gt(filled, zero))) return dark;
+  wide = splat(1.5f) * r2 + s2;
+  vf left = vmax(one - splat(1.5f) * square / wide, zero);
+  return mix(dark, splat(4.5f * WOOD_EYE_MEAN) * (r2 / wide) * left * left, filled);
+}
 
 /* One of the layers, each with as many of them: together they line up less. Seldom
  * is one alone. */
@@ -192,16 +207,16 @@ INLINE void figure_eyes(const wood_constants *w, vu own, int layer, vf y, vf foo
    * leaning one is a little wider */
   vf edge = splat(1.08f) * radius / vmax(angle * inside, splat(1e-3f));
   vf place = edge + (one - edge - edge) * to_float((vi)(h >> 16)) * k16;
-  vf tall = radius * splat(EYE_LONG * w->inverse_eye_cell);
+  vf tall = radius * splat(WOOD_EYE_LONG * w->inverse_eye_cell);
   vf height = tall + (one - tall - tall) * to_float((vi)(h & splatu(0xffffu))) * k16;
   vf turned = (from_left - place) * angle; /* radians */
-  vf b = (rows - bottom - height) * splat(w->eye_cell / EYE_LONG);
+  vf b = (rows - bottom - height) * splat(w->eye_cell / WOOD_EYE_LONG);
   vf lean = splat(0.4f / 512.0f) * (to_float((vi)(h & splatu(1023u))) - splat(512.0f));
   vf a = turned * p->r + lean * b;
   vf q = (a * a + b * b) / r2;
   /* one that would reach y = 0 is not there */
   vf centre = (bottom + height - shift) * splat(w->eye_cell);
-  vm there = and_(lt(q, one), gt(vabs(centre), radius * splat(EYE_LONG)));
+  vm there = and_(lt(q, one), gt(vabs(centre), radius * splat(WOOD_EYE_LONG)));
   noise_axis swarm_x = noise_split_cubic(to_float(column) * splat(0.31f), HASH_X);
   noise_axis swarm_y = noise_split_cubic(to_float(row) * splat(0.23f), HASH_Y);
   vf unused_x, unused_y,
@@ -220,22 +235,23 @@ INLINE void figure_eyes(const wood_constants *w, vu own, int layer, vf y, vf foo
   vf age = ein * eout;
   vf age_r =
       splat(60.0f * w->inverse_eye_length) * (in * (one - in) * eout - out * (one - out) * ein);
-  vf depth = splat(w->eye_depth) * radius;
+  vf keep = one;
   if (filter_touches(footprint, 2.0f * w->eye_radius)) {
-    depth = depth * filter_keep(footprint, 2.0f * w->eye_radius);
+    keep = filter_keep(footprint, 2.0f * w->eye_radius);
   }
-  depth = sel(there, depth, zero);
+  vf depth = sel(there, splat(w->eye_depth) * radius * keep, zero);
   vf left = vmax(one - q, zero), core = vmax(one - splat(4.0f) * q, zero), half = splat(0.5f);
   vf left2 = left * left, core2 = core * core;
   vf dent = depth * half * (left2 * left + core2 * core);
   vf fall = splat(3.0f) * depth * (left2 + splat(4.0f) * core2) * age / r2;
   vf along = fall * a, out_r = along * turned - dent * age_r;
-  vf dark = sel(there, depth * splat(w->eye_dark) / radius, zero) * core * age;
-  p->eye = vmax(p->eye, dark);
+  vf own_dark = splat(0.55f) + splat(0.45f / 255.0f) * to_float((vi)(g >> 2 & splatu(255u)));
+  vf dark = keep * eye_outline(q * r2, r2, footprint * footprint) * age * own_dark;
+  p->eye = vmax(p->eye, sel(there, dark, zero));
   u->n = u->n - dent * age;
   u->nx = u->nx + (out_r * p->c - along * p->s);
   u->nz = u->nz + (out_r * p->s + along * p->c);
-  u->ny = u->ny + fall * (b + a * lean) * splat(1.0f / EYE_LONG);
+  u->ny = u->ny + fall * (b + a * lean) * splat(1.0f / WOOD_EYE_LONG);
 }
 
 /* All of them. */
@@ -245,6 +261,10 @@ INLINE void figure_add(const wood_constants *w, vu own, vf y, vf footprint, vf e
   if (w->has_quilt) figure_quilt(w, own, y, footprint, p, u);
   if (w->has_eyes) {
     for (int layer = 0; layer < EYE_LAYERS; layer++) figure_eyes(w, own, layer, y, footprint, p, u);
+    if (filter_touches(footprint, 2.0f * w->eye_radius)) {
+      vf gone = splat(1.0f) - filter_keep(footprint, 2.0f * w->eye_radius);
+      p->eye = p->eye + splat(w->eye_mean) * gone;
+    }
   }
 }
 

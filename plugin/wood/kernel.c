@@ -903,14 +903,18 @@ INLINE vf ends_seen(vf along2) {
   return vmax(along2 - splat(ENDS_FROM), splat(0.0f)) * splat(1.0f / (1.0f - ENDS_FROM));
 }
 
+#define EYE_STAIN 0.23f /* of what latewood reflects, what the outline of a bird's eye does not */
+
 INLINE void stage_colour(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf one = splat(1.0f), zero = splat(0.0f);
   /* pores stand everywhere; earlywood rows where there is no latewood, or in its stead */
-  vf season = w->has_eyes ? vmax(k->late, k->stem.eye) : k->late;
+  vf season = k->late;
+  if (w->has_eyes) season = season + (one - season) * vmin(k->stem.eye, one);
   vf late = season * (one - vmin(k->over_late, one));
   if (w->has_canals) late = canals_leave(w, &k->canal, k->f.bb, k->ring.inverse_width, late);
   late = clamp(late, zero, vmax(one - k->cover, zero));
-  vf early = vmax(one - k->cover - late, zero) * k->shift, dark = late * k->shift;
+  vf shift = w->has_eyes ? k->shift * (one - splat(EYE_STAIN) * vmin(k->stem.eye, one)) : k->shift;
+  vf early = vmax(one - k->cover - late, zero) * shift, dark = late * shift;
   vf open = w->has_cells ? k->cover + k->lining : k->cover;
   vf heart = heart_share(w, k->years, k->c, k->sn, vsqrt(k->f.bb) * k->ring.inverse_width);
   vm pale = lt(heart, one);

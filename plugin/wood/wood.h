@@ -25,7 +25,10 @@
 #include "plies/plies.h"
 #include "surface/surface.h"
 
-#define WOOD_RINGS 256      /* rings before the table repeats */
+#define WOOD_EYE_LONG 1.25f /* a bird's eye along the stem, to a width of 1 */
+#define WOOD_EYE_PIN 0.5f   /* how dark its middle is, to its outline; */
+#define WOOD_EYE_MEAN (4.0f / 15.0f + WOOD_EYE_PIN / 20.0f) /* and both in the mean over it */
+#define WOOD_RINGS 256                                      /* rings before the table repeats */
 #define WOOD_BINS_MAX 16384 /* bins of the look-up from rho to ring */
 #define WOOD_HARMONICS 3    /* of the section's outline */
 #define WOOD_RADII 8        /* steps of the table of vessel radii */
@@ -169,8 +172,7 @@ typedef struct {
   float curl_inverse_reach;                                /* 1/mm */
   float quilt_height, quilt_slope;                         /* mm over the noise; rms slope */
   float quilt_frequency, quilt_frequency_axis, quilt_size; /* 1/mm; mm */
-  float eye_radius, eye_depth,
-      eye_dark; /* mm; of the radius; share of latewood in its middle, over the depth */
+  float eye_radius, eye_depth, eye_mean; /* mm; of the radius; of the face, how dark in the mean */
   float eye_cell, inverse_eye_cell, eye_length, inverse_eye_length; /* mm, 1/mm */
 
   /* rings */

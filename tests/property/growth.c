@@ -211,12 +211,13 @@ static void eyes_are_as_many_as_asked_for(void **state) {
              ROUND "eye_density=%g; eye_diameter=%g; eye_depth=0.5; eye_length=50",
              cases[k].density, cases[k].diameter);
     sozai_texture *t = wood_make(NULL, text);
-    double found = 0, pieces = 0, want = 0, width = 0;
+    double found = 0, pieces = 0, want = 0, width = 0, all = 0, outline = 0, places = 0;
     for (int r = 0; r < 3; r++) {
       double step = 0.12 * cases[k].diameter, tall = 400;
       int nx = (int)(2 * PI * radii[r] / step), ny = (int)(tall / step);
       unsigned char *in = calloc((size_t)(nx * ny), 1);
       float *year = malloc(sizeof(float) * (size_t)(nx * ny));
+      float *shade = malloc(sizeof(float) * (size_t)(nx * ny));
       int *stack = malloc(sizeof(int) * (size_t)(nx * ny));
       points p = {0};
       for (int j = 0; j < ny; j++) {
@@ -230,6 +231,9 @@ static void eyes_are_as_many_as_asked_for(void **state) {
         double dent = 0.1 * 0.5 * 0.5 * cases[k].diameter / 2;
         for (int i = 0; i < nx; i++) {
           year[j * nx + i] = p.out[TIME][i];
+          shade[j * nx + i] = p.out[ALBEDO][i];
+          all += (double)p.out[ALBEDO][i];
+          places++;
           in[j * nx + i] = (double)p.out[TIME][i] > radii[r] / 2 + dent;
         }
       }
@@ -243,6 +247,11 @@ static void eyes_are_as_many_as_asked_for(void **state) {
         for (int k = 0; k < 8; k++)
           deepest &= year[at] > year[beside[k]] || (year[at] == year[beside[k]] && at < beside[k]);
         found += deepest;
+        /* a quarter of the mean eye's width up and down */
+        if (deepest && at >= 2 * nx && at < nx * (ny - 2))
+          outline += 0.5 * (double)(shade[at - 2 * nx] + shade[at + 2 * nx]);
+        else
+          outline += deepest * (double)shade[at];
       }
       for (int at = 0; at < nx * ny; at++) {
         if (!in[at]) continue;
@@ -266,6 +275,7 @@ static void eyes_are_as_many_as_asked_for(void **state) {
       want += cases[k].density * 0.01 * nx * step * tall;
       free(in);
       free(year);
+      free(shade);
       free(stack);
     }
     textures->destroy(t);
@@ -273,6 +283,8 @@ static void eyes_are_as_many_as_asked_for(void **state) {
      * the radius */
     print_message("%g/cm2 of %g mm: %.0f eyes, %.0f wanted; %.2f mm across at a tenth\n",
                   cases[k].density, cases[k].diameter, found, want, width / pieces);
+    double darker = 1 - outline / found * places / all;
+    CHECK(darker > 0.05, "their outlines reflect %.3f less than the wood\n", darker);
     assert_true(fabs(found - want) < 3 * sqrt(want) + 0.03 * want);
     assert_true(fabs(width / pieces - 0.64 * cases[k].diameter) < 0.15 * cases[k].diameter);
   }

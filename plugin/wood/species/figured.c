@@ -40,7 +40,7 @@ SPECIES(quilted_maple, "Quilted maple (Acer macrophyllum)",
 static const sozai_value values_birdseye_maple[] = {
     RINGS(1.9, 0.22, 0.7),       LATEWOOD(0.06, 0.7),
     NUMBER("slope_noise", 0.03), NUMBER("slope_noise_length", 45.0),
-    EYES(1.0, 3.4, 0.5, 70.0),   MAPLE_TISSUE,
+    EYES(1.0, 3.4, 0.3, 70.0),   MAPLE_TISSUE,
 };
 SPECIES(birdseye_maple, "Bird's-eye maple (Acer saccharum var. saccharum)",
         "Dimples in the growth rings that go on for decades: little eyes on flat-sawn faces.",
