@@ -214,6 +214,18 @@ static double layer_contrast(const settings *s, const stone_cells *c, int first,
   return most;
 }
 
+#define FLAKES_ONCE 0.18f /* cells: what one look at flakes can tell, in quarters */
+
+/* Flakes are looked at once for as long as the crystals are: where both are several times, how they
+ * lie together is known, too. Crystals are the first layer. */
+static void look_once(stone_cells *c, const stone_cells *grains) {
+  float single = grains->single * grains->size / c->size;
+  if (single > FLAKES_ONCE) single = FLAKES_ONCE;
+  if (!grains->on || single < c->single) return;
+  c->single = single;
+  c->least = 1.999f - single * c->looks;
+}
+
 /* What differs little needs few looks, and is soon its mean. A look's edges are seen in
  * quarters, so that most of what it errs by is what lies beyond the cells that it has found:
  * that goes as the contrast, and as its width or little more. */
@@ -248,6 +260,7 @@ static void set_looks(stone_constants *w, const settings *s) {
     /* nor do clouds within crystals go by how much crystals differ */
     if (c->turbidity * c->whole > CLOUDS_WHOLE) c->whole = CLOUDS_WHOLE / c->turbidity;
     c->single = (1.999f - c->least) / c->looks; /* rounded to one: footprint.h */
+    if (c->grouped && c->shaped) look_once(c, &w->layer[LAYER_GRAINS]);
     if (c->single > 0.6f * c->fade) c->single = 0.6f * c->fade;
     if (c->shaped && c->single > 0.5f) c->single = 0.5f;
   }

@@ -18,6 +18,7 @@
 
 #include "../core/patch.h"
 #include "../core/vectors.h"
+#include "square.h"
 #include "stone.h"
 #include "value.h"
 
@@ -278,6 +279,31 @@ INLINE vf cells_bend(const stone_cells *c, vf finer, int together, vf q[3]) {
   return sum + finer * b;
 }
 
+/* cells_bend to the bit, and a square about the point as the bends leave it. */
+INLINE vf cells_bend_square(const stone_cells *c, vf finer, vf q[3], cells_square *square) {
+  const float frequency[2] = {CELLS_BEND, CELLS_BEND_FINE}, much[2] = {c->warp, c->warp_fine};
+  const vf straight[3] = {q[0], q[1], q[2]};
+  vf way[2][3], sum = splat(0.0f);
+  memcpy(way[0], square->u, sizeof square->u);
+  memcpy(way[1], square->v, sizeof square->v);
+  if (c->warp == 0.0f) return sum;
+  for (uint32_t o = 0; o < 2; o++) {
+    if (o == 1 && !any(gt(finer, splat(0.0f)))) break;
+    vf f = splat(frequency[o]), at[3] = {straight[0] * f, straight[1] * f, straight[2] * f};
+    vf g[3], d[2][3], far = splat(much[o] * CELLS_MOVE);
+    vf n = value_three_slopes(at, splatu(c->seed_warp + o), (const vf(*)[3])way, g, d) *
+           splat(1.0f / HASH_ONE);
+    if (o == 1) far = finer * far;
+    sum = o == 1 ? sum + finer * n : n;
+    for (int k = 0; k < 3; k++) {
+      q[k] = q[k] + far * g[k];
+      square->u[k] = square->u[k] + far * f * d[0][k];
+      square->v[k] = square->v[k] + far * f * d[1][k];
+    }
+  }
+  return sum;
+}
+
 /* A point in cells, their faces bent. */
 INLINE void cells_place(const stone_cells *c, vf finer, const vf p[3], vf q[3]) {
   cells_turn(c, p, q);
@@ -298,7 +324,8 @@ INLINE void cells_slopes(const stone_cells *c, vf finer, const vf p[3], const vf
     vf f = splat(frequency[o]), at[3] = {q[0] * f, q[1] * f, q[2] * f}, d[2][3];
     vf far = splat((o ? c->warp_fine : c->warp) * frequency[o] * CELLS_MOVE);
     if (o == 1) far = far * finer;
-    value_slopes(at, splatu(c->seed_warp + o), way, d);
+    vf unused[3];
+    (void)value_three_slopes(at, splatu(c->seed_warp + o), (const vf(*)[3])way, unused, d);
     for (int i = 0; i < 2; i++) {
       for (int k = 0; k < 3; k++) out[i][k] = out[i][k] + far * d[i][k];
     }

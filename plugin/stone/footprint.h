@@ -110,8 +110,10 @@ typedef struct {
   int slot; /* of looks that are kept */
   vm there;
   vf straight[3], q[3], cloud; /* where it is, before and after the faces' bends */
-  int empty;                   /* no body is near any lane; the rest is not known then */
-  cells_near near[3];          /* bodies' third; of it no one asks where it is */
+  const cells_square *part;    /* what it sees: its view's, or as the bends leave it */
+  cells_square sheared;
+  int empty;          /* no body is near any lane; the rest is not known then */
+  cells_near near[3]; /* bodies' third; of it no one asks where it is */
 } cells_look;
 
 /* Whether lanes are likely near each other: neighbours are mostly about a footprint apart. */
@@ -119,6 +121,8 @@ typedef struct {
 INLINE int looks_together(const cells_look *looks) {
   return any(lt(looks[0].eye->view->most, splat(CELLS_TOGETHER)));
 }
+
+#define CELLS_SHEARED 0.12f /* cells: a wider look sees how the bends shear its part */
 
 INLINE void looks_bend_as(const stone_cells *c, int together, cells_look *looks, int count) {
   for (int l = 0; l < count; l++) {
@@ -133,6 +137,33 @@ STAGE void looks_bend(const stone_cells *c, cells_look *looks, int count) {
     looks_bend_as(c, 1, looks, count);
   else
     looks_bend_as(c, 0, looks, count);
+}
+
+/* Looks of which each asks for itself what it sees: with their parts. Of a layer that differs
+ * little it does not matter how they are sheared. */
+STAGE void looks_bend_parts(const stone_cells *c, cells_look *looks, int count) {
+  int sheared = 0;
+  for (int l = 0; l < count; l++) {
+    looks[l].part = &looks[l].eye->view->part;
+    sheared |= c->grouped && any(gt(looks[l].eye->view->part_wide, splat(CELLS_SHEARED)));
+  }
+  if (!sheared) {
+    looks_bend(c, looks, count);
+    return;
+  }
+  for (int l = 0; l < count; l++) {
+    cells_look *o = &looks[l];
+    const cells_square *part = o->part;
+    vm wide = gt(o->eye->view->part_wide, splat(CELLS_SHEARED));
+    cells_square bent = *part;
+    for (int k = 0; k < 3; k++) o->q[k] = o->straight[k];
+    o->cloud = cells_bend_square(c, o->eye->view->fine, o->q, &bent);
+    for (int k = 0; k < 3; k++) {
+      o->sheared.u[k] = sel(wide, bent.u[k], part->u[k]);
+      o->sheared.v[k] = sel(wide, bent.v[k], part->v[k]);
+    }
+    o->part = &o->sheared;
+  }
 }
 
 /* Whether no lane's parts are seen in quarters, nor their third crystal. */
@@ -177,7 +208,7 @@ INLINE void look_add_as(const stone_cells *c, int whole, const cells_look *o) {
     parts = cells_part(view->part_wide, c->whole);
     third = one - crystal_keep(view->part_wide, c->whole, 2.0f * c->whole);
   }
-  cells_shares(c, o->near, body, &view->part, &parts, count > 2, third, share, core);
+  cells_shares(c, o->near, body, o->part, &parts, count > 2, third, share, core);
   vf uneven = o->cloud * splat(1.3f * c->variation) + one, common[2] = {uneven, uneven};
   int textured = crystal_textured(c);
   if (textured && c->turbidity > 0.0f) {
@@ -254,7 +285,7 @@ STAGE void looks_empty(const stone_cells *c, cells_look *looks, int count) {
 }
 
 INLINE void looks_run(const stone_cells *c, cells_look *looks, int count) {
-  looks_bend(c, looks, count);
+  looks_bend_parts(c, looks, count);
   looks_empty(c, looks, count);
   looks_find(c, looks, count);
   looks_add(c, looks, count);

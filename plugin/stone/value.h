@@ -130,17 +130,29 @@ INLINE vf value_blend(const noise_axis a[3], const vf v[8], vf grows[3]) {
   return mix(s[0], s[1], a[2].w);
 }
 
-/* Of value_three's numbers, how they change along two directions. */
-INLINE void value_slopes(const vf p[3], vu seed, const vf along[2][3], vf out[2][3]) {
+/* value_three to the bit, and how its numbers change along two directions. */
+INLINE vf value_three_slopes(const vf p[3], vu seed, const vf along[2][3], vf out[3],
+                             vf slopes[2][3]) {
   static const uint32_t prime[3] = {HASH_X, HASH_Y, HASH_Z};
   noise_axis a[3];
-  vf v[3][8], g[3];
+  vf v[3][8], g[3], ends[3], sum = splat(0.0f);
   for (int k = 0; k < 3; k++) a[k] = noise_split_cubic(p[k], prime[k]);
   value_corners(a, seed, v);
   for (int k = 0; k < 3; k++) {
-    (void)value_blend(a, v[k], g);
-    for (int i = 0; i < 2; i++) out[i][k] = dot3(g, along[i]);
+    out[k] = value_blend(a, v[k], g);
+    for (int i = 0; i < 2; i++) slopes[i][k] = dot3(g, along[i]);
   }
+  for (int k = 0; k < 3; k++) {
+    /* the four ends along the number's own axis, the first two of them beside each other along the
+     * next */
+    static const int at[3][4] = {{1, 3, 5, 7}, {2, 3, 6, 7}, {4, 5, 6, 7}};
+    const noise_axis *first = &a[k == 0 ? 1 : 0], *second = &a[k == 2 ? 1 : 2];
+    const vf *e = v[k];
+    ends[k] = mix(mix(e[at[k][0]], e[at[k][1]], first->w), mix(e[at[k][2]], e[at[k][3]], first->w),
+                  second->w);
+  }
+  for (int k = 0; k < 3; k++) sum = sum + (out[k] * a[k].f - ends[k] * a[k].w);
+  return sum;
 }
 
 /* Gradient noise with its gradient, as core's of other corners: theirs are numbers left unscaled.
