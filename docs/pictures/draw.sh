@@ -22,6 +22,8 @@ command -v oiiotool >/dev/null || {
   echo "no oiiotool here (Debian: openimageio-tools)" >&2
   exit 1
 }
+# oiiotool's own command line, which names folders of this machine, stays out of its pictures
+readonly untold=(--eraseattrib '.*' --nosoftwareattrib)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
@@ -46,7 +48,7 @@ draw_stones() {
   stone 11 ishidatami --camera -50,42,14 --zoom 5 --size 12000x9000 -p layout=chidori \
     -p stone_length=600 -p stone_width=300 -p moss=0.42 -p moss_spread=30
   stone 12 araidashi --camera front --size 100x75 --light 30,30
-  oiiotool "$scratch"/{1,2,3,4,5,6,7,8,9,10,11,12}.png --mosaic 4x3 -d uint8 -o "$folder/stones.png"
+  oiiotool "$scratch"/{1,2,3,4,5,6,7,8,9,10,11,12}.png --mosaic 4x3 "${untold[@]}" -d uint8 -o "$folder/stones.png"
 }
 
 draw_log() {
@@ -59,7 +61,7 @@ draw_sheet() {
   [[ -d $scratch/gallery ]] || "$sozai" gallery --all -o "$scratch/gallery"
   local -r from=$scratch/gallery/$1.png
   if [[ $1 == figured ]]; then
-    oiiotool "$from" --resize 960x344 -d uint8 -o "$folder/$1.png"
+    oiiotool "$from" --resize 960x344 "${untold[@]}" -d uint8 -o "$folder/$1.png"
   else
     cp "$from" "$folder/$1.png"
   fi

@@ -26,6 +26,10 @@ def scene(name, width, height, sun, sky=0.07):
     s.render.resolution_x, s.render.resolution_y = width, height
     s.render.resolution_percentage = 100
     s.render.image_settings.file_format = "PNG"
+    # what a PNG would tell of this machine and of the hour
+    for stamp in dir(s.render):
+        if stamp.startswith("use_stamp_"):
+            setattr(s.render, stamp, False)
     s.view_settings.view_transform = "Filmic"
     s.view_settings.look = "Medium High Contrast"
     s.world = bpy.data.worlds.new("sky")
