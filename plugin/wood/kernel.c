@@ -869,7 +869,7 @@ INLINE void stage_spalt_colour(block *k) {
   for (int c = 0; c < 3; c++) {
     vf pale = a[c] + (splat(0.8f) - a[c]) * splat(0.4f);
     a[c] = mix(a[c], pale, k->spalt.bleached);
-    a[c] = a[c] * (one - splat(0.86f) * k->spalt.line);
+    a[c] = a[c] * (one - splat(0.2f) * k->spalt.stained) * (one - splat(0.86f) * k->spalt.line);
   }
 }
 

@@ -47,6 +47,10 @@ enum { SPALT_OCTAVES = 4 };
 static const float spalt_scale[SPALT_OCTAVES] = {1.0f, 2.3f, 5.3f, 12.2f};
 static const float spalt_weight[SPALT_OCTAVES] = {1.0f, 0.4f, 0.13f, 0.045f};
 #define SPALT_VARIANCE 0.0365f
+#define SPALT_SLOPE 0.255f     /* that of its slope along an axis of its lattice, measured */
+#define SPALT_DEVIATION 0.191f /* its root */
+#define SPALT_SWELL 0.75f   /* of a line's width, for one deviation of the other fungus's noise */
+#define SPALT_STAIN 0.13f   /* colonies: how far from a line the wood outside is stained */
 #define SPALT_SECOND 1.3f   /* the second fungus's colonies are that much smaller */
 #define SPALT_PALE 0.5f     /* and bleach so much, where the first bleaches by 1 */
 #define CANAL_LOW 0.42f     /* phase of a ring from which on resin canals stand */
@@ -247,9 +251,9 @@ typedef struct {
 
   /* spalting */
   int32_t has_spalt;
-  float spalt_frequency, spalt_width;       /* 1/mm; mm */
-  float spalt_level, spalt_other;           /* of the noise, where lines are */
-  float spalt_line_mean, spalt_bleach_mean; /* expected */
+  float spalt_frequency, spalt_width;                         /* 1/mm; mm */
+  float spalt_level, spalt_other;                             /* of the noise, where lines are */
+  float spalt_line_mean, spalt_bleach_mean, spalt_stain_mean; /* expected */
 
   /* rays */
   int32_t has_rays;
