@@ -327,7 +327,7 @@ const shot gallery_shots[] = {
     LAID("butcher", "Butcher block", "makaba", "600x600", NULL, NULL, NULL),
     LAID("ashlar", "Random ashlar", "hinoki", "1600x1600", "joint_width=4", NULL, NULL),
     LAID("crazy", "Crazy paving, of end grain", "karamatsu", "900x900", "cut=end",
-         "tone_spread=0.1", NULL),
+         "tone_spread=0.1", "end_checks=3"),
     LAID("arcs", "Segmental arcs of end-grain setts", "mizunara", "1600x1600", "cut=end", NULL,
          NULL),
     LAID("circles", "Rings of end-grain setts", "mizunara", "1600x1600", "cut=end", NULL, NULL),

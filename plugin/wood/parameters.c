@@ -911,7 +911,7 @@ static const char *const surface_docs[] = {
    "scratches along the board, by sanding_grit",
    "earlywood brushed out from between the latewood",
    "yakisugi: black, the latewood standing, cracked into cells",
-   "silver grey, the earlywood eroded, checks along the fibre"};
+   "silver grey, the earlywood eroded, checks along the fibre and from the pith on its ends"};
 static const sozai_parameter surface = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_CHOICE,
    .id = "surface", .label = "Surface", .group = "surface", .unit = "",
@@ -996,6 +996,24 @@ static const sozai_parameter check_length = {
    .id = "check_length", .label = "Check length", .group = "surface", .unit = "mm",
    .doc = "Along the fibre, of the longest.",
    .hard_min = 2, .hard_max = 2000, .soft_min = 10, .soft_max = 300, .default_number = {60}};
+
+static const sozai_parameter end_checks = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "end_checks", .label = "End checks", .group = "surface", .unit = "",
+   .doc = "Cracks of end grain, from the pith outwards, that 100 mm along a ring meet; -1: the usual of the surface.",
+   .hard_min = -1, .hard_max = 40, .soft_min = -1, .soft_max = 10, .default_number = {-1}};
+
+static const sozai_parameter end_check_width = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "end_check_width", .label = "End check width", .group = "surface", .unit = "mm",
+   .doc = "Of the widest.",
+   .hard_min = 0.02, .hard_max = 10, .soft_min = 0.1, .soft_max = 3, .default_number = {1}};
+
+static const sozai_parameter end_check_length = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "end_check_length", .label = "End check length", .group = "surface", .unit = "mm",
+   .doc = "Along the radius, of the longest.",
+   .hard_min = 2, .hard_max = 2000, .soft_min = 10, .soft_max = 200, .default_number = {55}};
 
 static const sozai_parameter charring = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -1290,6 +1308,9 @@ const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_CHECKS] = &checks,
    [P_CHECK_WIDTH] = &check_width,
    [P_CHECK_LENGTH] = &check_length,
+   [P_END_CHECKS] = &end_checks,
+   [P_END_CHECK_WIDTH] = &end_check_width,
+   [P_END_CHECK_LENGTH] = &end_check_length,
    [P_CHARRING] = &charring,
    [P_CHAR_CELL] = &char_cell,
    [P_GREYING] = &greying,

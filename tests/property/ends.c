@@ -2,8 +2,11 @@
  *
  * Open ends of cells: as much darker as asked for, on end grain and, for rays, on the
  * tangential face; nothing on faces along them, nor where no normal says how a face lies.
+ * Checks of end grain: as many and as long as asked for, from the pith outwards.
  */
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "cmocka_all.h"
@@ -12,6 +15,7 @@
 #define PLAIN                                                                                      \
   "pith_wander=0; undulation=0; section_wobble=0; slope_noise=0; taper=0; porosity=none; "         \
   "fibre_brightness=0; specular=0; "
+#define PI 3.14159265358979
 enum { POINTS = 400 };
 
 /* Albedos at the same points of a tangential face's wood, the normal `along` the stem and else
@@ -129,10 +133,78 @@ static void nothing_without_normals(void **state) {
   }
 }
 
+/* Albedo over what it is without checks, along a circle or a radius of the section. */
+static void walk(sozai_texture *t, double from, double angle, double step, int round, unsigned n,
+                 double along, float *left) {
+  points p = {0};
+  for (unsigned i = 0; i < n; i++) {
+    double r = from + (round ? 0 : i * step), a = angle + (round ? i * step / from : 0);
+    unsigned j = points_add(&p, r * cos(a), 0, r * sin(a), 0);
+    p.normal[0][j] = (float)(sqrt(1 - along * along) * cos(a));
+    p.normal[1][j] = (float)along;
+    p.normal[2][j] = (float)(sqrt(1 - along * along) * sin(a));
+  }
+  points_ask_only(&p, t, ONLY3(ALBEDO));
+  for (unsigned i = 0; i < n; i++) left[i] = p.out[ALBEDO][i] / 0.7f;
+  points_free(&p);
+}
+
+static void ends_check_as_asked_for(void **state) {
+  (void)state;
+  static const struct {
+    double count, width, length;
+  } cases[] = {{2, 1.5, 80}, {6, 0.8, 40}, {12, 0.5, 15}};
+  static const double radii[] = {45, 97, 160};
+  enum { SEEDS = 8, MOST = 60000 };
+  float *left = malloc(MOST * sizeof *left);
+  for (int k = 0; k < 3; k++) {
+    double found = 0, want = 0, longest = 0, split = 0, points = 0;
+    for (int seed = 1; seed <= SEEDS; seed++) {
+      char text[640];
+      snprintf(text, sizeof text,
+               PLAIN "ray_density=0; end_shade=0; earlywood_colour=0.7 0.5 0.3 @ lin_rec709; "
+                     "latewood_colour=0.7 0.5 0.3 @ lin_rec709; heartwood_years=100000; seed=%d; "
+                     "end_checks=%g; end_check_width=%g; end_check_length=%g",
+               seed, cases[k].count, cases[k].width, cases[k].length);
+      sozai_texture *t = wood_make(NULL, text);
+      for (int r = 0; r < 3; r++) {
+        unsigned n = (unsigned)(2 * PI * radii[r] / 0.025);
+        walk(t, radii[r], 0, 0.025, 1, n, 1, left);
+        for (unsigned i = 0; i < n; i++) {
+          found += left[i] < 0.5f && left[(i + n - 1) % n] >= 0.5f;
+          split += left[i] < 0.5f;
+        }
+        points += n;
+        want += cases[k].count * 0.01 * 2 * PI * radii[r];
+        /* on a face along the fibre there are none */
+        walk(t, radii[r], 0, 0.025, 1, n, 0, left);
+        for (unsigned i = 0; i < n; i++) assert_true(left[i] > 0.99f);
+      }
+      for (int line = 0; line < 200; line++) {
+        double run = 0;
+        walk(t, 20, 0.0314 * line, 0.25, 0, 600, 1, left);
+        for (unsigned i = 0; i < 600; i++) {
+          run = left[i] < 0.5f ? run + 0.25 : 0;
+          longest = fmax(longest, run);
+        }
+      }
+      textures->destroy(t);
+    }
+    /* a line that a check sways off meets part of it */
+    CHECK(fabs(found - want) < 3 * sqrt(want) + 0.08 * want && longest <= cases[k].length &&
+              longest > 0.25 * cases[k].length &&
+              split / points * 100 < 0.6 * cases[k].count * cases[k].width,
+          "%g to 100 mm, %g wide, %g long: %.0f met, %.0f wanted; %.4f of the wood split, a radius "
+          "along %.1f mm at most\n",
+          cases[k].count, cases[k].width, cases[k].length, found, want, split / points, longest);
+  }
+  free(left);
+}
+
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(end_grain_is_darker),
-                                     cmocka_unit_test(grows_with_the_turn),
-                                     cmocka_unit_test(rays_are_dark_on_the_tangential_face),
-                                     cmocka_unit_test(nothing_without_normals)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(ends_check_as_asked_for), cmocka_unit_test(end_grain_is_darker),
+      cmocka_unit_test(grows_with_the_turn), cmocka_unit_test(rays_are_dark_on_the_tangential_face),
+      cmocka_unit_test(nothing_without_normals)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

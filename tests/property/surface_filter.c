@@ -18,6 +18,7 @@ static const char *const kinds[] = {"surface=brushed",
                                     "surface=charred;charring=0.6",
                                     "surface=weathered",
                                     "surface=weathered;checks=20;check_width=0.8",
+                                    "end_checks=10;end_check_width=1.5;end_check_length=25",
                                     "surface=planed;finish=oiled",
                                     "finish=lacquered",
                                     "age_years=30;finish=oiled"};

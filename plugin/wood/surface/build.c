@@ -200,6 +200,22 @@ static void build_checks(wood_surface *m, const surface_finish *f, const setting
   m->stains = 1;
 }
 
+static void build_splits(wood_surface *m, const surface_finish *f, const settings *s) {
+  double count = 0.01 * usual(s, P_END_CHECKS, f->end_checks);
+  double length = number_at(s, P_END_CHECK_LENGTH), half = 0.5 * number_at(s, P_END_CHECK_WIDTH);
+  if (count <= 0.0) return;
+  /* a ring meets a check in 0.65 of the cells that have one */
+  double cell = (double)SPLIT_LAYERS * (double)SPLIT_CHANCE * 0.65 / count;
+  if (half > 0.1 * cell) half = 0.1 * cell;
+  m->split_half = (float)half;
+  m->split_depth = (float)(2.0 * half);
+  m->inverse_split_length = (float)(1.0 / length);
+  m->split_cells = (float)(2.0 * PI * length / cell);
+  m->split_mean = (float)((double)SPLIT_MEAN * half);
+  m->split_steep2 = (float)((double)SPLIT_STEEP2 / (half * half));
+  m->stains = 1;
+}
+
 #define PLATE_TILT 0.11 /* slope of a plate of wood that is all char */
 
 static void build_cracks(wood_constants *w, const surface_finish *f, const settings *s) {
@@ -247,9 +263,10 @@ int32_t surface_build(wood_constants *w, const settings *s) {
   build_wear(w, f, s);
   build_vessels(w, f, s);
   build_checks(m, f, s);
+  build_splits(m, f, s);
   if (choice_at(s, P_SURFACE) == SURFACE_CHARRED) build_cracks(w, f, s);
   m->relief = m->marks || m->scratch[0].height > 0.0f || m->erosion > 0.0f ||
               m->fibre[0].height > 0.0f || m->pores.depth > 0.0f || m->rows.depth > 0.0f ||
-              m->check_depth > 0.0f || m->crack_depth > 0.0f;
+              m->check_depth > 0.0f || m->split_depth > 0.0f || m->crack_depth > 0.0f;
   return SOZAI_OK;
 }

@@ -23,8 +23,8 @@ typedef struct {
   double torn;        /* fibres: height of those that a saw has torn up, a few mm long */
   double fibre_stain; /* share of the albedo, at most */
   double erosion, soft;
-  double vessels; /* radii */
-  double checks;  /* to 100 mm */
+  double vessels;            /* radii */
+  double checks, end_checks; /* to 100 mm */
   double check_depth, crack_depth;
   double specular, shininess, coat; /* factors of the parameters; the least coat */
 } surface_finish;
@@ -91,6 +91,7 @@ static const surface_finish surface_finishes[SURFACES] = {
                            .latewood = 0.5,
                            .vessels = 1.2,
                            .checks = 7,
+                           .end_checks = 4,
                            .check_depth = 0.8,
                            .specular = 0.25,
                            .shininess = 0.6},

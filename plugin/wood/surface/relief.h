@@ -9,6 +9,7 @@
 #include "cracks.h"
 #include "grooves.h"
 #include "marks.h"
+#include "splits.h"
 #include "wear.h"
 
 /* The point, as the other stages have found it. */
@@ -20,6 +21,7 @@ typedef struct {
   vf reach;                  /* mm: what the footprint spans along rho */
   vf across_rho2;            /* square of rho's gradient within the surface */
   vf s;                      /* mm: the footprint */
+  vf end;                    /* 0..1: how far the face is end grain */
 } surface_place;
 
 typedef struct {
@@ -116,6 +118,29 @@ INLINE void relief_checks(const wood_constants *w, const surface_place *p, surfa
   r->dark = vmin(r->dark + splat(m->check_dark) * g.depth, one);
 }
 
+#define SPLIT_DARK 0.9f /* of the light, what a gap keeps */
+
+INLINE void relief_splits(const wood_constants *w, const surface_place *p, surface_relief *r) {
+  const wood_surface *m = &w->surface;
+  /* the ends of plies are too thin to split */
+  if (m->split_depth <= 0.0f || w->plies.count) return;
+  if (!any(gt(p->end, splat(0.0f)))) return;
+  vf turn = place_turn(p->place.c, p->place.s), reach = vsqrt(p->place.f.aa) * splat(0.5f);
+  vi unused;
+  turn = turn - vfloor(turn, &unused);
+  reach = vmax(reach, splat(0.01f));
+  vu seed = wood_seed(w, p->place.own, SEED_SPLITS);
+  for (int layer = 0; layer < SPLIT_LAYERS; layer++) {
+    split_place q = split_layer(m, seed, layer, turn, p->place.rho, reach);
+    vf k = splat(m->split_depth) * p->end;
+    relief_add(r, splat(0.0f) - k * q.arc, p->arc);
+    relief_add(r, splat(0.0f) - k * q.rho, p->rho);
+    r->height = r->height - k * q.depth;
+    r->lost = r->lost + k * k * q.lost;
+    r->dark = vmin(r->dark + splat(SPLIT_DARK) * p->end * q.open, splat(1.0f));
+  }
+}
+
 INLINE void relief_cracks(const wood_constants *w, const surface_place *p, surface_relief *r) {
   const wood_surface *m = &w->surface;
   if (m->crack_depth <= 0.0f) return;
@@ -147,6 +172,7 @@ INLINE surface_relief relief_grown(const wood_constants *w, const surface_place 
   relief_wear(w, p, &r);
   relief_vessels(w, p, &r);
   relief_checks(w, p, &r);
+  relief_splits(w, p, &r);
   relief_cracks(w, p, &r);
   return r;
 }

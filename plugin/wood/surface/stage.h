@@ -103,6 +103,8 @@ INLINE void surface_place_of(const wood_constants *w, int boards, const wood_io 
   p->reach = k->reach;
   if (io->in->normal[0]) rho2 = vmax(rho2 - along_normal * along_normal, splat(0.0f));
   p->across_rho2 = rho2;
+  p->end = io->in->normal[0] ? ends_seen(one - k->up2) : splat(0.0f);
+  if (k->knot) p->end = p->end * (one - clamp01(k->knot->inside));
 }
 
 /* The surface at the block's points; the share of light that its checks and

@@ -8,6 +8,7 @@
  *   wear.h     earlywood worn away against latewood, fibres: log space
  *   grooves.h  vessels cut open, and checks: log space
  *   cracks.h   the cells of charred wood: log space
+ *   splits.h   checks of end grain: the reference section
  *   relief.h   all of them together
  */
 #ifndef SOZAI_WOOD_SURFACE_SURFACE_H
@@ -38,6 +39,16 @@ typedef struct {
   float mean;   /* mm: expected depth */
 } surface_grooves;
 
+#define SPLIT_LAYERS 2
+#define SPLIT_SHOULDER 1.6f /* to the gap's width: of what falls away to it */
+#define SPLIT_CHANCE 0.8f   /* of cells, those that have one */
+/* Over a cell, of checks as splits.h draws them: the part of its area to the widest half width
+ * and its width; the mean depth to that; and of the slope's square, by the same widest half width.
+ */
+#define SPLIT_MEAN (2.0f * SPLIT_CHANCE * 0.675f * 0.433f)
+#define SPLIT_DEEP 0.31f
+#define SPLIT_STEEP2 (8.0f / (6.0f * SPLIT_SHOULDER))
+
 typedef struct {
   int32_t relief; /* 0: the surface is smooth, and nothing below is looked at */
   int32_t stains; /* checks or cracks darken the albedo */
@@ -67,6 +78,14 @@ typedef struct {
   float check_depth; /* mm; 0: there are none */
   float check_dark;  /* of the albedo where one is deepest */
   wood_tubes checks;
+
+  /* checks of end grain */
+  float split_depth;          /* mm; 0: there are none */
+  float split_half;           /* mm: half the width of the widest */
+  float inverse_split_length; /* 1/mm: of a shell */
+  float split_cells;          /* round the pith, to a shell's middle in shells */
+  float split_mean;           /* mm: of a cell's width, what is split */
+  float split_steep2;         /* mean square slope to what is split, over split_depth's square */
 
   /* cracks of charred wood */
   float crack_frequency[2]; /* 1/mm: of the cells, across and along the fibre */
