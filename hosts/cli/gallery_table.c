@@ -6,10 +6,10 @@
 #define TILE .shape = "plane", .camera = "front", .width = 200, .height = 150
 #define FACE .shape = "plane", .camera = "front", .width = 960, .height = 640
 
-#define LAID(id, label, species, mm, a, b, c)                                                      \
+#define LAID(id, label, species, mm, ...)                                                          \
   {                                                                                                \
     .name = "layout-" id, .title = label, .preset = species, .sheet = "layouts",                   \
-    .params = {"layout=" id, a, b, c}, .shape = "plane", .camera = "front", .size = mm,            \
+    .params = {"layout=" id, __VA_ARGS__}, .shape = "plane", .camera = "front", .size = mm,        \
     .width = 400, .height = 400                                                                    \
   }
 
@@ -326,8 +326,8 @@ const shot gallery_shots[] = {
     LAID("end_grain", "End-grain blocks", "mizunara", "400x400", NULL, NULL, NULL),
     LAID("butcher", "Butcher block", "makaba", "600x600", NULL, NULL, NULL),
     LAID("ashlar", "Random ashlar", "hinoki", "1600x1600", "joint_width=4", NULL, NULL),
-    LAID("crazy", "Crazy paving, of end grain", "karamatsu", "900x900", "cut=end",
-         "tone_spread=0.1", "end_checks=3"),
+    LAID("crazy", "Crazy paving, of end grain", "karamatsu", "900x900", "cut=end", "end_checks=1",
+         "end_check_width=3", "end_check_length=150"),
     LAID("arcs", "Segmental arcs of end-grain setts", "mizunara", "1600x1600", "cut=end", NULL,
          NULL),
     LAID("circles", "Rings of end-grain setts", "mizunara", "1600x1600", "cut=end", NULL, NULL),
