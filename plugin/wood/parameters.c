@@ -1006,7 +1006,7 @@ static const sozai_parameter end_checks = {
 static const sozai_parameter end_check_width = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "end_check_width", .label = "End check width", .group = "surface", .unit = "mm",
-   .doc = "Of the widest.",
+   .doc = "Of the widest; never more than a fifth of the way between two.",
    .hard_min = 0.02, .hard_max = 10, .soft_min = 0.1, .soft_max = 3, .default_number = {1}};
 
 static const sozai_parameter end_check_length = {

@@ -201,10 +201,40 @@ static void ends_check_as_asked_for(void **state) {
   free(left);
 }
 
+/* About the pith the most and the widest checks leave some wood, no deeper than they are wide. */
+static void the_pith_does_not_fall_out(void **state) {
+  (void)state;
+  static const double sizes[] = {0, 0.1, 3, 1e4};
+  sozai_texture *t = wood_make(
+      NULL, PLAIN "end_checks=40; end_check_width=10; end_check_length=2000; ray_density=0");
+  points p = {0};
+  double darkest = 1, lowest = 0, mean = 0;
+  for (int f = 0; f < 4; f++) {
+    points_clear(&p);
+    for (int i = 0; i < POINTS; i++) {
+      double r = pow(10, -6 + 8.0 * i / POINTS);
+      unsigned j = points_add(&p, r * cos(2.4 * i), 5, r * sin(2.4 * i), sizes[f]);
+      for (int c = 0; c < 3; c++) p.normal[c][j] = c == 1 ? 1.0f : 0.0f;
+    }
+    points_ask(&p, t);
+    for (int i = 0; i < POINTS; i++) {
+      darkest = fmin(darkest, (double)p.out[ALBEDO][i]);
+      lowest = fmin(lowest, (double)p.out[HEIGHT][i]);
+      mean += (double)p.out[ALBEDO][i] / (4 * POINTS);
+    }
+  }
+  CHECK(darkest > 0.01 && lowest > -0.6 && mean > 0.2,
+        "albedo %.3f in the mean, %.3f at least; %.2f mm deep at most\n", mean, darkest, -lowest);
+  points_free(&p);
+  textures->destroy(t);
+}
+
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(ends_check_as_asked_for), cmocka_unit_test(end_grain_is_darker),
-      cmocka_unit_test(grows_with_the_turn), cmocka_unit_test(rays_are_dark_on_the_tangential_face),
-      cmocka_unit_test(nothing_without_normals)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(ends_check_as_asked_for),
+                                     cmocka_unit_test(the_pith_does_not_fall_out),
+                                     cmocka_unit_test(end_grain_is_darker),
+                                     cmocka_unit_test(grows_with_the_turn),
+                                     cmocka_unit_test(rays_are_dark_on_the_tangential_face),
+                                     cmocka_unit_test(nothing_without_normals)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

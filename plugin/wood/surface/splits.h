@@ -63,7 +63,8 @@ INLINE split_place split_layer(const wood_surface *m, vu seed, int layer, vf tur
 
   vf span = ends - starts, t = (within - starts) / span, lens = splat(4.0f) * t * (one - t);
   vf half = splat(m->split_half) * plump * vmax(lens, zero);
-  half = sel(some, half, zero);
+  /* at the pith the cells end in a point */
+  half = sel(some, vmin(half, splat(SPLIT_NARROW) * arc), zero);
   vf a = (x - place) * arc + stray;
   split_place q;
   q.open = ray_overlap(a - reach, a + reach, half);
@@ -77,7 +78,8 @@ INLINE split_place split_layer(const wood_surface *m, vu seed, int layer, vf tur
   vf left = share * share * share;
 
   vf faded = smooth_step(splat(0.25f), splat(0.7f), reach / arc);
-  vf keep = one - faded, mean = sel(cells, splat(m->split_mean), zero) / arc;
+  vf keep = one - faded, mean = vmin(splat(m->split_mean) / arc, splat(SPLIT_MEAN * SPLIT_NARROW));
+  mean = sel(cells, mean, zero);
   q.open = q.open * keep + faded * mean;
   q.depth = q.depth * keep + faded * mean * splat(SPLIT_DEEP);
   q.arc = q.arc * keep;

@@ -41,6 +41,7 @@ typedef struct {
 
 #define SPLIT_LAYERS 2
 #define SPLIT_SHOULDER 1.6f /* to the gap's width: of what falls away to it */
+#define SPLIT_NARROW 0.2f   /* of its cell, half a check's width at most */
 #define SPLIT_CHANCE 0.8f   /* of cells, those that have one */
 /* Over a cell, of checks as splits.h draws them: the part of its area to the widest half width
  * and its width; the mean depth to that; and of the slope's square, by the same widest half width.
