@@ -54,6 +54,8 @@ INLINE void cells_add(const stone_cells *c, vu h, const cells_kind *kind, vf sha
 #define CELLS_FEW 5     /* the same of footprints that are not wider than */
 #define CELLS_MANY 4.0f /* cells, or in fours of looks */
 #define CELLS_IN_FOURS 4.5f
+#define CELLS_ONE_FOUR 0.31f  /* cells of full contrast: what one four can tell, of crystals */
+#define FLAKES_ONE_FOUR 0.36f /* and of flakes */
 #define CELLS_FINE 1.0f      /* cells: wider footprints do not tell the finer of the faces' bends */
 #define CELLS_SMALL 0.04f    /* cells: smaller looks are as good as points */
 #define CELLS_LOOK_MOST 0.5f /* cells: a look at bodies sees past all of their faces but one */
@@ -122,7 +124,7 @@ INLINE int looks_together(const cells_look *looks) {
   return any(lt(looks[0].eye->view->most, splat(CELLS_TOGETHER)));
 }
 
-#define CELLS_SHEARED 0.12f /* cells: a wider look sees how the bends shear its part */
+#define CELLS_SHEARED 0.09f /* cells: a wider look sees how the bends shear its part */
 
 INLINE void looks_bend_as(const stone_cells *c, int together, cells_look *looks, int count) {
   for (int l = 0; l < count; l++) {
@@ -175,8 +177,7 @@ STAGE void looks_find(const stone_cells *c, cells_look *looks, int count) {
   int together = looks_together(looks);
   for (int l = 0; l < count; l++) {
     if (looks[l].empty) continue;
-    int three = !c->shaped && !eye_whole(c, looks[l].eye);
-    cells_find(c, together, three, looks[l].q, looks[l].near);
+    cells_find(c, together, !eye_whole(c, looks[l].eye), looks[l].q, looks[l].near);
   }
 }
 
@@ -185,19 +186,20 @@ INLINE void look_add_as(const stone_cells *c, int whole, const cells_look *o) {
   vf share[3], core[3], zero = splat(0.0f), one = splat(1.0f), third = zero;
   cells_eye *eye = o->eye;
   const cells_view *view = eye->view;
-  const int count = whole || c->shaped ? 2 : 3;
+  /* of bodies that are no flakes the third cell's faces are enough */
+  const int count = whole || (c->shaped && c->thick >= 1.0f) ? 2 : 3;
   cells_kind kind[3];
-  vm body[2];
-  body[0] = body[1] = lt(zero, zero);
+  vm body[3];
+  body[0] = body[1] = body[2] = lt(zero, zero);
   if (!c->shaped) eye->nearest = o->near[0].h;
-  for (int n = 0; n < 2 && c->shaped && !o->empty; n++) {
+  for (int n = 0; n < count && c->shaped && !o->empty; n++) {
     kind[n] = cells_kind_of(c, o->near[n].at);
     body[n] = or_(kind[n].first, kind[n].second);
   }
-  int some = any(or_(body[0], body[1]));
+  int some = any(or_(or_(body[0], body[1]), body[2]));
   if (c->shaped && eye->found) {
     if (some) memcpy(eye->found->near, o->near, sizeof o->near);
-    memcpy(eye->found->body, body, sizeof body);
+    memcpy(eye->found->body, body, sizeof eye->found->body);
   }
   if (c->shaped && !some) {
     for (int k = 0; k < CELLS_PARTS && eye->looks; k++) eye->looks->of[k][o->slot] = zero;
@@ -325,8 +327,11 @@ STAGE void view_divide(const stone_cells *c, cells_view *e, const cells_square *
     vm several = view_several(e);
     for (int k = 0; k < 2; k++) {
       vi whole;
-      vf fours = vfloor(wide[k] * splat(c->fours) + splat(1.5f), &whole);
+      vf dense = wide[k] * splat(c->fours), two = splat(2.0f);
+      vf fours = vfloor(dense + splat(1.5f), &whole);
       fours = vmin(fours, vfloor((e->n[k] + one) * splat(0.5f), &whole));
+      vm more = gt(dense, splat(c->shaped ? FLAKES_ONE_FOUR : CELLS_ONE_FOUR));
+      fours = sel(more, vmax(fours, two), fours);
       e->n[k] = sel(several, fours + fours, one);
     }
   }

@@ -79,7 +79,7 @@ INLINE vf sites_reach(const cells_view *e, const cells_look looks[SITES_LOOKS], 
     for (int k = 0; k < 3; k++) x[k] = looks[l].q[k] - middle[k];
     far = vmax(far, dot3(x, x));
   }
-  return vsqrt(far) + splat(0.5f) * e->part_wide + splat(0.3f) / inverse + splat(0.001f);
+  return vsqrt(far) + splat(0.5f) * e->part_wide + splat(0.54f) / inverse + splat(0.001f);
 }
 
 /* Four looks. */

@@ -27,8 +27,8 @@ typedef struct {
   vf aslant[SITES][2];
   /* of bodies: whether any lane has one that reaches into a look; the flake's normal, how far
    * the middle is over its own, one over a quarter's extent, half its thickness times that;
-   * what is taken off at the face; and the ball's square, and what brings that to the face's
-   * unit */
+   * what is taken off at the face; and the ball's square, and what makes a
+   * distance of its differences */
   int some[SITES_BODIES];
   cells_kind kind[SITES_BODIES];
   vf flake[SITES_BODIES][3], slab[SITES_BODIES], lean[SITES_BODIES][2], per[SITES_BODIES];
@@ -59,7 +59,7 @@ INLINE void sites_flake(const stone_cells *c, const cells_near *n, const cells_s
   if (c->radius < 4.0f) {
     vf r = cells_radius(c, n->h);
     o->ball[k] = r * r;
-    o->per_ball[k] = splat(0.5f * CELLS_APART) / r;
+    o->per_ball[k] = splat(0.5f) / r;
   }
 }
 
@@ -93,11 +93,11 @@ INLINE void sites_find(const stone_cells *c, int shaped, const vf q[3], const ce
   }
 }
 
-/* One over how wide a face is, in what power distances differ by, to a square: of two thirds of
- * its extent, as a face stands to it in the mean. */
+/* One over how wide a face is to a square: of two thirds of its extent, as a face stands to it in
+ * the mean. */
 INLINE vf sites_inverse(vf wide, float blur) {
   vf w = wide * wide * splat(0.67f) + splat(blur * blur);
-  return splat(1.0f / CELLS_APART) * inverse_root(w + splat(1e-12f));
+  return inverse_root(w + splat(1e-12f));
 }
 
 /* From a look, which is o away from the middle, to the power distances. */
@@ -164,11 +164,17 @@ INLINE void sites_crystals(const stone_cells *c, const cells_sites *s, const cel
   }
 }
 
-/* The same of flakes. Where a ball is near its surface its square tells how far. */
+/* The same of flakes. Where a ball is near its surface its square tells how far. Of faces that
+ * between the two cells nearest to all looks says how far apart centres are: some are close. */
 INLINE void sites_flakes(const stone_cells *c, const cells_sites *s, const cells_square *part,
                          const vf o[3], vf inverse, vf share[SITES]) {
   vf from[SITES], d[4][SITES], least[4][2], square[4], zero = splat(0.0f), half = splat(0.5f);
   const int rounded = c->radius < 4.0f;
+  vf apart[3];
+  for (int i = 0; i < 3; i++) apart[i] = s->x[0][i] - s->x[1][i];
+  vf u = dot3(apart, part->u) * half, v = dot3(apart, part->v) * half;
+  vf face =
+      inverse_root(u * u + v * v + dot3(apart, apart) * splat(c->blur * c->blur) + splat(1e-6f));
   sites_from(s, SITES_BODIES, o, from);
   UNROLL(4)
   for (int i = 0; i < 4; i++) {
@@ -184,8 +190,9 @@ INLINE void sites_flakes(const stone_cells *c, const cells_sites *s, const cells
     UNROLL(4)
     for (int i = 0; i < 4; i++) {
       vf in = sel(le(d[i][k], least[i][0]), least[i][1], least[i][0]) - d[i][k] - s->gap[k];
-      if (rounded) in = vmin(in, (s->ball[k] - d[i][k] - square[i]) * s->per_ball[k]);
-      vf cover = clamp01(half + in * inverse);
+      in = in * face;
+      if (rounded) in = vmin(in, (s->ball[k] - d[i][k] - square[i]) * s->per_ball[k] * inverse);
+      vf cover = clamp01(half + in);
       vf at = vabs(sites_towards(slab, s->lean[k], i)) * s->per[k];
       vf flake = vmax(vmin(at + half, thick) - vmax(at - half, zero - thick), zero);
       share[k] = share[k] + cover * flake;

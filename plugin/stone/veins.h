@@ -201,7 +201,8 @@ INLINE vf vein_share(const stone_constants *w, const vf p[3], const vf n[3], con
   vf one = splat(1.0f), sum = splat(0.0f), wide = s * splat(w->vein_frequency);
   const int families = w->vein_crossing > 0.0f ? VEIN_FAMILIES : 1;
   vi whole;
-  vf parts = vmax(wide * splat(30.0f), vmin(s * splat(1.5f / w->vein_width), splat(1.3f)));
+  vf few = vmax(s * splat(1.5f / w->vein_width), wide * splat(39.0f));
+  vf parts = vmax(wide * splat(30.0f), vmin(few, splat(1.3f)));
   vf steps = clamp(vfloor(parts + splat(0.87f), &whole), one, splat(VEIN_STEPS));
   vf inverse = one / steps, h = s * inverse;
   vf keep = one - smooth_step(splat(3.0f), splat(7.0f), wide);

@@ -14,8 +14,9 @@
 #include "truth.h"
 
 #define PI 3.14159265358979
-enum { PLACES = 384, TURNED = 48, SIZES = 9 };
-static const double sizes[SIZES] = {0.01, 0.03, 0.1, 0.3, 1, 3, 10, 30, 100};
+enum { PLACES = 384, TURNED = 48, SIZES = 17 };
+static const double sizes[SIZES] = {0.01, 0.03, 0.1, 0.2, 0.3, 0.5, 0.7, 1,  1.4,
+                                    2,    3,    5,   10,  15,  30,  50,  100};
 
 /* One face to an axis, and one that leans. */
 static void face(int k, double n[3], double u[3], double v[3]) {
