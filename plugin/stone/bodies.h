@@ -170,6 +170,15 @@ INLINE void cells_bodies(const stone_cells *c, const cells_near near[3], const v
   }
 }
 
+/* Of a crystal, at its border to another, how much shows of what lies behind: the first's share. */
+INLINE vf cells_behind(const cells_square *s, const cells_near *a, const cells_near *b) {
+  const cells_parts whole = cells_whole();
+  vf g[3];
+  for (int k = 0; k < 3; k++) g[k] = splat(2.0f) * (a->x[k] - b->x[k]);
+  cells_edge far = edge_of(s, &whole, b->d - a->d, g, CELLS_REACH);
+  return edge_cover(&far, &whole, 0);
+}
+
 /* Of crystals, three of which may meet in the square. */
 INLINE void cells_crystals(const stone_cells *c, const cells_near near[3], const cells_square *s,
                            const cells_parts *p, int three, vf third, vf share[3]) {
@@ -197,15 +206,17 @@ INLINE void cells_crystals(const stone_cells *c, const cells_near near[3], const
     for (int n = 0; n < 3; n++) share[n] = mix(share[n], cells_mean(p, cover[n]), third);
   }
   if (c->depth > 0.0f) {
-    /* light that has gone on behind the border */
-    cells_parts whole = cells_whole();
-    vf g[3];
-    for (int k = 0; k < 3; k++) g[k] = splat(2.0f) * (a->x[k] - b->x[k]);
-    cells_edge far = edge_of(s, &whole, b->d - a->d, g, CELLS_REACH);
-    vf back = edge_cover(&far, &whole, 0), depth = splat(c->depth);
-    share[0] = mix(share[0], back, depth);
-    share[1] = mix(share[1], one - back, depth);
-    share[2] = mix(share[2], none, depth);
+    /* light that has gone on behind the border to the second nearest, which of a square's parts
+     * are one and the other */
+    vf back = cells_behind(s, a, b), depth = splat(c->depth), behind[3] = {back, one - back, none};
+    if (three) {
+      vf nearer = clamp01(splat(0.5f) + side[1].in * side[1].inverse * p->side);
+      vf second = mix(one, nearer, third), other = cells_behind(s, a, &near[2]);
+      behind[0] = mix(other, back, second);
+      behind[1] = second * (one - back);
+      behind[2] = one - behind[0] - behind[1];
+    }
+    for (int n = 0; n < 3; n++) share[n] = mix(share[n], behind[n], depth);
   }
 }
 

@@ -226,6 +226,11 @@ static void look_once(stone_cells *c, const stone_cells *grains) {
   c->least = 1.999f - single * c->looks;
 }
 
+#define SHEARED 0.018f       /* cells, over the bends' warp: wider looks see how they are sheared; */
+#define SHEARED_FLAKES 0.006f /* of flakes, which are thin */
+#define RAGGED 0.25f          /* cells: so warped, what differs little is sheared, too */
+#define CONTRASTED 0.75       /* of CONTRAST, the root */
+
 /* What differs little needs few looks, and is soon its mean. A look's edges are seen in
  * quarters, so that most of what it errs by is what lies beyond the cells that it has found:
  * that goes as the contrast, and as its width or little more. */
@@ -248,13 +253,12 @@ static void set_looks(stone_constants *w, const settings *s) {
     if (!c->on) continue;
     if (share < 0.01) share = 0.01;
     /* bodies of which two cells tell (bodies.h); of low contrast fours would be too wide */
-    c->grouped = (!c->shaped || c->thick < 1.0f) && share > 0.75;
+    c->grouped = (!c->shaped || c->thick < 1.0f) && share > CONTRASTED;
     if (share < 1.0) {
       c->fours = (float)(c->shaped ? share : share * share);
-      /* three crystals to a look err less for each */
-      if (!c->shaped) c->looks = (float)(share * (double)c->looks);
       c->whole = (float)((double)c->whole / (share * share));
-      c->looks = (float)(__builtin_sqrt(share) * share * (double)c->looks);
+      double root = __builtin_sqrt(share);
+      c->looks = (float)((c->shaped ? __builtin_sqrt(root) : root) * share * share * (double)c->looks);
       c->fade = (float)(share * (double)c->fade);
     }
     /* nor do clouds within crystals go by how much crystals differ */
@@ -263,6 +267,9 @@ static void set_looks(stone_constants *w, const settings *s) {
     if (c->grouped && c->shaped) look_once(c, &w->layer[LAYER_GRAINS]);
     if (c->single > 0.6f * c->fade) c->single = 0.6f * c->fade;
     if (c->shaped && c->single > 0.5f) c->single = 0.5f;
+    c->sheared = 1e9f;
+    if (share > CONTRASTED || c->warp > RAGGED)
+      c->sheared = (c->shaped && c->thick < 1.0f ? SHEARED_FLAKES : SHEARED) / (c->warp + 1e-6f);
   }
 }
 

@@ -124,8 +124,6 @@ INLINE int looks_together(const cells_look *looks) {
   return any(lt(looks[0].eye->view->most, splat(CELLS_TOGETHER)));
 }
 
-#define CELLS_SHEARED 0.09f /* cells: a wider look sees how the bends shear its part */
-
 INLINE void looks_bend_as(const stone_cells *c, int together, cells_look *looks, int count) {
   for (int l = 0; l < count; l++) {
     cells_look *o = &looks[l];
@@ -141,13 +139,12 @@ STAGE void looks_bend(const stone_cells *c, cells_look *looks, int count) {
     looks_bend_as(c, 0, looks, count);
 }
 
-/* Looks of which each asks for itself what it sees: with their parts. Of a layer that differs
- * little it does not matter how they are sheared. */
+/* Looks of which each asks for itself what it sees: with their parts. */
 STAGE void looks_bend_parts(const stone_cells *c, cells_look *looks, int count) {
   int sheared = 0;
   for (int l = 0; l < count; l++) {
     looks[l].part = &looks[l].eye->view->part;
-    sheared |= c->grouped && any(gt(looks[l].eye->view->part_wide, splat(CELLS_SHEARED)));
+    sheared |= any(gt(looks[l].eye->view->part_wide, splat(c->sheared)));
   }
   if (!sheared) {
     looks_bend(c, looks, count);
@@ -156,7 +153,7 @@ STAGE void looks_bend_parts(const stone_cells *c, cells_look *looks, int count) 
   for (int l = 0; l < count; l++) {
     cells_look *o = &looks[l];
     const cells_square *part = o->part;
-    vm wide = gt(o->eye->view->part_wide, splat(CELLS_SHEARED));
+    vm wide = gt(o->eye->view->part_wide, splat(c->sheared));
     cells_square bent = *part;
     for (int k = 0; k < 3; k++) o->q[k] = o->straight[k];
     o->cloud = cells_bend_square(c, o->eye->view->fine, o->q, &bent);
@@ -177,7 +174,7 @@ STAGE void looks_find(const stone_cells *c, cells_look *looks, int count) {
   int together = looks_together(looks);
   for (int l = 0; l < count; l++) {
     if (looks[l].empty) continue;
-    cells_find(c, together, !eye_whole(c, looks[l].eye), looks[l].q, looks[l].near);
+    cells_find(c, together, !c->shaped && !eye_whole(c, looks[l].eye), looks[l].q, looks[l].near);
   }
 }
 
@@ -187,7 +184,7 @@ INLINE void look_add_as(const stone_cells *c, int whole, const cells_look *o) {
   cells_eye *eye = o->eye;
   const cells_view *view = eye->view;
   /* of bodies that are no flakes the third cell's faces are enough */
-  const int count = whole || (c->shaped && c->thick >= 1.0f) ? 2 : 3;
+  const int count = whole || c->shaped ? 2 : 3;
   cells_kind kind[3];
   vm body[3];
   body[0] = body[1] = body[2] = lt(zero, zero);
@@ -221,7 +218,7 @@ INLINE void look_add_as(const stone_cells *c, int whole, const cells_look *o) {
   }
   const float gone = c->shaped ? LAMELLAE_BOTH : LAMELLAE_GONE;
   vf lamellae[2] = {crystal_keep(view->most, 0.4f * gone, gone),
-                    crystal_keep(view->most, 0.3f * LAMELLAE_BOTH, LAMELLAE_BOTH)};
+                    crystal_keep(view->most, 0.05f, 0.14f)};
   cells_cover look = cells_none();
   for (int n = 0; n < count; n++) {
     if (!any(gt(share[n], zero))) continue;
@@ -254,7 +251,7 @@ STAGE void looks_add(const stone_cells *c, const cells_look *looks, int count) {
   }
 }
 
-#define CELLS_SPARSE 0.5f /* cells: of wider footprints too many lie about all lanes */
+#define CELLS_SPARSE 0.25f /* cells: of wider footprints too many lie about all lanes */
 
 /* Which looks have no body near, of one eye all together. */
 STAGE void looks_empty(const stone_cells *c, cells_look *looks, int count) {
@@ -296,9 +293,9 @@ INLINE void looks_run(const stone_cells *c, cells_look *looks, int count) {
 /* What the middle of a part knows of the bends there, and what a footprint that is all
  * but a cell wide need not. */
 INLINE vf view_fine(const cells_view *e) {
-  vm all = and_(le(e->part_wide, splat(0.08f)), le(e->most, splat(CELLS_FINE)));
+  vm all = and_(le(e->part_wide, splat(0.12f)), le(e->most, splat(CELLS_FINE)));
   if (!any(not_(all))) return splat(1.0f);
-  return crystal_keep(e->part_wide, 0.08f, 0.35f) *
+  return crystal_keep(e->part_wide, 0.12f, 0.36f) *
          crystal_keep(e->most, CELLS_FINE, 1.6f * CELLS_FINE);
 }
 

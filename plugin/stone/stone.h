@@ -79,6 +79,7 @@ typedef struct {
   float least;         /* parts of a point, and what they are rounded by */
   float single;        /* footprint, in cells, up to which one look is all */
   float whole;         /* cells: wider looks are seen in quarters */
+  float sheared;       /* cells: a wider look sees how the bends shear it */
   int32_t on, shaped;  /* shaped: eroded, or cut to a ball */
   float fours;         /* fours of looks to a cell, where looks come so (sites.h) */
   int32_t grouped;     /* they do */

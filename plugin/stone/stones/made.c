@@ -11,7 +11,7 @@ static const sozai_value values_terrazzo[] = {
     NUMBER("grain_variation", 0.05),
     SRGB("base_colour", 206, 202, 194),
     SRGB("second_colour", 196, 192, 184),
-    NUMBER("inclusion_size", 12.2),
+    NUMBER("inclusion_size", 11.7),
     NUMBER("inclusion_share", 0.24),
     NUMBER("inclusion_second_share", 0.16),
     NUMBER("inclusion_gap", 1.2),
