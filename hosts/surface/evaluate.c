@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "blend.h"
+#include "patches.h"
 
 /* A plane's normal, the same at every texel. */
 #define FOUR_OF(x) x, x, x, x
@@ -40,6 +41,8 @@ bool surface_evaluate(const surface *s, const surface_material *m, uint32_t leve
     return fail(why, EXIT_FAILURE, "no such texels");
   if (out_count > SURFACE_COMPONENTS) out_count = SURFACE_COMPONENTS;
   bool alike = mesh && too_far(texels.covered, count);
+  /* of what is no mesh all else is the same at each texel */
+  for (int c = 0; !mesh && c < 2; c++) patches_of_rows(texels.point[c], w, h);
   sozai_batch batch = {.size = sizeof batch,
                        .count = alike ? 1 : (uint32_t)count,
                        .footprint = texels.footprint,
@@ -52,6 +55,8 @@ bool surface_evaluate(const surface *s, const surface_material *m, uint32_t leve
   int32_t result = shape->seamless ? blend_evaluate(&shape->repeat, m, &batch)
                                    : m->textures->evaluate(m->texture, &batch);
   if (result != SOZAI_OK) return fail(why, EXIT_FAILURE, "%s", m->textures->last_error());
+  for (uint32_t k = 0; !mesh && k < out_count; k++)
+    if (out[k]) rows_of_patches(out[k], w, h);
   if (alike) repeat_first(out, out_count, count);
   return true;
 }
