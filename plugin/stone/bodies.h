@@ -116,37 +116,29 @@ INLINE vf cells_calm(const stone_cells *c, vf mean, vf tone) {
 }
 
 /* How much of each part of the square has a body, `less` smaller all round: it ends at the faces to
- * both of the others. Of flakes the third counts `third`, and not at all but for `three`. */
+ * both of the others. */
 INLINE void cells_within(const stone_cells *c, const cells_near near[3], int n, vf less,
-                         const cells_square *s, const cells_parts *p, int three, vf third,
-                         vf cover[4]) {
-  int asked = cells_asked(c) > 2, rounded = c->radius < 4.0f;
+                         const cells_square *s, const cells_parts *p, vf cover[4]) {
+  int third = cells_asked(c) > 2, rounded = c->radius < 4.0f;
   const cells_near *a = &near[n];
   vf erosion = cells_erosion(c, a->h) + less;
-  cells_edge face = edge_of_face(c, a, &near[n == 0], erosion, s, p), other = face, ball = face;
-  if (asked || three) other = edge_of_face(c, a, &near[n == 2 ? 1 : 2], erosion, s, p);
+  cells_edge face = edge_of_face(c, a, &near[1 - n], erosion, s, p), other = face, ball = face;
+  if (third) other = edge_of_face(c, a, &near[2], erosion, s, p);
   if (rounded) ball = edge_of_ball(c, a, less, s, p);
   for (int i = 0; i < p->count; i++) {
     cover[i] = edge_cover(&face, p, i);
-    if (asked || three) {
-      vf both = edges_both(cover[i], edge_cover(&other, p, i));
-      cover[i] = asked ? both : mix(cover[i], both, third);
-    }
+    if (third) cover[i] = edges_both(cover[i], edge_cover(&other, p, i));
     if (rounded) cover[i] = vmin(cover[i], edge_cover(&ball, p, i));
   }
 }
 
-/* How much of a square the bodies of its nearest two cells have, and the third of flakes; core: and
- * of it what is not rim. A flake is thin: mostly it is elsewhere, and then its outline is nobody's.
- */
-INLINE void cells_bodies(const stone_cells *c, const cells_near near[3], const vm body[3],
-                         const cells_square *s, const cells_parts *p, int three, vf third,
-                         vf share[3], vf core[3]) {
+/* How much of a square the bodies of its nearest two cells have; core: and of it what is not
+ * rim. A flake is thin: mostly it is elsewhere, and then its outline is nobody's. */
+INLINE void cells_bodies(const stone_cells *c, const cells_near near[3], const vm body[2],
+                         const cells_square *s, const cells_parts *p, vf share[2], vf core[2]) {
   vf zero = splat(0.0f), one = splat(1.0f);
   int flat = c->thick < 1.0f;
-  three &= flat;
-  share[2] = core[2] = zero;
-  for (int n = 0; n < (three ? 3 : 2); n++) {
+  for (int n = 0; n < 2; n++) {
     const cells_near *a = &near[n];
     vf flake[4] = {one, one, one, one}, cover[4], half, some = one, normal[3];
     share[n] = core[n] = zero;
@@ -160,12 +152,11 @@ INLINE void cells_bodies(const stone_cells *c, const cells_near near[3], const v
       }
     }
     if (!any(and_(body[n], gt(some, zero)))) continue;
-    cells_within(c, near, n, zero, s, p, three, third, cover);
+    cells_within(c, near, n, zero, s, p, cover);
     for (int i = 0; i < p->count; i++) cover[i] = cover[i] * flake[i];
     share[n] = core[n] = cells_mean(p, cover);
-    if (n == 2) share[n] = core[n] = third * share[n];
     if (c->rim <= 0.0f) continue;
-    cells_within(c, near, n, cells_rim(c, a->h), s, p, three, third, cover);
+    cells_within(c, near, n, cells_rim(c, a->h), s, p, cover);
     core[n] = vmin(cells_mean(p, cover), share[n]);
   }
 }
@@ -211,10 +202,10 @@ INLINE void cells_crystals(const stone_cells *c, const cells_near near[3], const
     vf back = cells_behind(s, a, b), depth = splat(c->depth), behind[3] = {back, one - back, none};
     if (three) {
       vf nearer = clamp01(splat(0.5f) + side[1].in * side[1].inverse * p->side);
-      vf second = mix(one, nearer, third), other = cells_behind(s, a, &near[2]);
-      behind[0] = mix(other, back, second);
-      behind[1] = second * (one - back);
-      behind[2] = one - behind[0] - behind[1];
+      vf beyond = third * (one - nearer), other = cells_behind(s, a, &near[2]);
+      behind[0] = mix(back, other, beyond); /* to the bit what it is of two where there is none */
+      behind[1] = (one - beyond) * (one - back);
+      behind[2] = vmax(one - behind[0] - behind[1], none);
     }
     for (int n = 0; n < 3; n++) share[n] = mix(share[n], behind[n], depth);
   }
@@ -222,12 +213,13 @@ INLINE void cells_crystals(const stone_cells *c, const cells_near near[3], const
 
 /* A square no larger than about a cell: of the nearest cells, how much each has of it;
  * where cells have bodies, of those alone that are `body`, and what is not rim. third: how
- * much the third crystal or flake counts, three: whether it does to any. */
-INLINE void cells_shares(const stone_cells *c, const cells_near near[3], const vm body[3],
+ * much the third crystal counts, three: whether it does to any. */
+INLINE void cells_shares(const stone_cells *c, const cells_near near[3], const vm body[2],
                          const cells_square *s, const cells_parts *p, int three, vf third,
                          vf share[3], vf core[3]) {
+  share[2] = core[2] = splat(0.0f);
   if (c->shaped) {
-    cells_bodies(c, near, body, s, p, three, third, share, core);
+    cells_bodies(c, near, body, s, p, share, core);
     return;
   }
   cells_crystals(c, near, s, p, three, third, share);

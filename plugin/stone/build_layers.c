@@ -226,10 +226,17 @@ static void look_once(stone_cells *c, const stone_cells *grains) {
   c->least = 1.999f - single * c->looks;
 }
 
-#define SHEARED 0.018f       /* cells, over the bends' warp: wider looks see how they are sheared; */
-#define SHEARED_FLAKES 0.006f /* of flakes, which are thin */
-#define RAGGED 0.25f          /* cells: so warped, what differs little is sheared, too */
-#define CONTRASTED 0.75       /* of CONTRAST, the root */
+#define CONTRASTED 0.75 /* the root of CONTRAST's share */
+#define SHEARED 0.018f  /* cells, over the bends' warp */
+#define SHEARED_FLAKES 0.006f
+#define RAGGED 0.25f
+
+/* From which width on a look sees how the bends shear it: of what is thin sooner. Of what differs
+ * little it does not matter, but for what is as ragged as travertine's holes. */
+static float sheared_from(const stone_cells *c, double share) {
+  if (share <= CONTRASTED && c->warp <= RAGGED) return 1e9f;
+  return (c->shaped && c->thick < 1.0f ? SHEARED_FLAKES : SHEARED) / (c->warp + 1e-6f);
+}
 
 /* What differs little needs few looks, and is soon its mean. A look's edges are seen in
  * quarters, so that most of what it errs by is what lies beyond the cells that it has found:
@@ -257,8 +264,8 @@ static void set_looks(stone_constants *w, const settings *s) {
     if (share < 1.0) {
       c->fours = (float)(c->shaped ? share : share * share);
       c->whole = (float)((double)c->whole / (share * share));
-      double root = __builtin_sqrt(share);
-      c->looks = (float)((c->shaped ? __builtin_sqrt(root) : root) * share * share * (double)c->looks);
+      double root = __builtin_sqrt(share), power = c->shaped ? __builtin_sqrt(root) : root;
+      c->looks = (float)(power * share * share * (double)c->looks);
       c->fade = (float)(share * (double)c->fade);
     }
     /* nor do clouds within crystals go by how much crystals differ */
@@ -267,9 +274,7 @@ static void set_looks(stone_constants *w, const settings *s) {
     if (c->grouped && c->shaped) look_once(c, &w->layer[LAYER_GRAINS]);
     if (c->single > 0.6f * c->fade) c->single = 0.6f * c->fade;
     if (c->shaped && c->single > 0.5f) c->single = 0.5f;
-    c->sheared = 1e9f;
-    if (share > CONTRASTED || c->warp > RAGGED)
-      c->sheared = (c->shaped && c->thick < 1.0f ? SHEARED_FLAKES : SHEARED) / (c->warp + 1e-6f);
+    c->sheared = sheared_from(c, share);
   }
 }
 

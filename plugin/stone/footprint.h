@@ -174,7 +174,8 @@ STAGE void looks_find(const stone_cells *c, cells_look *looks, int count) {
   int together = looks_together(looks);
   for (int l = 0; l < count; l++) {
     if (looks[l].empty) continue;
-    cells_find(c, together, !c->shaped && !eye_whole(c, looks[l].eye), looks[l].q, looks[l].near);
+    int three = !c->shaped && !eye_whole(c, looks[l].eye);
+    cells_find(c, together, three, looks[l].q, looks[l].near);
   }
 }
 
@@ -183,20 +184,19 @@ INLINE void look_add_as(const stone_cells *c, int whole, const cells_look *o) {
   vf share[3], core[3], zero = splat(0.0f), one = splat(1.0f), third = zero;
   cells_eye *eye = o->eye;
   const cells_view *view = eye->view;
-  /* of bodies that are no flakes the third cell's faces are enough */
   const int count = whole || c->shaped ? 2 : 3;
   cells_kind kind[3];
-  vm body[3];
-  body[0] = body[1] = body[2] = lt(zero, zero);
+  vm body[2];
+  body[0] = body[1] = lt(zero, zero);
   if (!c->shaped) eye->nearest = o->near[0].h;
-  for (int n = 0; n < count && c->shaped && !o->empty; n++) {
+  for (int n = 0; n < 2 && c->shaped && !o->empty; n++) {
     kind[n] = cells_kind_of(c, o->near[n].at);
     body[n] = or_(kind[n].first, kind[n].second);
   }
-  int some = any(or_(or_(body[0], body[1]), body[2]));
+  int some = any(or_(body[0], body[1]));
   if (c->shaped && eye->found) {
     if (some) memcpy(eye->found->near, o->near, sizeof o->near);
-    memcpy(eye->found->body, body, sizeof eye->found->body);
+    memcpy(eye->found->body, body, sizeof body);
   }
   if (c->shaped && !some) {
     for (int k = 0; k < CELLS_PARTS && eye->looks; k++) eye->looks->of[k][o->slot] = zero;

@@ -15,21 +15,21 @@
 /* What bodies fill, what of it is not rim, and what the widest looks see. */
 static void measure_layer(const stone_cells *c, uint32_t count, double *fill, double *core,
                           double *seen) {
-  const vf zero = splat(0.0f), one = splat(1.0f), side = splat(CELLS_LOOK_MOST);
+  const vf zero = splat(0.0f), side = splat(CELLS_LOOK_MOST);
   const cells_square point = {{zero, zero, zero}, {zero, zero, zero}};
   const cells_square look = {{side, zero, zero}, {zero, side, zero}};
-  const vm all = le(zero, zero), body[3] = {all, all, all};
+  const vm all = le(zero, zero), body[2] = {all, all};
   const cells_parts one_part = cells_part(zero, c->whole), quarters = cells_part(side, c->whole);
   for (uint32_t i = 0; i < count; i += LANES) {
     vf q[3], share[3], inner[3];
     cells_near near[3];
     for (uint32_t a = 0; a < 3; a++) q[a] = measure_place(i, a, MEASURED_EXTENT);
-    cells_find(c, 0, 1, q, near);
+    cells_find(c, 0, 0, q, near);
     cells_shares(c, near, body, &point, &one_part, 0, zero, share, inner);
     measure_add(fill, share[0] + share[1]);
     measure_add(core, inner[0] + inner[1]);
-    cells_shares(c, near, body, &look, &quarters, 1, one, share, inner);
-    measure_add(seen, share[0] + share[1] + share[2]);
+    cells_shares(c, near, body, &look, &quarters, 0, zero, share, inner);
+    measure_add(seen, share[0] + share[1]);
   }
   *fill /= count;
   *core /= count;
