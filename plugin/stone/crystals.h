@@ -21,13 +21,15 @@
 #include "stone.h"
 #include "value.h"
 
-#define LAMELLAE 13.0f      /* to a cell, of the finest direction's */
-#define LAMELLAE_GONE 0.4f  /* cells: wider footprints see none */
-#define LAMELLAE_BOTH 0.29f /* wider: those of the nearer crystal alone, and of bodies none */
-#define CRYSTAL_FINE 7.3f   /* frequency of what is fine within crystals, 1/cell */
-#define CRYSTAL_SEEN 0.055f /* cells: squares up to which that is seen, */
-#define CRYSTAL_GONE 0.19f  /* and from which on not; */
-#define CRYSTAL_SEEN4 0.12f /* the same of squares in quarters */
+#define LAMELLAE 13.0f        /* to a cell, of the finest direction's */
+#define LAMELLAE_GONE 0.4f    /* cells: wider footprints see none */
+#define LAMELLAE_BODIES 0.29f /* of bodies none */
+#define LAMELLAE_NEXT 0.05f   /* those of the second nearest crystal begin to go, */
+#define LAMELLAE_ONE 0.14f    /* and are gone */
+#define CRYSTAL_FINE 7.3f     /* frequency of what is fine within crystals, 1/cell */
+#define CRYSTAL_SEEN 0.055f   /* cells: squares up to which that is seen, */
+#define CRYSTAL_GONE 0.19f    /* and from which on not; */
+#define CRYSTAL_SEEN4 0.12f   /* the same of squares in quarters */
 #define CRYSTAL_GONE4 0.21f
 #define CRACK_SHEETS 5.5f  /* to a cell across the rift */
 #define CRACK_SWAY 0.32f   /* of their distance over the noise: steeper, they would close */

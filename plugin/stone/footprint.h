@@ -216,9 +216,9 @@ INLINE void look_add_as(const stone_cells *c, int whole, const cells_look *o) {
     /* inclusions of either kind are feldspar's, if they are crystals */
     for (int k = 0; k < 2; k++) common[k] = uneven + tone[c->shaped ? 0 : k];
   }
-  const float gone = c->shaped ? LAMELLAE_BOTH : LAMELLAE_GONE;
+  const float gone = c->shaped ? LAMELLAE_BODIES : LAMELLAE_GONE;
   vf lamellae[2] = {crystal_keep(view->most, 0.4f * gone, gone),
-                    crystal_keep(view->most, 0.05f, 0.14f)};
+                    crystal_keep(view->most, LAMELLAE_NEXT, LAMELLAE_ONE)};
   cells_cover look = cells_none();
   for (int n = 0; n < count; n++) {
     if (!any(gt(share[n], zero))) continue;
