@@ -82,15 +82,20 @@ INLINE vf cells_flake(const cells_edge *e, vf half, const cells_parts *p, int pa
  * faces. A flake's outline is mostly its own. */
 INLINE int cells_asked(const stone_cells *c) { return c->shaped && c->thick >= 1.0f ? 3 : 2; }
 
+/* What two cells' power distances differ by, and by how much it grows along each axis. */
+INLINE vf cells_differ(const cells_near *a, const cells_near *b, vf g[3]) {
+  for (int k = 0; k < 3; k++) g[k] = splat(2.0f) * (a->x[k] - b->x[k]);
+  return b->d - a->d;
+}
+
 /* The face between two cells, `erosion` nearer to a's centre. What is taken off goes by how much
  * further the second is, by the distance from the face as if all centres were as far apart: then
  * a body is what another power diagram would make of its cell, the second nearest tells at a point
  * whether it is in, and nothing jumps where cells change that are as near. */
 INLINE cells_edge edge_of_face(const stone_cells *c, const cells_near *a, const cells_near *b,
                                vf erosion, const cells_square *s, const cells_parts *p) {
-  vf g[3];
-  for (int k = 0; k < 3; k++) g[k] = splat(2.0f) * (a->x[k] - b->x[k]);
-  return edge_of(s, p, b->d - a->d - splat(CELLS_APART) * erosion, g, c->blur);
+  vf g[3], in = cells_differ(a, b, g);
+  return edge_of(s, p, in - splat(CELLS_APART) * erosion, g, c->blur);
 }
 
 /* Those of the cells about a point. together: see cells_find_as. three: of crystals, too. */
@@ -164,9 +169,8 @@ INLINE void cells_bodies(const stone_cells *c, const cells_near near[3], const v
 /* Of a crystal, at its border to another, how much shows of what lies behind: the first's share. */
 INLINE vf cells_behind(const cells_square *s, const cells_near *a, const cells_near *b) {
   const cells_parts whole = cells_whole();
-  vf g[3];
-  for (int k = 0; k < 3; k++) g[k] = splat(2.0f) * (a->x[k] - b->x[k]);
-  cells_edge far = edge_of(s, &whole, b->d - a->d, g, CELLS_REACH);
+  vf g[3], in = cells_differ(a, b, g);
+  cells_edge far = edge_of(s, &whole, in, g, CELLS_REACH);
   return edge_cover(&far, &whole, 0);
 }
 

@@ -23,7 +23,7 @@
 
 #define LAMELLAE 13.0f        /* to a cell, of the finest direction's */
 #define LAMELLAE_GONE 0.4f    /* cells: wider footprints see none */
-#define LAMELLAE_BODIES 0.29f /* of bodies none */
+#define LAMELLAE_BODIES 0.29f /* the same of those within bodies */
 #define LAMELLAE_NEXT 0.05f   /* those of the second nearest crystal begin to go, */
 #define LAMELLAE_ONE 0.14f    /* and are gone */
 #define CRYSTAL_FINE 7.3f     /* frequency of what is fine within crystals, 1/cell */
@@ -160,8 +160,7 @@ INLINE void crystal_clouds(const stone_cells *c, vf wide, vf cloud, vf tone[2]) 
 #define CRYSTAL_HALF 0.79f /* the root mean square of a half's sides, of the square's */
 
 /* What of it does not differ from crystal to crystal, of those minerals. Of a square in quarters
- * the noise is seen in each half, and for longer: quarters would tell a third more for twice as
- * much. */
+ * the noise is seen in each half, and for longer: quarters would tell more, for twice as much. */
 INLINE void crystal_tones(const stone_cells *c, const vf q[3], const cells_square *s,
                           const cells_parts *p, vf wide, vf cloud, vf tone[2]) {
   vf zero = splat(0.0f), t = splat(c->turbidity), half = splat(0.5f), cut[2][2];
