@@ -25,35 +25,69 @@ INLINE vf bed_at(const stone_constants *w, vf y, vf e) {
   return clamp01(share); /* an even clamp keeps the mean */
 }
 
-#define BEDS_WIDE 4.0f   /* beds: a footprint across more is seen in eight parts */
+#define BEDS_WIDE 1.5f   /* beds: a footprint across more is seen in eight parts, */
+#define BEDS_WIDER 6.0f  /* and across more in sixteen */
 #define BEDS_THIN 0.085f /* one across less in one: a quarter of the finest noise's lattice */
+#define BEDS_FINER 2.7f  /* the lesser of the two waves: its frequency over the other's, */
+#define BEDS_LESSER 0.4f /* and its height */
 
-/* The same over the footprint, in four parts across the beds, or eight, or one. A layer of sediment
- * lies over the last at the same height everywhere but for a slow wave: value noise across the
- * beds, at three sizes. flat2: how much of the footprint lies across. */
-STAGE vf bed_share(const stone_constants *w, const vf p[3], vf s, vf flat2) {
-  vf y = p[1], zero = splat(0.0f), sum = zero, e = splat(0.25f) * s * vsqrt(flat2), side = e,
-     away = zero;
-  if (w->bed_wave != 0.0f)
-    y = y + beds_wave(p, w->bed_wave, w->bed_wave_frequency, w->seed_bed + 7u);
+/* A wave of the beds that a footprint so wide sees: its height, and what it adds to `slope`, the
+ * less of it the more of the wave there is; and the square of how far up and down that lies, as
+ * an even spread. */
+INLINE vf beds_rise(const vf p[3], float wave, float frequency, uint32_t seed, vf s, vf slope[2],
+                    vf *within2) {
+  vf one = splat(1.0f), d[2], keep = one / (one + splat(frequency) * s), gone = one - keep;
+  vf y = beds_wave(p, wave, frequency, seed, d);
+  for (int k = 0; k < 2; k++) slope[k] = slope[k] + keep * d[k];
+  *within2 = *within2 + splat(12.0f * 0.224f * 0.224f * wave * wave) * gone * gone;
+  return y;
+}
+
+/* The same over the footprint, in four parts across the beds, or eight, sixteen or one. A layer of
+ * sediment lies over the last at the same height everywhere but for slow waves: value noise across
+ * the beds, at three sizes. The footprint's extent across is that of the plane that the beds are
+ * about its middle. */
+STAGE vf bed_share(const stone_constants *w, const vf p[3], const vf nrm[3], vf s) {
+  vf y = p[1], zero = splat(0.0f), one = splat(1.0f), sum = zero, extent2 = zero, side;
+  vf away[2] = {zero, zero};
+  vf slope[2] = {zero, zero};
+  if (w->bed_wave != 0.0f) {
+    const float f = w->bed_wave_frequency;
+    const vf turned[3] = {p[2], p[1], p[0]};
+    vf lesser[2] = {zero, zero};
+    y = y + beds_rise(p, w->bed_wave, f, w->seed_bed + 7u, s, slope, &extent2);
+    y = y + beds_rise(turned, BEDS_LESSER * w->bed_wave, BEDS_FINER * f, w->seed_bed + 8u, s,
+                      lesser, &extent2);
+    for (int k = 0; k < 2; k++) slope[k] = slope[k] + lesser[1 - k];
+  }
+  vf into = nrm[1] + slope[0] * nrm[0] + slope[1] * nrm[2];
+  vf lean2 = one + slope[0] * slope[0] + slope[1] * slope[1] - into * into;
+  vf e = splat(0.25f) * vsqrt(vmax(s * s * lean2, zero) + extent2);
+  side = e;
   vm wide = gt(e * splat(w->bed_frequency), splat(0.25f * BEDS_WIDE));
+  vm wider = gt(e * splat(w->bed_frequency), splat(0.25f * BEDS_WIDER));
   vm thin = lt(e * splat(4.0f * w->bed_frequency), splat(BEDS_THIN));
-  int eight = any(wide);
+  const int parts = any(wider) ? 4 : any(wide) ? 2 : 1;
   vf whole = zero;
   if (any(thin)) {
     whole = bed_at(w, y, splat(4.0f) * e);
     if (!any(not_(thin))) return whole;
   }
-  if (eight) {
-    side = sel(wide, splat(0.5f) * e, e);
-    away = sel(wide, splat(0.25f) * e, zero);
+  if (parts > 1) {
+    side = sel(wider, splat(0.25f) * e, sel(wide, splat(0.5f) * e, e));
+    away[0] = sel(wide, splat(0.25f) * e, zero);
+    away[1] = sel(wider, splat(0.125f) * e, zero);
   }
   for (int i = 0; i < 4; i++) {
-    vf at = y + (splat((float)i) - splat(1.5f)) * e;
-    if (eight)
-      sum = sum + splat(0.125f) * (bed_at(w, at - away, side) + bed_at(w, at + away, side));
-    else
-      sum = sum + splat(0.25f) * bed_at(w, at, e);
+    vf at = y + (splat((float)i) - splat(1.5f)) * e, part[4] = {zero, zero, zero, zero};
+    for (int k = 0; k < parts; k++) {
+      vf on = k & 1 ? at + away[0] : at - away[0];
+      if (parts > 2) on = k & 2 ? on + away[1] : on - away[1];
+      part[k] = bed_at(w, parts > 1 ? on : at, side);
+    }
+    if (parts == 2) part[0] = splat(0.5f) * (part[0] + part[1]);
+    if (parts > 2) part[0] = splat(0.25f) * ((part[0] + part[1]) + (part[2] + part[3]));
+    sum = sum + splat(0.25f) * part[0];
   }
   return sel(thin, whole, sum);
 }

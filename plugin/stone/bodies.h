@@ -38,6 +38,7 @@ INLINE vf cells_erosion(const stone_cells *c, vu h) {
 
 INLINE vf cells_radius(const stone_cells *c, vu h) {
   vf u = to_float((vi)(hash_mix(h ^ splatu(0x2545f491u)) >> 8)) * splat(1.0f / 16777216.0f);
+  if (c->fines > 0.0f) u = u + splat(c->fines) * u * (splat(1.0f) - u);
   return splat(c->radius) * (splat(1.0f) - splat(c->radius_spread) * u);
 }
 

@@ -144,7 +144,7 @@ STAGE field bodies_height(const height_form *form, const vf p[3], const vf t1[3]
   *lost = *lost + splat(form->steep * form->steep) * share * (one - keep * keep);
   field f = field_of(splat(form->mean) * share * (one - keep));
   if (!any(gt(keep, zero))) return f;
-  vf step = vmax(splat(0.5f) * s, splat(0.004f * size));
+  vf step = vmax(splat(0.5f) * s, splat(0.003f * size));
   vm little = le(step, splat(0.06f * size));
   vf height[HEIGHT_PLACES] = {zero, zero, zero};
   if (!found->bent) {

@@ -9,12 +9,13 @@
 
 #define MEASURED 8192u     /* points, for means that have no formula; whole blocks of every width */
 #define CELLS_WHOLE 0.05f  /* cells: wider looks at that contrast are seen in quarters */
+#define HOLES_FINE 1.4f    /* the finer bends of holes, over those of crystals as bent */
 #define SPARSE 0.15f       /* of cells in most places, a body: fewer are asked for first */
 #define CLOUDS_WHOLE 0.04f /* the same over the turbidity of what is seen */
 
 typedef struct {
   double size, stretch, grading, interlock, gap, roundness, variation, blur, share[2];
-  double depth, cleavage, turbidity, flatness, cluster, rest, rim;
+  double depth, cleavage, turbidity, flatness, cluster, rest, rim, fines;
 } body;
 
 static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped) {
@@ -56,6 +57,7 @@ static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped
     if (b->roundness > 0.0) {
       c->radius = (float)(0.9 - 0.42 * b->roundness);
       c->radius_spread = (float)(b->grading * b->roundness);
+      c->fines = (float)b->fines;
     }
     /* of a ball of a cell's volume, down to a seventh of its thickness */
     if (b->flatness > 0.0) c->thick = (float)(0.62 * (1.0 - 0.85 * b->flatness));
@@ -168,6 +170,8 @@ static body holes_of(const settings *s) {
             .grading = 0.85,
             .interlock = 2.0 * number_at(s, P_HOLE_RAGGEDNESS),
             .roundness = 0.8,
+            .fines = number_at(s, P_HOLE_FINES),
+            .variation = number_at(s, P_HOLE_VARIATION),
             .share = {number_at(s, P_HOLE_SHARE), 0.0}};
   /* hole_size is across the bed, a cell's size along it */
   b.stretch = number_at(s, P_HOLE_STRETCH);
@@ -299,6 +303,7 @@ void stone_build_layers(stone_constants *w, const settings *s, stone_measure *me
     if (l != LAYER_GRAINS && b->share[0] + b->share[1] <= 0.0) continue;
     build_cells(&w->layer[l], w->seed + 0x9e3779b9u * (uint32_t)(l + 1), b, l != LAYER_GRAINS);
   }
+  w->layer[LAYER_HOLES].warp_fine *= HOLES_FINE;
   w->layer[LAYER_HOLES].least = 1.55f; /* of those the slope is seen, too */
   const stone_cells *raised = &w->layer[LAYER_INCLUSIONS];
   if (raised->on && choice_at(s, P_MODE) == MODE_FABRIC)

@@ -191,7 +191,8 @@ INLINE vu cells_block(const stone_cells *c, vi x, vi y, vi z) {
 
 /* Across the beds, which rise and fall. p: mm, bed space. */
 INLINE vf beds_across(const stone_bedding *b, const vf p[3]) {
-  return p[1] + beds_wave(p, b->wave, b->wave_frequency, b->seed_wave);
+  vf unused[2];
+  return p[1] + beds_wave(p, b->wave, b->wave_frequency, b->seed_wave, unused);
 }
 
 /* How rich in bodies the beds are at a place across them: mean 1. */

@@ -201,10 +201,7 @@ STAGE void stage_fabric(const stone_constants *w, block *k) {
   for (int l = 0; l < STONE_LAYERS; l++) over.mixes |= k->mixed[l];
   k->speck = k->hole = k->inclusion = zero;
   const int seen = !k->hidden, veins = k->hidden < STONE_LAYERS - 1;
-  if (w->has_beds && seen) {
-    vf flat2 = vmax(one - k->nrm[1] * k->nrm[1], zero);
-    bed = splat(w->bed_contrast) * bed_share(w, k->p, k->s, flat2);
-  }
+  if (w->has_beds && seen) bed = splat(w->bed_contrast) * bed_share(w, k->p, k->nrm, k->s);
   if (w->has_mottle && seen) shift = one + mottle_shift(w, k->p, k->t1, k->t2, k->s);
   for (int c = 0; c < 3; c++) {
     vf base = splat(w->colour[COLOUR_BASE][c]);

@@ -353,6 +353,19 @@ static const sozai_parameter hole_raggedness = {
    .doc = "How bent their outlines are: little of vesicles, much of vugs that water has eaten.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.5}};
 
+static const sozai_parameter hole_fines = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "hole_fines", .label = "Pin-holes", .group = "holes", .unit = "",
+   .doc = "How far small holes outnumber large ones: at 0 a fourth of them are less than half as large as "
+   "the largest, at 1 half of them.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
+
+static const sozai_parameter hole_variation = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "hole_variation", .label = "Hole variation", .group = "holes", .unit = "",
+   .doc = "How much lighter or darker than hole_colour a hole may be.",
+   .hard_min = 0, .hard_max = 0.6, .soft_min = 0, .soft_max = 0.5, .default_number = {0}};
+
 static const sozai_parameter base_colour = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
    .id = "base_colour", .label = "Base", .group = "colour", .unit = "",
@@ -543,6 +556,8 @@ const sozai_parameter *const stone_parameters[STONE_PARAMETERS] = {
    [P_HOLE_STRETCH] = &hole_stretch,
    [P_HOLE_BEDDING] = &hole_bedding,
    [P_HOLE_RAGGEDNESS] = &hole_raggedness,
+   [P_HOLE_FINES] = &hole_fines,
+   [P_HOLE_VARIATION] = &hole_variation,
    [P_HOLE_DEPTH] = &laid_hole_depth,
    [P_BASE] = &base_colour,
    [P_SECOND] = &second_colour,

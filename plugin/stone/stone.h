@@ -62,6 +62,7 @@ typedef struct {
   float warp, warp_fine;       /* how far the cells' faces stray, at two sizes */
   float erode, erode_spread;   /* what a body is smaller than its cell; by chance, more */
   float radius, radius_spread; /* of the ball that a body is cut to; a share of it */
+  float fines;                 /* how far small ones are more */
   float thick;                 /* of a flake, half, the mean; 1: bodies are none */
   float rim, core;             /* of a body of kind 1, as kind 2 is; what of all is not rim */
   float cluster;               /* how much chances change from place to place, 0..1 */

@@ -175,12 +175,16 @@ INLINE vf value_gradient(const vf p[3], vu seed, vf out[3]) {
 }
 
 /* How far beds rise and fall: a height over the plane that they lay in. sd 0.224 of
- * `wave`. p: bed space. */
-INLINE vf beds_wave(const vf p[3], float wave, float frequency, uint32_t seed) {
-  vf f = splat(frequency), dx, dz;
-  noise_axis x = noise_split(p[0] * f, HASH_X), z = noise_split(p[2] * f, HASH_Z);
-  return splat(wave * (0.224f / VALUE_SD_FLAT / HASH_ONE)) *
-         noise_value2(&x, &z, splatu(seed), &dx, &dz);
+ * `wave`. p: bed space; slope: along its x and z, per mm. The lattice stands aslant. */
+INLINE vf beds_wave(const vf p[3], float wave, float frequency, uint32_t seed, vf slope[2]) {
+  const float high = wave * (0.224f / VALUE_SD_FLAT / HASH_ONE);
+  vf along = splat(0.8f * frequency), aside = splat(0.6f * frequency), dx, dz;
+  noise_axis x = noise_split(p[0] * along + p[2] * aside, HASH_X),
+             z = noise_split(p[2] * along - p[0] * aside, HASH_Z);
+  vf n = noise_value2(&x, &z, splatu(seed), &dx, &dz);
+  slope[0] = splat(high) * (dx * along - dz * aside);
+  slope[1] = splat(high) * (dz * along + dx * aside);
+  return splat(high) * n;
 }
 
 /* Value noise of one, within +-HASH_ONE. */
