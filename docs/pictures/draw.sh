@@ -32,14 +32,14 @@ stone() {
   "$sozai" render stone --preset "$2" -o "$scratch/$1.png" --shape plane --res 400x300 --spp 32 "${@:3}"
 }
 
-# Inada and Mannari granite, Baltic Brown, Rosso Verona; Carrara, Calacatta, Rosso Levanto, terrazzo;
+# Inada and Mannari granite, Baltic Brown, Rosso Verona; travertine, Calacatta, Rosso Levanto, terrazzo;
 # Rosa Beta flamed, setts in fans, a mossy path, araidashi
 draw_stones() {
   stone 1 inada --camera front --size 80x60
   stone 2 mannari --camera front --size 80x60
   stone 3 baltic_brown --camera front --size 240x180
   stone 4 rosso_verona --camera front --size 320x240
-  stone 5 carrara --camera front --size 800x600
+  stone 5 travertino --camera front --size 320x240
   stone 6 calacatta --camera front --size 1600x1200
   stone 7 rosso_levanto --camera front --size 400x300
   stone 8 terrazzo --camera front --size 160x120

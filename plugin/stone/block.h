@@ -30,6 +30,7 @@ typedef struct {
   laid laid; /* where there is a paving */
   surface surface;
   cells_found holes, inclusions; /* that are asked how high they are */
+  cells_bends bends;             /* of layers that share them, at the point */
 } block;
 
 #endif

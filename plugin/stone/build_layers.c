@@ -4,6 +4,8 @@
  */
 #include "build.h"
 
+#include <string.h>
+
 #include "../core/hash1.h"
 #include "parameters.h"
 
@@ -39,6 +41,8 @@ static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped
   c->turbidity = (float)b->turbidity;
   c->seed = hash1(seed);
   c->seed_warp = hash1(seed + 0x51ed270bu);
+  memcpy(c->bend_turn, c->turn, sizeof c->turn);
+  c->bend_scale = 1.0f;
   c->on = 1;
   c->size = (float)b->size;
   c->shaped = shaped;
@@ -282,6 +286,22 @@ static void set_looks(stone_constants *w, const settings *s) {
   }
 }
 
+#define BENDS_ALIKE 1.7f /* how much the sizes of layers may differ that share what bends them */
+
+/* Flakes among crystals of about their size are bent as these are: the noises are half of what it
+ * takes to place a look. */
+static void share_bends(stone_cells *grains, const body *crystals, stone_cells *specks,
+                        const body *b) {
+  double scale = b->size / crystals->size;
+  if (!specks->on || b->stretch != crystals->stretch || scale > BENDS_ALIKE ||
+      scale < 1.0 / BENDS_ALIKE)
+    return;
+  memcpy(specks->bend_turn, grains->turn, sizeof grains->turn);
+  specks->bend_scale = (float)scale;
+  specks->seed_warp = grains->seed_warp;
+  specks->bends_shared = grains->bends_shared = 1;
+}
+
 /* Inclusions over the face; of the paper's colours there are none. */
 static void set_raise(stone_constants *w, const settings *s, const stone_means *m) {
   const stone_cells *c = &w->layer[LAYER_INCLUSIONS];
@@ -303,6 +323,8 @@ void stone_build_layers(stone_constants *w, const settings *s, stone_measure *me
     if (l != LAYER_GRAINS && b->share[0] + b->share[1] <= 0.0) continue;
     build_cells(&w->layer[l], w->seed + 0x9e3779b9u * (uint32_t)(l + 1), b, l != LAYER_GRAINS);
   }
+  share_bends(&w->layer[LAYER_GRAINS], &bodies[LAYER_GRAINS], &w->layer[LAYER_SPECKS],
+              &bodies[LAYER_SPECKS]);
   w->layer[LAYER_HOLES].warp_fine *= HOLES_FINE;
   w->layer[LAYER_HOLES].least = 1.55f; /* of those the slope is seen, too */
   const stone_cells *raised = &w->layer[LAYER_INCLUSIONS];

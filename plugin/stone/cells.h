@@ -252,85 +252,111 @@ INLINE vf cells_rank(const stone_cells *c, const vi at[3], vf *rich) {
   return to_float((vi)(rank >> 8)) * splat(1.0f / 16777216.0f);
 }
 
-/* mm to cells. The lattice stands aslant, so that no face shows its rows. */
-INLINE void cells_turn(const stone_cells *c, const vf v[3], vf out[3]) {
+INLINE void cells_turn_by(const float turn[3][3], const vf v[3], vf out[3]) {
   for (int k = 0; k < 3; k++) {
-    const float *row = c->turn[k];
+    const float *row = turn[k];
     out[k] = splat(row[0]) * v[0] + splat(row[1]) * v[1] + splat(row[2]) * v[2];
   }
+}
+
+/* mm to cells. The lattice stands aslant, so that no face shows its rows. */
+INLINE void cells_turn(const stone_cells *c, const vf v[3], vf out[3]) {
+  cells_turn_by(c->turn, v, out);
 }
 
 #define CELLS_BEND 1.15f     /* frequency of the coarser bends, 1/cell */
 #define CELLS_BEND_FINE 3.5f /* of the finer */
 
-/* Bends the cells' faces: moves a point, in cells, by two noises, of the finer of which
- * `finer` is left. Their sum is as good for what is uneven within a crystal: sd 0.22 of
- * each, mean 0. */
+/* The two noises that bend faces, coarse and fine, at a place: three numbers of each by which it
+ * moves; their sum, which is as good for what is uneven within a crystal, sd 0.22, mean 0; and
+ * where that is asked for how the numbers grow along each axis. known, grown: whether they have
+ * been found, of layers that share them by whoever was first. */
+typedef struct {
+  int known[2], grown[2];
+  vf n[2], g[2][3], grows[2][3][3];
+} cells_bends;
+
+INLINE void bends_none(cells_bends *b) { b->known[0] = b->known[1] = 0; }
+
 #define CELLS_MOVE (0.45f / VALUE_SD_CUBIC / HASH_ONE)
-INLINE vf cells_bend(const stone_cells *c, vf finer, int together, vf q[3]) {
-  if (c->warp == 0.0f) return splat(0.0f);
-  const vf coarse = splat(CELLS_BEND), fine = splat(CELLS_BEND_FINE);
-  const vf at[3] = {q[0] * coarse, q[1] * coarse, q[2] * coarse},
-           finely[3] = {q[0] * fine, q[1] * fine, q[2] * fine};
-  vf g[3], sum = value_three(at, splatu(c->seed_warp), together, g) * splat(1.0f / HASH_ONE);
-  for (int k = 0; k < 3; k++) q[k] = q[k] + splat(c->warp * CELLS_MOVE) * g[k];
-  if (!any(gt(finer, splat(0.0f)))) return sum;
-  vf b = value_three(finely, splatu(c->seed_warp + 1u), together, g) * splat(1.0f / HASH_ONE);
-  for (int k = 0; k < 3; k++) q[k] = q[k] + finer * splat(c->warp_fine * CELLS_MOVE) * g[k];
-  return sum + finer * b;
+
+/* The noise o. x: the place, in cells of the layer whose noises they are. along: not NULL where
+ * nobody else will ask, and then they are all that it is to grow along. */
+INLINE void bends_find(const stone_cells *c, uint32_t o, int together, int grown,
+                       const vf (*along)[3], const vf x[3], cells_bends *b) {
+  if (b->known[o] && (!grown || b->grown[o])) return;
+  const vf f = splat(o ? CELLS_BEND_FINE : CELLS_BEND), at[3] = {x[0] * f, x[1] * f, x[2] * f};
+  const vu seed = splatu(c->seed_warp + o);
+  b->n[o] = (grown ? value_three_grown(at, seed, along, b->g[o], b->grows[o])
+                   : value_three(at, seed, together, b->g[o])) *
+            splat(1.0f / HASH_ONE);
+  b->known[o] = 1;
+  b->grown[o] = grown;
 }
 
-/* cells_bend to the bit, and a square about the point as the bends leave it. */
-INLINE vf cells_bend_square(const stone_cells *c, vf finer, vf q[3], cells_square *square) {
+/* Bends the cells' faces: moves a point, in cells, by the noises, of the finer of which `finer` is
+ * left. Returns their sum. */
+INLINE vf cells_bend(const stone_cells *c, vf finer, int together, const vf x[3], vf q[3],
+                     cells_bends *b) {
+  if (c->warp == 0.0f) return splat(0.0f);
+  bends_find(c, 0, together, 0, NULL, x, b);
+  for (int k = 0; k < 3; k++) q[k] = q[k] + splat(c->warp * CELLS_MOVE) * b->g[0][k];
+  if (!any(gt(finer, splat(0.0f)))) return b->n[0];
+  bends_find(c, 1, together, 0, NULL, x, b);
+  for (int k = 0; k < 3; k++) q[k] = q[k] + finer * splat(c->warp_fine * CELLS_MOVE) * b->g[1][k];
+  return b->n[0] + finer * b->n[1];
+}
+
+/* cells_bend to the bit, and a square about the point as the bends leave it. kept: that `b` is for
+ * others, too. */
+INLINE vf cells_bend_square(const stone_cells *c, int kept, vf finer, const vf x[3], vf q[3],
+                            cells_square *square, cells_bends *b) {
   const float frequency[2] = {CELLS_BEND, CELLS_BEND_FINE}, much[2] = {c->warp, c->warp_fine};
-  const vf straight[3] = {q[0], q[1], q[2]};
   vf way[2][3], sum = splat(0.0f);
   memcpy(way[0], square->u, sizeof square->u);
   memcpy(way[1], square->v, sizeof square->v);
+  const vf(*along)[3] = (const vf(*)[3])way;
   if (c->warp == 0.0f) return sum;
+  UNROLL(2)
   for (uint32_t o = 0; o < 2; o++) {
     if (o == 1 && !any(gt(finer, splat(0.0f)))) break;
-    vf f = splat(frequency[o]), at[3] = {straight[0] * f, straight[1] * f, straight[2] * f};
-    vf g[3], d[2][3], far = splat(much[o] * CELLS_MOVE);
-    vf n = value_three_slopes(at, splatu(c->seed_warp + o), (const vf(*)[3])way, g, d) *
-           splat(1.0f / HASH_ONE);
+    bends_find(c, o, 0, 1, kept ? NULL : along, x, b);
+    vf far = splat(much[o] * CELLS_MOVE), steep = splat(frequency[o] * c->bend_scale);
     if (o == 1) far = finer * far;
-    sum = o == 1 ? sum + finer * n : n;
+    sum = o == 1 ? sum + finer * b->n[1] : b->n[0];
     for (int k = 0; k < 3; k++) {
-      q[k] = q[k] + far * g[k];
-      square->u[k] = square->u[k] + far * f * d[0][k];
-      square->v[k] = square->v[k] + far * f * d[1][k];
+      const vf *g = b->grows[o][k];
+      q[k] = q[k] + far * b->g[o][k];
+      square->u[k] = square->u[k] + far * steep * (kept ? dot3(g, way[0]) : g[0]);
+      square->v[k] = square->v[k] + far * steep * (kept ? dot3(g, way[1]) : g[1]);
     }
   }
   return sum;
 }
 
-/* A point in cells, their faces bent. */
+/* A point in cells, their faces bent; of layers whose noises are their own. */
 INLINE void cells_place(const stone_cells *c, vf finer, const vf p[3], vf q[3]) {
+  cells_bends bends;
+  bends_none(&bends);
   cells_turn(c, p, q);
-  (void)cells_bend(c, finer, 1, q);
+  const vf x[3] = {q[0], q[1], q[2]};
+  (void)cells_bend(c, finer, 1, x, q, &bends);
 }
 
 /* How that place changes along two directions. t: mm. */
 INLINE void cells_slopes(const stone_cells *c, vf finer, const vf p[3], const vf t1[3],
                          const vf t2[3], vf out[2][3]) {
-  const float frequency[2] = {CELLS_BEND, CELLS_BEND_FINE};
-  vf q[3], way[2][3];
+  cells_bends bends;
+  bends_none(&bends);
+  cells_square square;
+  vf q[3];
   cells_turn(c, p, q);
-  cells_turn(c, t1, way[0]);
-  cells_turn(c, t2, way[1]);
-  memcpy(out, way, sizeof way);
-  for (uint32_t o = 0; o < 2 && c->warp != 0.0f; o++) {
-    if (o == 1 && !any(gt(finer, splat(0.0f)))) return;
-    vf f = splat(frequency[o]), at[3] = {q[0] * f, q[1] * f, q[2] * f}, d[2][3];
-    vf far = splat((o ? c->warp_fine : c->warp) * frequency[o] * CELLS_MOVE);
-    if (o == 1) far = far * finer;
-    vf unused[3];
-    (void)value_three_slopes(at, splatu(c->seed_warp + o), (const vf(*)[3])way, unused, d);
-    for (int i = 0; i < 2; i++) {
-      for (int k = 0; k < 3; k++) out[i][k] = out[i][k] + far * d[i][k];
-    }
-  }
+  cells_turn(c, t1, square.u);
+  cells_turn(c, t2, square.v);
+  const vf x[3] = {q[0], q[1], q[2]};
+  (void)cells_bend_square(c, 0, finer, x, q, &square, &bends);
+  memcpy(out[0], square.u, sizeof square.u);
+  memcpy(out[1], square.v, sizeof square.v);
 }
 
 #endif

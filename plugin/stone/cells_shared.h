@@ -59,8 +59,10 @@ INLINE uint64_t cells_list_make(const stone_cells *c, int graded, int most, cons
   uint32_t all = (upper[0] ? 0x6666u : 0x7777u) & (upper[1] ? 0x0ff0u : 0x0fffu);
   const vf far = splat(1e30f);
   vf least[4], bound[3] = {far, far, far};
+  const int layers = upper[2] ? 4 : 3;
   UNROLL(4)
   for (int v = 0; v < 4; v++) {
+    if (v == layers) break;
     vu h = hash_upper(hash + splatu((uint32_t)v * HASH_Z));
     vf f = splat(1e-6f), b = splat(0.0f);
     if (graded) f = cells_weight(c, h);
@@ -82,8 +84,8 @@ INLINE uint64_t cells_list_make(const stone_cells *c, int graded, int most, cons
   }
   vf limit = (most > 2 ? third_of(bound) : second_of(bound)) + splat(CELLS_ROUND);
   uint64_t left = 0;
-  for (int v = 0; v < 4; v++) {
-    uint64_t in = lanes_of(le(least[v], limit)) & (v == 3 && !upper[2] ? 0 : may);
+  for (int v = 0; v < layers; v++) {
+    uint64_t in = lanes_of(le(least[v], limit)) & may;
     left |= in << (16 * v);
   }
   return left;

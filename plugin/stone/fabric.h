@@ -24,6 +24,7 @@ INLINE void stage_eye(const block *k, const cells_view *view, cells_seen *looks,
   e->view = view;
   e->looks = looks;
   e->found = NULL;
+  e->bends = NULL;
   e->nearest = splatu(0);
   e->sum = cells_none();
 }
@@ -105,6 +106,7 @@ INLINE int stage_layer(const stone_constants *w, int n, block *blocks, int count
     of[seen++] = k;
     stage_eye(k, view, NULL, e);
     e->found = stage_found(w, l, k);
+    if (c->bends_shared) e->bends = &k->bends;
   }
   if (!once && !idle) return 0;
   if (once && seen) eyes_look(c, eyes, seen);

@@ -100,6 +100,7 @@ typedef struct {
   const cells_view *view;
   cells_seen *looks;  /* to be kept there, or NULL */
   cells_found *found; /* likewise, of the last look */
+  cells_bends *bends; /* at a lone look, where layers share them; or NULL */
   vu nearest;
   cells_cover sum;
 } cells_eye;
@@ -112,6 +113,8 @@ typedef struct {
   int slot; /* of looks that are kept */
   vm there;
   vf straight[3], q[3], cloud; /* where it is, before and after the faces' bends */
+  vf other[3];                 /* and in the cells of the layer whose noises bend them, */
+  const vf *bend;              /* if that is another; this is either */
   const cells_square *part;    /* what it sees: its view's, or as the bends leave it */
   cells_square sheared;
   int empty;          /* no body is near any lane; the rest is not known then */
@@ -124,19 +127,53 @@ INLINE int looks_together(const cells_look *looks) {
   return any(lt(looks[0].eye->view->most, splat(CELLS_TOGETHER)));
 }
 
-INLINE void looks_bend_as(const stone_cells *c, int together, cells_look *looks, int count) {
+/* A look's place. at: mm, bed space. */
+INLINE void look_place(const stone_cells *c, const vf at[3], cells_look *o) {
+  cells_turn(c, at, o->straight);
+  o->bend = c->bends_shared ? o->other : o->straight;
+  if (c->bends_shared) cells_turn_by(c->bend_turn, at, o->other);
+}
+
+/* kept: where a layer shares its noises with another. */
+INLINE void looks_bend_as(const stone_cells *c, int kept, int together, cells_look *looks,
+                          int count) {
   for (int l = 0; l < count; l++) {
     cells_look *o = &looks[l];
+    cells_bends own;
+    bends_none(&own);
     for (int k = 0; k < 3; k++) o->q[k] = o->straight[k];
-    o->cloud = cells_bend(c, o->eye->view->fine, together, o->q);
+    o->cloud =
+        cells_bend(c, o->eye->view->fine, together, o->bend, o->q, kept ? o->eye->bends : &own);
   }
 }
 
 STAGE void looks_bend(const stone_cells *c, cells_look *looks, int count) {
-  if (looks_together(looks))
-    looks_bend_as(c, 1, looks, count);
+  const int together = looks_together(looks);
+  if (looks[0].eye->bends)
+    looks_bend_as(c, 1, together, looks, count);
+  else if (together)
+    looks_bend_as(c, 0, 1, looks, count);
   else
-    looks_bend_as(c, 0, looks, count);
+    looks_bend_as(c, 0, 0, looks, count);
+}
+
+INLINE void looks_bend_parts_as(const stone_cells *c, int kept, cells_look *looks, int count) {
+  for (int l = 0; l < count; l++) {
+    cells_look *o = &looks[l];
+    cells_bends own;
+    bends_none(&own);
+    const cells_square *part = o->part;
+    vm wide = gt(o->eye->view->part_wide, splat(c->sheared));
+    cells_square bent = *part;
+    for (int k = 0; k < 3; k++) o->q[k] = o->straight[k];
+    o->cloud = cells_bend_square(c, kept, o->eye->view->fine, o->bend, o->q, &bent,
+                                 kept ? o->eye->bends : &own);
+    for (int k = 0; k < 3; k++) {
+      o->sheared.u[k] = sel(wide, bent.u[k], part->u[k]);
+      o->sheared.v[k] = sel(wide, bent.v[k], part->v[k]);
+    }
+    o->part = &o->sheared;
+  }
 }
 
 /* Looks of which each asks for itself what it sees: with their parts. */
@@ -146,23 +183,12 @@ STAGE void looks_bend_parts(const stone_cells *c, cells_look *looks, int count) 
     looks[l].part = &looks[l].eye->view->part;
     sheared |= any(gt(looks[l].eye->view->part_wide, splat(c->sheared)));
   }
-  if (!sheared) {
+  if (!sheared)
     looks_bend(c, looks, count);
-    return;
-  }
-  for (int l = 0; l < count; l++) {
-    cells_look *o = &looks[l];
-    const cells_square *part = o->part;
-    vm wide = gt(o->eye->view->part_wide, splat(c->sheared));
-    cells_square bent = *part;
-    for (int k = 0; k < 3; k++) o->q[k] = o->straight[k];
-    o->cloud = cells_bend_square(c, o->eye->view->fine, o->q, &bent);
-    for (int k = 0; k < 3; k++) {
-      o->sheared.u[k] = sel(wide, bent.u[k], part->u[k]);
-      o->sheared.v[k] = sel(wide, bent.v[k], part->v[k]);
-    }
-    o->part = &o->sheared;
-  }
+  else if (looks[0].eye->bends)
+    looks_bend_parts_as(c, 1, looks, count);
+  else
+    looks_bend_parts_as(c, 0, looks, count);
 }
 
 /* Whether no lane's parts are seen in quarters, nor their third crystal. */

@@ -107,7 +107,7 @@ STAGE void stage_grain(const stone_constants *w, const kernel_io *io, block *k) 
     cells_eye eye = {.view = &view};
     cells_look look = {.eye = &eye};
     view_open(c, k->t1, k->t2, k->s, &view);
-    cells_turn(c, k->p, look.straight);
+    look_place(c, k->p, &look);
     looks_bend(c, &look, 1);
     look.empty = 0;
     looks_find(c, &look, 1);
@@ -287,6 +287,7 @@ INLINE void evaluate_as(int paved, const stone_constants *w, const kernel_io *io
       k->i = i;
       k->n = to - i < LANES ? to - i : LANES;
       k->crystal_known = 0;
+      bends_none(&k->bends);
       k->holes.bent = k->holes.met = k->inclusions.bent = k->inclusions.met = 0;
       stage_load(w, paved, io, count, k);
       stage_laid(w, paved, io, k);

@@ -16,7 +16,7 @@ INLINE void look_at(const stone_cells *c, cells_eye *e, int i, int j, vm there, 
   vf u = (splat((float)i + 0.5f) * e->view->inverse[0] - half) * e->s;
   vf v = (splat((float)j + 0.5f) * e->view->inverse[1] - half) * e->s;
   for (int k = 0; k < 3; k++) at[k] = e->p[k] + e->t1[k] * u + e->t2[k] * v;
-  cells_turn(c, at, o->straight);
+  look_place(c, at, o);
   o->there = there;
   o->slot = j * CELLS_STEPS + i;
   o->eye = e;
@@ -178,7 +178,7 @@ STAGE void eyes_look(const stone_cells *c, cells_eye *eyes, int count) {
   cells_look looks[CELLS_LOOKS];
   for (int e = 0; e < count; e++) {
     cells_look *o = &looks[e];
-    cells_turn(c, eyes[e].p, o->straight);
+    look_place(c, eyes[e].p, o);
     o->there = eyes[e].view->seen;
     o->slot = 0;
     o->eye = &eyes[e];

@@ -60,6 +60,9 @@ typedef struct {
   float turn[3][3];            /* 1/mm: bed space to cells */
   float grading;               /* spread of the cells' weights */
   float warp, warp_fine;       /* how far the cells' faces stray, at two sizes */
+  float bend_turn[3][3];       /* as turn, of the layer whose noises bend these faces, too */
+  float bend_scale;            /* such cells to a cell of this layer */
+  int32_t bends_shared;        /* there are two such layers */
   float erode, erode_spread;   /* what a body is smaller than its cell; by chance, more */
   float radius, radius_spread; /* of the ball that a body is cut to; a share of it */
   float fines;                 /* how far small ones are more */

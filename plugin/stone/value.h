@@ -130,17 +130,22 @@ INLINE vf value_blend(const noise_axis a[3], const vf v[8], vf grows[3]) {
   return mix(s[0], s[1], a[2].w);
 }
 
-/* value_three to the bit, and how its numbers change along two directions. */
-INLINE vf value_three_slopes(const vf p[3], vu seed, const vf along[2][3], vf out[3],
-                             vf slopes[2][3]) {
+/* value_three to the bit, and how its numbers grow along each axis; where `along` gives two
+ * directions, along these. */
+INLINE vf value_three_grown(const vf p[3], vu seed, const vf (*along)[3], vf out[3],
+                            vf grows[3][3]) {
   static const uint32_t prime[3] = {HASH_X, HASH_Y, HASH_Z};
   noise_axis a[3];
-  vf v[3][8], g[3], ends[3], sum = splat(0.0f);
+  vf v[3][8], ends[3], sum = splat(0.0f);
   for (int k = 0; k < 3; k++) a[k] = noise_split_cubic(p[k], prime[k]);
   value_corners(a, seed, v);
   for (int k = 0; k < 3; k++) {
+    vf g[3];
     out[k] = value_blend(a, v[k], g);
-    for (int i = 0; i < 2; i++) slopes[i][k] = dot3(g, along[i]);
+    for (int i = 0; i < 3; i++) {
+      if (!along) grows[k][i] = g[i];
+      if (along && i < 2) grows[k][i] = dot3(g, along[i]);
+    }
   }
   for (int k = 0; k < 3; k++) {
     /* the four ends along the number's own axis, the first two of them beside each other along the
