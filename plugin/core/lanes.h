@@ -11,24 +11,33 @@
 
 /* Lanes past the end of the batch repeat the last point: they must not send
  * the others into a branch of their own. */
-INLINE vf load_lanes(const float *p, uint32_t i, uint32_t n) {
-  if (n == LANES) return load(p + i);
-  if (n == 1) return splat(p[i]);
+static __attribute__((noinline, cold, unused)) void load_some(const float *p, uint32_t i,
+                                                              uint32_t n, vf *out) {
   vf r = splat(p[i + n - 1]);
   for (uint32_t k = 0; k + 1 < n; k++) set_lane(&r, k, p[i + k]);
+  *out = r;
+}
+INLINE vf load_lanes(const float *p, uint32_t i, uint32_t n) {
+  if (__builtin_expect(n == LANES, 1)) return load(p + i);
+  vf r;
+  load_some(p, i, n, &r);
   return r;
 }
 
 /* Component `to` of the active points. */
+static __attribute__((noinline, cold, unused)) void
+store_some(const uint8_t *active, float *to, uint32_t i, uint32_t n, const vf *x) {
+  for (uint32_t k = 0; k < n; k++) {
+    if (!active || active[i + k]) to[i + k] = lane(*x, k);
+  }
+}
 INLINE void store_active(const sozai_batch *in, float *to, uint32_t i, uint32_t n, vf x) {
   const uint8_t *active = in->active;
-  if (n == LANES && !active) {
+  if (__builtin_expect(n == LANES && !active, 1)) {
     store(to + i, x);
     return;
   }
-  for (uint32_t k = 0; k < n; k++) {
-    if (!active || active[i + k]) to[i + k] = lane(x, k);
-  }
+  store_some(active, to, i, n, &x);
 }
 
 /* Whether some numbers are to the bit what others are, in all lanes. */

@@ -209,12 +209,11 @@ INLINE vf to_float(vi x) { return __builtin_convertvector(x, vf); }
 /* Towards zero; |x| < 2^31, or the result is the machine's own. */
 INLINE vi to_int(vf x) { return __builtin_convertvector(x, vi); }
 
-INLINE vf load(const float *p) {
-  vf r;
-  memcpy(&r, p, sizeof r);
-  return r;
-}
-INLINE void store(float *p, vf x) { memcpy(p, &x, sizeof x); }
+/* Numbers, and no more than that: what writes them by memcpy may have written anything, and every
+ * pointer would be read again. */
+typedef float vf_at_ __attribute__((vector_size(4 * LANES), aligned(4)));
+INLINE vf load(const float *p) { return *(const vf_at_ *)p; }
+INLINE void store(float *p, vf x) { *(vf_at_ *)p = x; }
 
 /* ---- masks ------------------------------------------------------------ */
 

@@ -9,11 +9,20 @@
 #include "surface.h"
 
 /* Blocks that go through each stage before the next begins. */
-#define STONE_BLOCKS CELLS_LOOKS
+#define STONE_BLOCKS 16
+
+/* Pairs of layers, one over the other; the number of one. */
+#define STONE_PAIRS (STONE_LAYERS * (STONE_LAYERS - 1) / 2)
+INLINE int pair_of(int over, int under) {
+  /* from the lowest */
+  static const int place[STONE_LAYERS] = {
+      [LAYER_GRAINS] = 0, [LAYER_SPECKS] = 1, [LAYER_INCLUSIONS] = 2, [LAYER_HOLES] = 3};
+  return place[over] * (place[over] - 1) / 2 + place[under];
+}
 
 /* A block of LANES points on its way through the stages. */
 typedef struct {
-  uint32_t i, n;
+  uint32_t i, n, o;  /* the first, how many; and how far on in the outputs */
   vf at[3], face[3]; /* object space: the point and its normal */
   vf p[3], nrm[3];   /* bed space, likewise */
   vf s;
@@ -24,10 +33,9 @@ typedef struct {
   vu crystal;                           /* that the point is in */
   int hidden; /* how many of the layers, from below, no lane sees anything of */
   cells_cover cover[STONE_LAYERS];
-  int mixed[STONE_LAYERS]; /* a bit to each layer below that it covers unevenly */
-  /* covariances of what the first layer covers with the second's shares */
-  vf with[STONE_LAYERS][STONE_LAYERS][CELLS_PARTS];
-  laid laid; /* where there is a paving */
+  int mixed[STONE_LAYERS];           /* a bit to each layer below that it covers unevenly */
+  vf with[STONE_PAIRS][CELLS_PARTS]; /* where it does: its covariances with their shares */
+  laid laid;                         /* where there is a paving */
   surface surface;
   cells_found holes, inclusions; /* that are asked how high they are */
   cells_bends bends;             /* of layers that share them, at the point */

@@ -79,7 +79,7 @@ STAGE void stage_looks(const stone_constants *w, int layers, fabric_views *views
       if (!(layers >> below & 1)) continue;
       if (!any(gt(seen[l].weight * seen[below].weight, splat(0.0f)))) continue;
       k->mixed[l] |= 1 << below;
-      seen_covariance(&seen[l], &seen[below], k->with[l][below]);
+      seen_covariance(&seen[l], &seen[below], k->with[pair_of(l, below)]);
     }
   }
 }
@@ -151,12 +151,13 @@ INLINE void fabric_with(const stone_constants *w, const fabric_stack *o, const b
   vf one = splat(1.0f), zero = splat(0.0f);
   for (int c = 0; c < 3; c++) out[c] = zero;
   for (int p = 0; p < CELLS_PARTS && (k->mixed[layer] >> LAYER_GRAINS & 1); p++) {
-    for (int c = 0; c < 3; c++) out[c] = out[c] + k->with[layer][LAYER_GRAINS][p] * o->grains[p][c];
+    for (int c = 0; c < 3; c++)
+      out[c] = out[c] + k->with[pair_of(layer, LAYER_GRAINS)][p] * o->grains[p][c];
   }
   for (int n = 0; n < o->count; n++) {
     for (int c = 0; c < 3; c++) out[c] = out[c] * (one - o->cover[n]);
     if (!(k->mixed[layer] >> o->layer[n] & 1)) continue;
-    const vf *with = k->with[layer][o->layer[n]];
+    const vf *with = k->with[pair_of(layer, o->layer[n])];
     for (int c = 0; c < 3; c++) {
       out[c] = out[c] + with[1] * splat(w->colour[o->colour[n][0]][c]) +
                with[2] * splat(w->colour[o->colour[n][1]][c]) - with[0] * o->under[n][c];
@@ -191,7 +192,8 @@ INLINE vf lay_over(const stone_constants *w, int layer, int first, int second, f
     if (mixed) k->albedo[c] = vmax(k->albedo[c] - with[c], vmin(k->albedo[c], zero));
   }
   k->speck = k->speck * (one - cover);
-  if (mixed >> LAYER_SPECKS & 1) k->speck = vmax(k->speck - k->with[layer][LAYER_SPECKS][0], zero);
+  if (mixed >> LAYER_SPECKS & 1)
+    k->speck = vmax(k->speck - k->with[pair_of(layer, LAYER_SPECKS)][0], zero);
   return cover;
 }
 

@@ -11,8 +11,15 @@
 
 extern const stone_kernel KERNEL_NAME(stone_kernel_);
 
-INLINE void put(const kernel_io *io, const block *k, int channel, vf x) {
-  if (io->wanted >> channel & 1) store_active(io->in, io->out[channel], k->i, k->n, x);
+/* What the stages read and write. */
+typedef struct {
+  const sozai_batch *in;
+  float *out[STONE_COMPONENTS]; /* from the first point of the first block on; none is NULL */
+} stone_io;
+
+/* Asked for or not: a store costs less than to ask. */
+INLINE void put(const stone_io *io, const block *k, int channel, vf x) {
+  store(io->out[channel] + k->o, x);
 }
 
 /* Object space to bed space, which is its own way back. */
@@ -44,7 +51,7 @@ INLINE int lies_as_before(const block *k) {
 }
 
 /* number: of the block, among those on their way. */
-INLINE void stage_load(const stone_constants *w, int paved, const kernel_io *io, int number,
+INLINE void stage_load(const stone_constants *w, int paved, const stone_io *io, int number,
                        block *k) {
   k->alike = number;
   for (int c = 0; c < 3; c++) {
@@ -100,7 +107,7 @@ STAGE void stage_paper(const stone_constants *w, block *k) {
 
 /* The number of the crystal at the point itself, its faces as bent as the colour has
  * them: the same whether that is asked for or not. */
-STAGE void stage_grain(const stone_constants *w, const kernel_io *io, block *k) {
+STAGE void stage_grain(const stone_constants *w, const stone_io *io, block *k) {
   const stone_cells *c = &w->layer[LAYER_GRAINS];
   if (!k->crystal_known) {
     cells_view view;
@@ -123,7 +130,7 @@ INLINE void from_bed(const stone_constants *w, int paved, const block *k, vf v[3
   if (paved) laid_turn_back(&k->laid, v);
 }
 
-INLINE void stage_height(const kernel_io *io, block *k) {
+INLINE void stage_height(const stone_io *io, block *k) {
   const surface *q = &k->surface;
   put(io, k, STONE_HEIGHT, q->height.v);
   put(io, k, STONE_MOSS, q->moss);
@@ -151,7 +158,7 @@ INLINE field stage_raise(const stone_constants *w, block *k, field relief, vf *s
 }
 
 /* hollows: that somebody asks for what lies in the relief's shadow. */
-INLINE void stage_surface(const stone_constants *w, int paved, const kernel_io *io, int hollows,
+INLINE void stage_surface(const stone_constants *w, int paved, const stone_io *io, int hollows,
                           block *k) {
   surface *q = &k->surface;
   *q = surface_none();
@@ -204,7 +211,7 @@ INLINE void stage_cover(const stone_constants *w, int paved, block *k) {
   k->speck = k->speck * (one - joint) * (one - q->moss);
 }
 
-INLINE void stage_light(const stone_constants *w, int paved, const kernel_io *io, block *k,
+INLINE void stage_light(const stone_constants *w, int paved, const stone_io *io, block *k,
                         int radiance) {
   const surface *q = &k->surface;
   vf n[3], zero = splat(0.0f), one = splat(1.0f);
@@ -251,7 +258,7 @@ INLINE void stage_light(const stone_constants *w, int paved, const kernel_io *io
 }
 
 /* The stone's own channels. */
-INLINE void stage_laid(const stone_constants *w, int paved, const kernel_io *io, block *k) {
+INLINE void stage_laid(const stone_constants *w, int paved, const stone_io *io, block *k) {
   vf zero = splat(0.0f);
   const laid *q = &k->laid;
   vf joint = paved ? q->joint : zero;
@@ -266,75 +273,127 @@ INLINE void stage_laid(const stone_constants *w, int paved, const kernel_io *io,
   put(io, k, STONE_EDGE, paved ? q->edge : zero);
 }
 
-INLINE void evaluate_as(int paved, const stone_constants *w, const kernel_io *io, uint32_t from,
-                        uint32_t to) {
-  int radiance = kernel_wants(io, STONE_RADIANCE, 3),
-      albedo = kernel_wants(io, STONE_ALBEDO, 3) || radiance;
-  int speck = kernel_wants(io, STONE_SPECK, 1),
-      hollow = w->layer[LAYER_HOLES].on || w->raise != 0.0f;
-  int normal =
-      kernel_wants(io, STONE_NORMAL, 3) || kernel_wants(io, STONE_ROUGHNESS, 2) || radiance;
-  int covered = paved || w->weather.on, hollows = kernel_wants(io, STONE_OCCLUSION, 1) || radiance;
-  int surface = normal || kernel_wants(io, STONE_HEIGHT, 1) || kernel_wants(io, STONE_MOSS, 3) ||
-                (covered && (albedo || speck));
-  int colour = albedo || speck || (hollow && surface);
-  int grain = kernel_wants(io, STONE_GRAIN, 1), fabric = colour && w->mode == 0;
-  block blocks[STONE_BLOCKS];
-  for (uint32_t i = from; i < to;) {
-    int count = 0;
-    for (; i < to && count < STONE_BLOCKS; i += LANES, count++) {
-      block *k = &blocks[count];
-      k->i = i;
-      k->n = to - i < LANES ? to - i : LANES;
-      k->crystal_known = 0;
-      bends_none(&k->bends);
-      k->holes.bent = k->holes.met = k->inclusions.bent = k->inclusions.met = 0;
-      stage_load(w, paved, io, count, k);
-      stage_laid(w, paved, io, k);
+/* What has been asked for, and the stages that it takes. */
+typedef struct {
+  int radiance, normal, surface, hollows, fabric, colour, grain, cover;
+} stone_wants;
+
+static stone_wants wants_of(const stone_constants *w, const kernel_io *io) {
+  stone_wants q;
+  q.radiance = kernel_wants(io, STONE_RADIANCE, 3);
+  const int speck = kernel_wants(io, STONE_SPECK, 1), weathered = w->weather.on,
+            paved = w->paving.layout.kind != LAYOUT_NONE,
+            hollow = w->layer[LAYER_HOLES].on || w->raise != 0.0f;
+  const int coloured = kernel_wants(io, STONE_ALBEDO, 3) || q.radiance || speck;
+  q.normal =
+      kernel_wants(io, STONE_NORMAL, 3) || kernel_wants(io, STONE_ROUGHNESS, 2) || q.radiance;
+  q.hollows = kernel_wants(io, STONE_OCCLUSION, 1) || q.radiance;
+  q.surface = q.normal || kernel_wants(io, STONE_HEIGHT, 1) || kernel_wants(io, STONE_MOSS, 3) ||
+              ((paved || weathered) && coloured);
+  q.colour = coloured || (hollow && q.surface);
+  q.cover = q.colour && q.surface && (paved || weathered);
+  q.fabric = q.colour && w->mode == 0;
+  q.grain = kernel_wants(io, STONE_GRAIN, 1);
+  return q;
+}
+
+INLINE void evaluate_as(int paved, const stone_constants *w, const stone_io *io,
+                        const stone_wants *want, block *blocks, int count) {
+  for (int b = 0; b < count; b++) {
+    block *k = &blocks[b];
+    k->crystal_known = 0;
+    bends_none(&k->bends);
+    k->holes.bent = k->holes.met = k->inclusions.bent = k->inclusions.met = 0;
+    stage_load(w, paved, io, b, k);
+    stage_laid(w, paved, io, k);
+  }
+  if (want->fabric) stage_cells(w, blocks, count);
+  for (int b = 0; b < count; b++) {
+    block *k = &blocks[b];
+    if (want->fabric)
+      stage_fabric(w, k);
+    else if (want->colour)
+      stage_paper(w, k);
+    else
+      k->hole = k->inclusion = splat(0.0f);
+  }
+  if (want->surface) {
+    for (int b = 0; b < count; b++) stage_surface(w, paved, io, want->hollows, &blocks[b]);
+  }
+  for (int b = 0; b < count; b++) {
+    block *k = &blocks[b];
+    if (want->cover) stage_cover(w, paved, k);
+    if (want->colour) {
+      for (int c = 0; c < 3; c++) put(io, k, STONE_ALBEDO + c, k->albedo[c]);
+      put(io, k, STONE_SPECK, k->speck);
     }
-    if (fabric) stage_cells(w, blocks, count);
-    for (int b = 0; b < count; b++) {
-      block *k = &blocks[b];
-      if (fabric)
-        stage_fabric(w, k);
-      else if (colour)
-        stage_paper(w, k);
-      else
-        k->hole = k->inclusion = splat(0.0f);
-    }
-    if (surface) {
-      for (int b = 0; b < count; b++) stage_surface(w, paved, io, hollows, &blocks[b]);
-    }
-    for (int b = 0; b < count; b++) {
-      block *k = &blocks[b];
-      if (colour) {
-        if (covered && surface) stage_cover(w, paved, k);
-        for (int c = 0; c < 3; c++) put(io, k, STONE_ALBEDO + c, k->albedo[c]);
-        put(io, k, STONE_SPECK, k->speck);
-      }
-      if (grain) stage_grain(w, io, k);
-    }
-    if (normal) {
-      for (int b = 0; b < count; b++) stage_light(w, paved, io, &blocks[b], radiance);
-    }
+    if (want->grain) stage_grain(w, io, k);
+  }
+  if (want->normal) {
+    for (int b = 0; b < count; b++) stage_light(w, paved, io, &blocks[b], want->radiance);
   }
 }
 
 /* Twice in the code: a block that is one piece pays nothing for paving. */
-static __attribute__((noinline)) void evaluate_piece(const stone_constants *w, const kernel_io *io,
-                                                     uint32_t from, uint32_t to) {
-  evaluate_as(0, w, io, from, to);
+static __attribute__((noinline)) void evaluate_piece(const stone_constants *w, const stone_io *io,
+                                                     const stone_wants *want, block *blocks,
+                                                     int count) {
+  evaluate_as(0, w, io, want, blocks, count);
 }
-static __attribute__((noinline)) void evaluate_paved(const stone_constants *w, const kernel_io *io,
-                                                     uint32_t from, uint32_t to) {
-  evaluate_as(1, w, io, from, to);
+static __attribute__((noinline)) void evaluate_paved(const stone_constants *w, const stone_io *io,
+                                                     const stone_wants *want, block *blocks,
+                                                     int count) {
+  evaluate_as(1, w, io, want, blocks, count);
 }
+INLINE void evaluate_blocks(const stone_constants *w, const stone_io *io, const stone_wants *want,
+                            block *blocks, int count) {
+  if (w->paving.layout.kind != LAYOUT_NONE)
+    evaluate_paved(w, io, want, blocks, count);
+  else
+    evaluate_piece(w, io, want, blocks, count);
+}
+
+/* The end of a batch, and where some points are not active: by a detour, so that blocks need not
+ * ask which points are to be written. from: the first of n points. */
+static __attribute__((noinline)) void evaluate_some(const stone_constants *w, const kernel_io *io,
+                                                    const stone_wants *want, block *blocks,
+                                                    int count, uint32_t from, uint32_t n) {
+  float room[STONE_COMPONENTS][STONE_BLOCKS * LANES];
+  const uint8_t *active = io->in->active;
+  stone_io part = {.in = io->in};
+  for (int c = 0; c < STONE_COMPONENTS; c++) part.out[c] = room[c];
+  evaluate_blocks(w, &part, want, blocks, count);
+  for (int c = 0; c < STONE_COMPONENTS; c++) {
+    if (!(io->wanted >> c & 1)) continue;
+    for (uint32_t i = 0; i < n; i++) {
+      if (!active || active[from + i]) io->out[c][from + i] = room[c][i];
+    }
+  }
+}
+
 static void evaluate(const void *constants, const kernel_io *io, uint32_t from, uint32_t to) {
   const stone_constants *w = constants;
-  if (w->paving.layout.kind != LAYOUT_NONE)
-    evaluate_paved(w, io, from, to);
-  else
-    evaluate_piece(w, io, from, to);
+  const stone_wants want = wants_of(w, io);
+  block blocks[STONE_BLOCKS];
+  float spare[STONE_BLOCKS * LANES]; /* where components go that nobody asked for */
+  stone_io part = {.in = io->in};
+  for (uint32_t i = from; i < to;) {
+    uint32_t first = i;
+    int count = 0;
+    for (; count < STONE_BLOCKS && i < to; count++, i += LANES) {
+      block *k = &blocks[count];
+      k->i = i;
+      k->n = to - i < LANES ? to - i : LANES;
+      k->o = i - first;
+    }
+    if (i > to || io->in->active) {
+      evaluate_some(w, io, &want, blocks, count, first, (i < to ? i : to) - first);
+      continue;
+    }
+    for (int c = 0; c < STONE_COMPONENTS; c++)
+      part.out[c] = io->wanted >> c & 1 ? io->out[c] + first : spare;
+    evaluate_blocks(w, &part, &want, blocks, count);
+  }
 }
 
 const stone_kernel KERNEL_NAME(stone_kernel_) = {KERNEL_OF(evaluate), measure, measure_laid,

@@ -8,7 +8,7 @@
 #include "footprint.h"
 #include "sites.h"
 
-#define CELLS_LOOKS 8 /* that go through the stages side by side */
+#define CELLS_LOOKS 16 /* that go through the stages side by side */
 
 /* Look i, j of a footprint's. */
 INLINE void look_at(const stone_cells *c, cells_eye *e, int i, int j, vm there, cells_look *o) {
