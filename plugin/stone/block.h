@@ -8,8 +8,9 @@
 #include "footprint.h"
 #include "surface.h"
 
-/* Blocks that go through each stage before the next begins. */
-#define STONE_BLOCKS 16
+/* Blocks that go through each stage before the next begins: the more, the less often a stage's code
+ * is fetched anew, of which all together do not stay near. */
+#define STONE_BLOCKS CELLS_EYES
 
 /* Pairs of layers, one over the other; the number of one. */
 #define STONE_PAIRS (STONE_LAYERS * (STONE_LAYERS - 1) / 2)

@@ -86,7 +86,7 @@ STAGE void stage_looks(const stone_constants *w, int layers, fabric_views *views
 
 /* Layer n from below, over all of the blocks where it can; else 0. What it covers to the last
  * of the footprints is not looked at any more. */
-INLINE int stage_layer(const stone_constants *w, int n, block *blocks, int count) {
+STAGE int stage_layer(const stone_constants *w, int n, block *blocks, int count) {
   int l = fabric_order[n], once = 1, idle = 1, seen = 0;
   const stone_cells *c = &w->layer[l];
   cells_view views[STONE_BLOCKS];

@@ -8,7 +8,8 @@
 #include "footprint.h"
 #include "sites.h"
 
-#define CELLS_LOOKS 16 /* that go through the stages side by side */
+#define CELLS_LOOKS 8 /* of one footprint, that go through the stages side by side */
+#define CELLS_EYES 16 /* the same of footprints of which one look each is all */
 
 /* Look i, j of a footprint's. */
 INLINE void look_at(const stone_cells *c, cells_eye *e, int i, int j, vm there, cells_look *o) {
@@ -175,7 +176,7 @@ STAGE void eye_look_about(const stone_cells *c, cells_eye *e) {
 
 /* A layer of cells under a few footprints of which one look at each is all. */
 STAGE void eyes_look(const stone_cells *c, cells_eye *eyes, int count) {
-  cells_look looks[CELLS_LOOKS];
+  cells_look looks[CELLS_EYES];
   for (int e = 0; e < count; e++) {
     cells_look *o = &looks[e];
     look_place(c, eyes[e].p, o);
