@@ -48,6 +48,20 @@ INLINE int same_lanes(const vf *a, const vf *b, int count) {
   return !any(not_(eqi(differ, splati(0))));
 }
 
+/* Whether an input's direction at points i..i+n-1 is that of the block before, as on flat ground
+ * it is: what has been made of it then need not be made again. */
+INLINE int as_before(const float *const direction[3], uint32_t i, uint32_t n) {
+  if (!direction[0] || n < LANES) return 0;
+  vf now[3], before[3];
+  UNROLL(3)
+  for (int c = 0; c < 3; c++) {
+    const float *at = direction[c] + i;
+    now[c] = load(at);
+    before[c] = load(at - LANES);
+  }
+  return same_lanes(now, before, 3);
+}
+
 /* NaN to 0, and the rest within a kilometre. */
 INLINE vf finite_coordinate(vf x) {
   x = sel(eq(x, x), x, splat(0.0f));

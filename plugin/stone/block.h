@@ -28,7 +28,9 @@ typedef struct {
   vf p[3], nrm[3];   /* bed space, likewise */
   vf s;
   vf t1[3], t2[3]; /* the footprint's sides */
-  int alike;       /* of the blocks on their way the first whose footprints lie as these do */
+  int facing;      /* `face` is that of the block before */
+  vf light[3], view[3];
+  int alike; /* of the blocks on their way the first whose footprints lie as these do */
   vf albedo[3], speck, hole, inclusion; /* the last three: shares of the footprint */
   int crystal_known;                    /* the colour has met it */
   vu crystal;                           /* that the point is in */

@@ -16,6 +16,9 @@ typedef struct {
   float weight[CELLS_SHARED] __attribute__((aligned(64)));
   int32_t number[CELLS_SHARED] __attribute__((aligned(64)));
   vf from[3][4];
+  vf least[4], bound[3]; /* to any lane, of each */
+  int layers;
+  uint32_t may;
 } cells_list;
 
 /* From the lanes to the middles of the four cells along an axis. o: to that of their own,
@@ -28,9 +31,9 @@ INLINE void cells_list_from(vf o, vm upper, vf from[4]) {
   from[3] = sel(upper, above, none);
 }
 
-/* Those that are left, a bit to each; 0: the lanes are too far apart. */
-INLINE uint64_t cells_list_make(const stone_cells *c, int graded, int most, const vi whole[3],
-                                const cells_about *about, cells_list *list) {
+/* 0: the lanes are too far apart. */
+INLINE int cells_list_make(const stone_cells *c, int graded, int most, const vi whole[3],
+                           const cells_about *about, cells_list *list) {
   static const uint32_t prime[3] = {HASH_X, HASH_Y, HASH_Z};
   const float k = 0.5f * CELLS_JITTER / HASH_ONE;
   vi base[3];
@@ -58,7 +61,7 @@ INLINE uint64_t cells_list_make(const stone_cells *c, int graded, int most, cons
   uint32_t may = (upper[0] ? 0xffffu : 0x7777u) & (upper[1] ? 0xffffu : 0x0fffu);
   uint32_t all = (upper[0] ? 0x6666u : 0x7777u) & (upper[1] ? 0x0ff0u : 0x0fffu);
   const vf far = splat(1e30f);
-  vf least[4], bound[3] = {far, far, far};
+  vf *least = list->least, bound[3] = {far, far, far};
   const int layers = upper[2] ? 4 : 3;
   UNROLL(4)
   for (int v = 0; v < 4; v++) {
@@ -82,28 +85,43 @@ INLINE uint64_t cells_list_make(const stone_cells *c, int graded, int most, cons
     vf high = sel((vm)common, f + b, far);
     cells_least(high, most, bound);
   }
+  memcpy(list->bound, bound, sizeof bound);
+  list->layers = layers;
+  list->may = may;
+  return 1;
+}
+
+/* Those that are left, a bit to each. */
+INLINE uint64_t cells_list_left(const cells_list *list, int most) {
+  const vf *bound = list->bound;
   vf limit = (most > 2 ? third_of(bound) : second_of(bound)) + splat(CELLS_ROUND);
   uint64_t left = 0;
-  for (int v = 0; v < layers; v++) {
-    uint64_t in = lanes_of(le(least[v], limit)) & may;
+  for (int v = 0; v < list->layers; v++) {
+    uint64_t in = lanes_of(le(list->least[v], limit)) & list->may;
     left |= in << (16 * v);
   }
   return left;
+}
+
+/* The least `most` of those that are left. */
+INLINE void cells_list_try(const cells_list *list, uint64_t left, int most, vf key[3]) {
+  for (; left; left &= left - 1) {
+    int n = __builtin_ctzll(left);
+    const vf x[3] = {splat(list->jitter[0][n]) + list->from[0][n & 3],
+                     splat(list->jitter[1][n]) + list->from[1][n >> 2 & 3],
+                     splat(list->jitter[2][n]) + list->from[2][n >> 4]};
+    cells_keep(dot3(x, x) + splat(list->weight[n]), splati(list->number[n]), most, key);
+  }
 }
 
 /* Whether the lanes are near enough to each other, and then what cells_nearest says. */
 INLINE int cells_nearest_shared(const stone_cells *c, int graded, int most, const vi whole[3],
                                 const cells_about *about, vf key[3]) {
   cells_list list;
-  uint64_t left = cells_list_make(c, graded, most, whole, about, &list);
+  if (!cells_list_make(c, graded, most, whole, about, &list)) return 0;
+  uint64_t left = cells_list_left(&list, most);
   if (!left) return 0;
-  for (; left; left &= left - 1) {
-    int n = __builtin_ctzll(left);
-    const vf x[3] = {splat(list.jitter[0][n]) + list.from[0][n & 3],
-                     splat(list.jitter[1][n]) + list.from[1][n >> 2 & 3],
-                     splat(list.jitter[2][n]) + list.from[2][n >> 4]};
-    cells_keep(dot3(x, x) + splat(list.weight[n]), splati(list.number[n]), most, key);
-  }
+  cells_list_try(&list, left, most, key);
   return 1;
 }
 

@@ -9,9 +9,6 @@
 #include "bodies.h"
 #include "crystals.h"
 #include "sections.h"
-#ifdef SPREADS
-#include "bodies_absent.h"
-#endif
 
 /* Shares of a footprint: of kinds 1 and 2 with their brightness; and first, of crystals
  * kind 0 with its own, of bodies what both of them cover. */
@@ -105,6 +102,9 @@ typedef struct {
   cells_cover sum;
 } cells_eye;
 
+#define CELLS_LOOKS 8 /* of one footprint, that go through the stages side by side */
+#define CELLS_EYES 16 /* the same of footprints of which one look each is all */
+
 /* A look at the two cells that meet at a part of a footprint, on its way through the
  * three stages below. They run over a few looks each, so that one look's chains of
  * operations fill the waits of the next one's. */
@@ -120,201 +120,6 @@ typedef struct {
   int empty;          /* no body is near any lane; the rest is not known then */
   cells_near near[3]; /* bodies' third; of it no one asks where it is */
 } cells_look;
-
-/* Whether lanes are likely near each other: neighbours are mostly about a footprint apart. */
-#define CELLS_TOGETHER 0.08f
-INLINE int looks_together(const cells_look *looks) {
-  return any(lt(looks[0].eye->view->most, splat(CELLS_TOGETHER)));
-}
-
-/* A look's place. at: mm, bed space. */
-INLINE void look_place(const stone_cells *c, const vf at[3], cells_look *o) {
-  cells_turn(c, at, o->straight);
-  o->bend = c->bends_shared ? o->other : o->straight;
-  if (c->bends_shared) cells_turn_by(c->bend_turn, at, o->other);
-}
-
-/* kept: where a layer shares its noises with another. */
-INLINE void looks_bend_as(const stone_cells *c, int kept, int together, cells_look *looks,
-                          int count) {
-  for (int l = 0; l < count; l++) {
-    cells_look *o = &looks[l];
-    cells_bends own;
-    bends_none(&own);
-    for (int k = 0; k < 3; k++) o->q[k] = o->straight[k];
-    o->cloud =
-        cells_bend(c, o->eye->view->fine, together, o->bend, o->q, kept ? o->eye->bends : &own);
-  }
-}
-
-STAGE void looks_bend(const stone_cells *c, cells_look *looks, int count) {
-  const int together = looks_together(looks);
-  if (looks[0].eye->bends)
-    looks_bend_as(c, 1, together, looks, count);
-  else if (together)
-    looks_bend_as(c, 0, 1, looks, count);
-  else
-    looks_bend_as(c, 0, 0, looks, count);
-}
-
-INLINE void looks_bend_parts_as(const stone_cells *c, int kept, cells_look *looks, int count) {
-  for (int l = 0; l < count; l++) {
-    cells_look *o = &looks[l];
-    cells_bends own;
-    bends_none(&own);
-    const cells_square *part = o->part;
-    vm wide = gt(o->eye->view->part_wide, splat(c->sheared));
-    cells_square bent = *part;
-    for (int k = 0; k < 3; k++) o->q[k] = o->straight[k];
-    o->cloud = cells_bend_square(c, kept, o->eye->view->fine, o->bend, o->q, &bent,
-                                 kept ? o->eye->bends : &own);
-    for (int k = 0; k < 3; k++) {
-      o->sheared.u[k] = sel(wide, bent.u[k], part->u[k]);
-      o->sheared.v[k] = sel(wide, bent.v[k], part->v[k]);
-    }
-    o->part = &o->sheared;
-  }
-}
-
-/* Looks of which each asks for itself what it sees: with their parts. */
-STAGE void looks_bend_parts(const stone_cells *c, cells_look *looks, int count) {
-  int sheared = 0;
-  for (int l = 0; l < count; l++) {
-    looks[l].part = &looks[l].eye->view->part;
-    sheared |= any(gt(looks[l].eye->view->part_wide, splat(c->sheared)));
-  }
-  if (!sheared)
-    looks_bend(c, looks, count);
-  else if (looks[0].eye->bends)
-    looks_bend_parts_as(c, 1, looks, count);
-  else
-    looks_bend_parts_as(c, 0, looks, count);
-}
-
-/* Whether no lane's parts are seen in quarters, nor their third crystal. */
-INLINE int eye_whole(const stone_cells *c, const cells_eye *e) {
-  return !any(gt(e->view->part_wide, splat(c->whole)));
-}
-
-STAGE void looks_find(const stone_cells *c, cells_look *looks, int count) {
-  int together = looks_together(looks);
-  for (int l = 0; l < count; l++) {
-    if (looks[l].empty) continue;
-    int three = !c->shaped && !eye_whole(c, looks[l].eye);
-    cells_find(c, together, three, looks[l].q, looks[l].near);
-  }
-}
-
-/* Of bodies, those of kind 0 are not there. whole: that no lane's part is seen in quarters. */
-INLINE void look_add_as(const stone_cells *c, int whole, const cells_look *o) {
-  vf share[3], core[3], zero = splat(0.0f), one = splat(1.0f), third = zero;
-  cells_eye *eye = o->eye;
-  const cells_view *view = eye->view;
-  const int count = whole || c->shaped ? 2 : 3;
-  cells_kind kind[3];
-  vm body[2];
-  body[0] = body[1] = lt(zero, zero);
-  if (!c->shaped) eye->nearest = o->near[0].h;
-  for (int n = 0; n < 2 && c->shaped && !o->empty; n++) {
-    kind[n] = cells_kind_of(c, o->near[n].at);
-    body[n] = or_(kind[n].first, kind[n].second);
-  }
-  int some = any(or_(body[0], body[1]));
-  if (c->shaped && eye->found) {
-    if (some) memcpy(eye->found->near, o->near, sizeof o->near);
-    memcpy(eye->found->body, body, sizeof body);
-  }
-  if (c->shaped && !some) {
-    for (int k = 0; k < CELLS_PARTS && eye->looks; k++) eye->looks->of[k][o->slot] = zero;
-    return;
-  }
-  cells_parts parts = cells_whole();
-  if (!whole) {
-    parts = cells_part(view->part_wide, c->whole);
-    third = one - crystal_keep(view->part_wide, c->whole, 2.0f * c->whole);
-  }
-  cells_shares(c, o->near, body, o->part, &parts, count > 2, third, share, core);
-  vf uneven = o->cloud * splat(1.3f * c->variation) + one, common[2] = {uneven, uneven};
-  int textured = crystal_textured(c);
-  if (textured && c->turbidity > 0.0f) {
-    vf tone[2];
-    crystal_tones(c, o->straight, &view->part, &parts, view->part_wide, o->cloud, tone);
-    /* inclusions of either kind are feldspar's, if they are crystals */
-    for (int k = 0; k < 2; k++) common[k] = uneven + tone[c->shaped ? 0 : k];
-  }
-  const float gone = c->shaped ? LAMELLAE_BODIES : LAMELLAE_GONE;
-  vf lamellae[2] = {crystal_keep(view->most, 0.4f * gone, gone),
-                    crystal_keep(view->most, LAMELLAE_NEXT, LAMELLAE_ONE)};
-  cells_cover look = cells_none();
-  for (int n = 0; n < count; n++) {
-    if (!any(gt(share[n], zero))) continue;
-    if (!c->shaped) kind[n] = cells_kind_of(c, o->near[n].at);
-    vf tone[2] = {common[0], common[1]};
-    if (n < 2 && c->cleavage > 0.0f && any(gt(lamellae[n], zero))) {
-      vf l = splat(c->cleavage) * crystal_lamellae(o->near[n].h, o->straight, &view->part);
-      l = l * lamellae[n];
-      tone[0] = tone[0] + splat(0.1f) * l;
-      tone[1] = tone[1] + splat(0.05f) * l;
-    }
-    if (textured) {
-      for (int k = 0; k < 2; k++) tone[k] = vmax(tone[k], zero);
-    }
-    cells_add(c, o->near[n].h, &kind[n], share[n], core[n], tone, &look);
-  }
-  cells_cover *sum = &eye->sum;
-  for (int k = 0; k < CELLS_PARTS; k++) {
-    if (eye->looks) eye->looks->of[k][o->slot] = look.of[k];
-    sum->of[k] = sel(o->there, sum->of[k] + look.of[k], sum->of[k]);
-  }
-}
-
-STAGE void looks_add(const stone_cells *c, const cells_look *looks, int count) {
-  for (int l = 0; l < count; l++) {
-    if (eye_whole(c, looks[l].eye))
-      look_add_as(c, 1, &looks[l]);
-    else
-      look_add_as(c, 0, &looks[l]);
-  }
-}
-
-#define CELLS_SPARSE 0.25f /* cells: of wider footprints too many lie about all lanes */
-
-/* Which looks have no body near, of one eye all together. */
-STAGE void looks_empty(const stone_cells *c, cells_look *looks, int count) {
-  for (int l = 0; l < count; l++) looks[l].empty = 0;
-#ifndef SPREADS
-  (void)c;
-#else
-  if (!c->sparse || any(gt(looks[0].eye->view->most, splat(CELLS_SPARSE)))) return;
-  int each = count > 1 && looks[0].eye == looks[1].eye ? count : 1;
-  for (int l = 0; l < count; l += each) {
-    vf low[3], high[3], wide, unused;
-    for (int k = 0; k < 3; k++) {
-      low[k] = high[k] = looks[l].q[k];
-      for (int i = 1; i < each; i++) {
-        low[k] = vmin(low[k], looks[l + i].q[k]);
-        high[k] = vmax(high[k], looks[l + i].q[k]);
-      }
-      if (each == 1) {
-        range_of(low[k], &low[k], &high[k]);
-      } else {
-        range_of(low[k], &low[k], &unused);
-        range_of(high[k], &unused, &high[k]);
-      }
-    }
-    range_of(looks[l].eye->view->part_wide, &unused, &wide);
-    int empty = bodies_absent(c, low, high, lane(wide, 0));
-    for (int i = 0; i < each; i++) looks[l + i].empty = empty;
-  }
-#endif
-}
-
-INLINE void looks_run(const stone_cells *c, cells_look *looks, int count) {
-  looks_bend_parts(c, looks, count);
-  looks_empty(c, looks, count);
-  looks_find(c, looks, count);
-  looks_add(c, looks, count);
-}
 
 /* What the middle of a part knows of the bends there, and what a footprint that is all
  * but a cell wide need not. */

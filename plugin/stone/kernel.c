@@ -44,34 +44,37 @@ INLINE void square_sides(const vf n[3], vf t1[3], vf t2[3]) {
   cross3(n, t1, t2);
 }
 
-/* Whether footprints lie as in the block before, as on flat ground they do: what has been made of
- * them then need not be made again. */
-INLINE int lies_as_before(const block *k) {
-  return same_lanes(&k->s, &k[-1].s, 1) && same_lanes(k->nrm, k[-1].nrm, 3);
+INLINE void copy3(const vf from[3], vf to[3]) {
+  for (int c = 0; c < 3; c++) to[c] = from[c];
+}
+
+/* The face given, or without one what leans alike against every axis. */
+INLINE void stage_face(const stone_io *io, int number, block *k) {
+  k->facing = number && (io->in->normal[0] ? as_before(io->in->normal, k->i, k->n) : 1);
+  if (k->facing) {
+    copy3(k[-1].face, k->face);
+    return;
+  }
+  for (int c = 0; c < 3; c++) k->face[c] = splat(0.57735027f);
+  if (!io->in->normal[0]) return;
+  for (int c = 0; c < 3; c++) k->face[c] = load_lanes(io->in->normal[c], k->i, k->n);
+  unit_direction(k->face);
 }
 
 /* number: of the block, among those on their way. */
 INLINE void stage_load(const stone_constants *w, int paved, const stone_io *io, int number,
                        block *k) {
   k->alike = number;
-  for (int c = 0; c < 3; c++) {
+  for (int c = 0; c < 3; c++)
     k->at[c] = finite_coordinate(load_lanes(io->in->point[c], k->i, k->n));
-    /* without a normal: a square that leans alike against every axis */
-    k->nrm[c] = splat(0.57735027f);
-  }
   k->s = splat(0.0f);
   if (io->in->footprint) {
     k->s = clamp(load_lanes(io->in->footprint, k->i, k->n), splat(0.0f), splat(1e4f));
   }
-  if (io->in->normal[0]) {
-    for (int c = 0; c < 3; c++) k->nrm[c] = load_lanes(io->in->normal[c], k->i, k->n);
-    unit_direction(k->nrm);
-  }
-  for (int c = 0; c < 3; c++) {
-    k->p[c] = k->at[c];
-    k->face[c] = k->nrm[c];
-  }
+  stage_face(io, number, k);
+  copy3(k->at, k->p);
   if (paved) {
+    copy3(k->face, k->nrm);
     square_sides(k->nrm, k->t1, k->t2);
     laid_at(w, k->at, io->in->normal[0] ? k->face : NULL, k->t1, k->t2, k->s, &k->laid);
     laid_turn(&k->laid, k->p);
@@ -81,16 +84,20 @@ INLINE void stage_load(const stone_constants *w, int paved, const stone_io *io, 
     for (int c = 0; c < 3; c++) k->p[c] = k->p[c] + splat(w->offset[c]);
   }
   exchange(w, k->p);
-  exchange(w, k->nrm);
-  if (number && lies_as_before(k)) {
-    k->alike = k[-1].alike;
-    for (int c = 0; c < 3; c++) {
-      k->t1[c] = k[-1].t1[c];
-      k->t2[c] = k[-1].t2[c];
-    }
-    return;
+  /* blocks whose footprints lie alike, as on flat ground they do, share what is made of them */
+  const block *before = k - 1;
+  int same = k->facing;
+  if (paved || !same) {
+    if (!paved) copy3(k->face, k->nrm);
+    exchange(w, k->nrm);
+    same = number && same_lanes(k->nrm, before->nrm, 3);
+    if (!same) square_sides(k->nrm, k->t1, k->t2);
   }
-  square_sides(k->nrm, k->t1, k->t2);
+  if (!same) return;
+  copy3(before->nrm, k->nrm);
+  copy3(before->t1, k->t1);
+  copy3(before->t2, k->t2);
+  if (same_lanes(&k->s, &before->s, 1)) k->alike = before->alike;
 }
 
 STAGE void stage_paper(const stone_constants *w, block *k) {
@@ -239,9 +246,16 @@ INLINE void stage_light(const stone_constants *w, int paved, const stone_io *io,
   put(io, k, STONE_ROUGHNESS, vsqrt(alpha2));
   put(io, k, STONE_SPECULAR, specular);
   if (!radiance) return;
-  vf light[3], view[3], below;
-  direction_of(io->in->light, k->i, k->n, k->face, 0, light);
-  direction_of(io->in->view, k->i, k->n, k->face, 1, view);
+  vf below;
+  const vf *light = k->light, *view = k->view;
+  if (k->o && as_before(io->in->light, k->i, k->n))
+    copy3(k[-1].light, k->light);
+  else
+    direction_of(io->in->light, k->i, k->n, k->face, 0, k->light);
+  if (k->o && k->facing && as_before(io->in->view, k->i, k->n))
+    copy3(k[-1].view, k->view);
+  else
+    direction_of(io->in->view, k->i, k->n, k->face, 1, k->view);
   vf lobe = gloss_lobe(n, light, view, alpha2, specular, &below);
   /* light from behind the sawn face lights no slope of it */
   vf up = dot3(light, k->face);

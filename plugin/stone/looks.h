@@ -5,11 +5,8 @@
 #ifndef SOZAI_STONE_LOOKS_H
 #define SOZAI_STONE_LOOKS_H
 
-#include "footprint.h"
+#include "look_stages.h"
 #include "sites.h"
-
-#define CELLS_LOOKS 8 /* of one footprint, that go through the stages side by side */
-#define CELLS_EYES 16 /* the same of footprints of which one look each is all */
 
 /* Look i, j of a footprint's. */
 INLINE void look_at(const stone_cells *c, cells_eye *e, int i, int j, vm there, cells_look *o) {

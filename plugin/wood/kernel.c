@@ -265,20 +265,6 @@ INLINE void stage_board(const wood_constants *w, int boards, const wood_io *io, 
   store_lanes(io, WOOD_HEIGHT, k, height);
 }
 
-/* Whether a direction is the same as in the block before, as on flat ground it is: what
- * has been made of it then need not be made again. */
-INLINE int as_before(const float *const direction[3], const block *k) {
-  if (!direction[0] || k->n < LANES) return 0;
-  vf now[3], before[3];
-  UNROLL(3)
-  for (int c = 0; c < 3; c++) {
-    const float *at = direction[c] + k->i;
-    now[c] = load(at);
-    before[c] = load(at - LANES);
-  }
-  return same_lanes(now, before, 3);
-}
-
 INLINE void stage_load(const wood_constants *w, int boards, const wood_io *io,
                        const wood_wants *want, board_sawn *sawn, block *k) {
   vf p[3];
@@ -288,7 +274,7 @@ INLINE void stage_load(const wood_constants *w, int boards, const wood_io *io,
   if (io->in->footprint) {
     k->s = clamp(load_lanes(io->in->footprint, k->i, k->n), splat(0.0f), splat(1e4f));
   }
-  if (!boards && !want->board && k->o && as_before(io->in->normal, k)) {
+  if (!boards && !want->board && k->o && as_before(io->in->normal, k->i, k->n)) {
     const block *before = k - 1;
     to_log(w, boards, k, p, k->p);
     for (int c = 0; c < 3; c++) k->p[c] = k->p[c] + splat(w->shift[c]);
@@ -1056,7 +1042,7 @@ INLINE void stage_lobe(const wood_constants *w, int boards, const wood_io *io, b
 
 INLINE void stage_light(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf zero = splat(0.0f), light[3], *l = k->light;
-  if (!boards && k->o && as_before(io->in->light, k)) {
+  if (!boards && k->o && as_before(io->in->light, k->i, k->n)) {
     for (int c = 0; c < 3; c++) l[c] = k[-1].light[c];
   } else {
     for (int c = 0; c < 3; c++) light[c] = load_lanes(io->in->light[c], k->i, k->n);
