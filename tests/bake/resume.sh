@@ -112,14 +112,14 @@ check "and on" cmp one.exr end.exr
 # ---- one writer to a journal, and one job to a folder ------------------------------------------------
 works "${exr[@]}" -o locked.exr --shard 1/2
 if command -v flock >/dev/null; then
-  flock -x -o locked.exr.bake/1-of-2.pieces sleep 30 &
+  flock -x -o locked.exr.bake/1-of-2.pieces sleep 30 >/dev/null 2>&1 & # else the test waits for it
   sleeper=$!
   until ! flock -n locked.exr.bake/1-of-2.pieces true; do :; done
   refuses 2 "1-of-2.pieces|another bake" "${exr[@]}" -o locked.exr --shard 1/2
   kill $sleeper
   wait $sleeper 2>/dev/null
   works "${exr[@]}" -o merging.exr --shard 1/1
-  flock -x -o merging.exr.bake/bake.txt sleep 30 &
+  flock -x -o merging.exr.bake/bake.txt sleep 30 >/dev/null 2>&1 &
   sleeper=$!
   until ! flock -n merging.exr.bake/bake.txt true; do :; done
   refuses 2 "merging.exr.bake|merged by another bake" "${exr[@]}" -o merging.exr --merge

@@ -10,7 +10,9 @@ mapfile -t files < <(find quickstart .ci CMakeLists.txt cmake api plugin colour 
   -o -path .ci/run \))
 failed=0
 for file in "${files[@]}"; do
-  if [[ $(head -n 3 "$file") != *'SPDX-License-Identifier: Apache-2.0'* ]]; then
+  lines=()
+  mapfile -t -n 3 lines <"$file" # without a process for each
+  if [[ ${lines[*]} != *'SPDX-License-Identifier: Apache-2.0'* ]]; then
     echo "no SPDX line: $file"
     failed=1
   fi
