@@ -59,16 +59,17 @@ works() { # [argument...]
 # refuses CODE 'word|word|...' [argument...]: exits with the code, with one line on
 # standard error that holds every word, and nothing on standard output.
 refuses() {
-  local wanted=$1 words=$2 word
+  local wanted=$1 word words lines
+  IFS='|' read -ra words <<<"$2"
   shift 2
   run_command "$@"
   same "exit code of: sozai $*" "$wanted" "$code"
-  same "lines of message of: sozai $*" 1 "$(grep -c '' "$scratch/err")"
-  while IFS= read -r word; do
+  mapfile -t lines <"$scratch/err"
+  same "lines of message of: sozai $*" 1 "${#lines[@]}"
+  for word in "${words[@]}"; do
     checks=$((checks + 1))
-    grep -qF -- "$word" "$scratch/err" ||
-      failed "sozai $*"$'\n'"  wanted '$word' in: $err"
-  done < <(tr '|' '\n' <<<"$words")
+    [[ $err == *"$word"* ]] || failed "sozai $*"$'\n'"  wanted '$word' in: $err"
+  done
 }
 
 finish() {
