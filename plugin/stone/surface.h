@@ -131,16 +131,16 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
     out->grime = one - splat(air->grime) * clamp01(dirt);
   }
   if (air->moss > 0.0f) {
-    field moss = weather_moss(w, p, near, s, &out->tuft, &out->dry);
+    field moss = weather_moss(w, p, near, s);
+    moss_growth growth = weather_growth(air, p, s);
     if (paved) {
       moss.v = mix(splat(air->moss_mean), moss.v, q->near);
       for (int k = 0; k < 3; k++) moss.g[k] = moss.g[k] * q->near;
     }
     out->moss = moss.v;
-    vf unused = zero;
-    field tuft = weather_noise(p, 0.9f, air->seed + 3u, 0.5f, s, &unused);
-    tuft.v = tuft.v + splat(0.75f);
-    height = field_add(height, field_scale(field_mul(moss, tuft), splat(air->moss_height)));
+    out->tuft = growth.shade;
+    out->dry = growth.dry;
+    height = field_add(height, field_scale(field_mul(moss, growth.rise), splat(air->moss_height)));
     /* it fills the joint */
     height = field_add(height, field_scale(field_mul(moss, edge), splat(-0.65f)));
     out->lost = out->lost * (one - moss.v) + splat(0.08f) * moss.v;

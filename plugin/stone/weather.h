@@ -24,23 +24,63 @@ STAGE field weather_noise(const vf p[3], float frequency, uint32_t seed, float w
   return field_scale(n, keep * splat(weight));
 }
 
-/* Share of moss. `near`: 1 in the joint, 0 at moss_spread from it. *tuft: its
- * light and dark; *hue: from lush, 0, to dry, 1. */
-INLINE field weather_moss(const stone_constants *w, const vf p[3], field near, vf e, vf *tuft,
-                          vf *hue) {
+/* Cushions: domes with creases between, from a noise's absolute value, a crease as wide as
+ * CUSHION_CREASE of it. Mean 0, within -0.2 and some 0.5; gradient noise's own of that is
+ * CUSHION_MEAN. */
+#define CUSHION_CREASE 0.05f
+#define CUSHION_MEAN 0.190f
+STAGE field weather_cushions(const vf p[3], float frequency, uint32_t seed, float weight, vf e) {
+  /* aslant, so that no face shows the noise's rows */
+  static const float row[3][3] = {{2.0f, 6.0f, 9.0f}, {6.0f, 7.0f, -6.0f}, {-9.0f, 6.0f, -2.0f}};
+  vf f = splat(frequency), one = splat(1.0f), zero = splat(0.0f), at[3], g[3];
+  vf keep = one - smooth_step(splat(0.25f), splat(0.9f), e * f);
+  if (!any(gt(keep, zero))) return field_of(zero);
+  const vf by = splat(frequency / 11.0f);
+  for (int k = 0; k < 3; k++)
+    at[k] = by * (splat(row[k][0]) * p[0] + splat(row[k][1]) * p[1] + splat(row[k][2]) * p[2]);
+  field n = field_of(noise_gradient3(at[0], at[1], at[2], splatu(seed), g));
+  for (int k = 0; k < 3; k++)
+    n.g[k] = by * (splat(row[0][k]) * g[0] + splat(row[1][k]) * g[1] + splat(row[2][k]) * g[2]);
+  vf square = n.v * n.v + splat(CUSHION_CREASE * CUSHION_CREASE);
+  vf inverse = inverse_root(square);
+  field r = field_through(n, square * inverse - splat(CUSHION_MEAN), n.v * inverse);
+  return field_scale(r, keep * splat(weight));
+}
+
+/* How a moss grows where it does: how high, of moss_height; how light; lush, 0, to dry, 1. */
+typedef struct {
+  field rise;
+  vf shade, dry;
+} moss_growth;
+
+/* Cushions of one to two centimetres and of some millimetres, on them the shoots' tips. Tips catch
+ * the light, creases are in the shade of what is about them. */
+INLINE moss_growth weather_growth(const stone_weather *v, const vf p[3], vf e) {
+  vf unused = splat(0.0f);
+  moss_growth m;
+  field cushions = field_add(weather_cushions(p, 0.05f, v->seed + 12u, 1.1f, e),
+                             weather_cushions(p, 0.13f, v->seed + 13u, 0.6f, e));
+  field tips = field_add(weather_noise(p, 0.9f, v->seed + 3u, 0.55f, e, &unused),
+                         weather_noise(p, 1.9f, v->seed + 14u, 0.35f, e, &unused));
+  m.rise = field_add(field_scale(cushions, splat(1.6f)), field_scale(tips, splat(0.3f)));
+  m.rise.v = m.rise.v + splat(0.75f);
+  m.shade = splat(1.5f) * cushions.v + splat(1.1f) * tips.v;
+  vf patch = weather_noise(p, 0.021f, v->seed + 4u, 0.9f, e, &unused).v +
+             weather_noise(p, 0.0047f, v->seed + 15u, 1.2f, e, &unused).v;
+  m.dry = clamp01(splat(0.4f) + patch + splat(0.5f) * tips.v + splat(0.4f) * cushions.v);
+  return m;
+}
+
+/* Share of moss. `near`: 1 in the joint, 0 at moss_spread from it. */
+INLINE field weather_moss(const stone_constants *w, const vf p[3], field near, vf e) {
   const stone_weather *v = &w->weather;
-  vf lost = splat(0.0f);
+  vf lost = splat(0.0f), unused = lost;
   float size = v->moss_spread > 8.0f ? v->moss_spread : 8.0f;
   field n = weather_noise(p, 0.06f / size, v->seed, 1.9f, e, &lost);
   n = field_add(n, weather_noise(p, 0.31f / size, v->seed + 1u, 1.0f, e, &lost));
   n = field_add(n, weather_noise(p, 0.085f, v->seed + 7u, 0.85f, e, &lost));
   n = field_add(n, weather_noise(p, 0.33f, v->seed + 2u, 0.55f, e, &lost));
-  vf unused = splat(0.0f);
-  field fine = weather_noise(p, 0.9f, v->seed + 3u, 1.0f, e, &unused);
-  *tuft = fine.v;
-  vf patch = weather_noise(p, 0.021f, v->seed + 4u, 1.2f, e, &unused).v;
-  *hue = clamp01(splat(0.35f) + patch + splat(0.5f) * fine.v);
-  n = field_add(n, field_scale(fine, splat(0.2f)));
+  n = field_add(n, weather_noise(p, 0.9f, v->seed + 3u, 0.2f, e, &unused));
   /* where it begins: deep and wide joints shelter it */
   const stone_paving *l = &w->paving;
   float deep = l->depth / (l->depth + 4.0f), wide = l->half / (l->half + 3.0f);
