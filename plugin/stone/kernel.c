@@ -171,9 +171,16 @@ INLINE void stage_surface(const stone_constants *w, int paved, const stone_io *i
   *q = surface_none();
   field relief;
   vf square;
+  laid_square sides;
+  if (w->weather.moss > 0.0f) {
+    copy3(k->t1, sides.side[0]);
+    copy3(k->t2, sides.side[1]);
+    for (int i = 0; i < 2 && !w->tile.on; i++) from_bed(w, paved, k, sides.side[i]);
+    sides.n = io->in->normal[0] ? k->face : NULL;
+  }
   if (w->tile.on) {
     relief = tile_relief(w, k->at, k->s, &q->lost);
-    surface_lay(w, 0, &k->laid, k->at, k->s, relief, q);
+    surface_lay(w, 0, &k->laid, k->at, &sides, k->s, relief, q);
     stage_height(io, k);
     return;
   }
@@ -190,7 +197,7 @@ INLINE void stage_surface(const stone_constants *w, int paved, const stone_io *i
         relief, bodies_height(&bowl, k->p, k->t1, k->t2, k->s, k->hole, &k->holes, &q->lost));
   }
   from_bed(w, paved, k, relief.g);
-  surface_lay(w, paved, &k->laid, k->at, k->s, relief, q);
+  surface_lay(w, paved, &k->laid, k->at, &sides, k->s, relief, q);
   stage_height(io, k);
 }
 
@@ -201,21 +208,25 @@ INLINE void stage_cover(const stone_constants *w, int paved, block *k) {
   vf one = splat(1.0f), joint = splat(0.0f);
   vf sand = one + splat(0.5f) * q->sand;
   if (paved) joint = k->laid.joint;
+  /* what the moss has left of the joint, and of the stone; of the joint it takes more */
+  vf bare = one - q->moss, open = vmin(joint * (one - q->moss_joint), bare);
+  vf stone = bare - open;
   for (int c = 0; c < 3; c++) {
     vf a = k->albedo[c];
-    if (paved) a = mix(a * k->laid.tone[c], splat(w->paving.colour[c]) * sand, joint);
+    if (paved) a = stone * (a * k->laid.tone[c]) + open * (splat(w->paving.colour[c]) * sand);
     if (air->on) {
+      if (!paved) a = a * bare;
       a = a * q->grime;
       /* what is dry is browner, and paler */
       static const float dry[3] = {1.45f, 1.05f, 0.75f};
       vf cushion = splat(air->moss_colour[c]) * (splat(0.85f) + q->tuft);
       cushion = cushion * mix(one, splat(dry[c]), q->dry);
-      a = mix(a, vmax(cushion, splat(0.0f)), q->moss);
+      a = a + q->moss * vmax(cushion, splat(0.0f));
       a = weather_wet_albedo(a, vmax(q->film, q->water));
     }
     k->albedo[c] = a;
   }
-  k->speck = k->speck * (one - joint) * (one - q->moss);
+  k->speck = k->speck * stone;
 }
 
 INLINE void stage_light(const stone_constants *w, int paved, const stone_io *io, block *k,

@@ -31,6 +31,13 @@ typedef struct {
   vf tone[3];   /* factors of the albedo */
 } laid;
 
+/* A footprint's square in object space: its sides, unit, and its face's normal, or NULL for the
+ * plane's. */
+typedef struct {
+  vf side[2][3];
+  const vf *n;
+} laid_square;
+
 INLINE vf laid_random(vu *h) {
   *h = hash_mix(*h + splatu(HASH_X));
   return layout_random(*h);

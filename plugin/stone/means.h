@@ -91,6 +91,7 @@ static void measure(const stone_constants *w, uint32_t count, stone_means *out) 
 static void measure_laid(const stone_constants *w, uint32_t count, stone_laid_means *out) {
   const vf zero = splat(0.0f), p2 = zero, one = splat(1.0f);
   const vf x[3] = {one, zero, zero}, y[3] = {zero, one, zero};
+  const laid_square square = {{{one, zero, zero}, {zero, one, zero}}, NULL};
   memset(out, 0, sizeof *out);
   if (w->paving.layout.kind == LAYOUT_NONE) return;
   for (uint32_t i = 0; i < count; i += LANES) {
@@ -99,7 +100,7 @@ static void measure_laid(const stone_constants *w, uint32_t count, stone_laid_me
     laid q;
     laid_at(w, p, NULL, x, y, zero, &q);
     surface f = surface_none();
-    surface_lay(w, 1, &q, p, zero, field_of(zero), &f);
+    surface_lay(w, 1, &q, p, &square, zero, field_of(zero), &f);
     vf lost, slope;
     laid_round round = surface_round(w, &q, p, zero);
     field profile = laid_profile(&w->paving, &q, &round, &lost);

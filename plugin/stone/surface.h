@@ -22,6 +22,7 @@ typedef struct {
   vf grime;           /* light left by dirt */
   vf sand;            /* light and dark of the joint's filling */
   vf moss, tuft, dry; /* share; light and dark; lush, 0, to dry, 1 */
+  vf moss_joint;      /* share of what is joint */
   vf film, water;     /* of water: as a film, standing */
   vf occlusion;
 } surface;
@@ -29,7 +30,8 @@ typedef struct {
 INLINE surface surface_none(void) {
   vf zero = splat(0.0f), one = splat(1.0f);
   surface q = {.height = field_of(zero), .lost = zero, .low = splat(0.5f), .steep = zero};
-  q.edge = q.in_joint = q.polish = q.sand = q.moss = q.tuft = q.dry = q.film = q.water = zero;
+  q.edge = q.in_joint = q.polish = q.sand = q.moss = q.moss_joint = q.tuft = q.dry = q.film =
+      q.water = zero;
   q.grime = q.occlusion = one;
   return q;
 }
@@ -65,8 +67,8 @@ STAGE laid_round surface_round(const stone_constants *w, const laid *q, const vf
 
 /* p: object space; bed: that in the block's bed space. relief: the finish's, in
  * object space. */
-INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, const vf p[3], vf s,
-                        field relief, surface *out) {
+INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, const vf p[3],
+                        const laid_square *square, vf s, field relief, surface *out) {
   const stone_paving *v = &w->paving;
   const stone_weather *air = &w->weather;
   vf zero = splat(0.0f), one = splat(1.0f);
@@ -131,13 +133,10 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
     out->grime = one - splat(air->grime) * clamp01(dirt);
   }
   if (air->moss > 0.0f) {
-    field moss = weather_moss(w, p, near, s);
+    field moss = weather_moss(w, paved, p, square, near, paved ? q->near : one, s);
     moss_growth growth = weather_growth(air, p, s);
-    if (paved) {
-      moss.v = mix(splat(air->moss_mean), moss.v, q->near);
-      for (int k = 0; k < 3; k++) moss.g[k] = moss.g[k] * q->near;
-    }
-    out->moss = moss.v;
+    out->moss = out->moss_joint = moss.v;
+    if (paved && v->half > 0.0f) out->moss_joint = weather_moss_joint(w, p, moss.v, s);
     out->tuft = growth.shade;
     out->dry = growth.dry;
     height = field_add(height, field_scale(field_mul(moss, growth.rise), splat(air->moss_height)));

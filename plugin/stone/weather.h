@@ -71,8 +71,8 @@ INLINE moss_growth weather_growth(const stone_weather *v, const vf p[3], vf e) {
   return m;
 }
 
-/* Share of moss. `near`: 1 in the joint, 0 at moss_spread from it. */
-INLINE field weather_moss(const stone_constants *w, const vf p[3], field near, vf e) {
+/* Share of moss at a place. `near`: 1 in the joint, 0 at moss_spread from it. */
+INLINE field weather_moss_at(const stone_constants *w, const vf p[3], field near, vf e) {
   const stone_weather *v = &w->weather;
   vf lost = splat(0.0f), unused = lost;
   float size = v->moss_spread > 8.0f ? v->moss_spread : 8.0f;
@@ -84,10 +84,80 @@ INLINE field weather_moss(const stone_constants *w, const vf p[3], field near, v
   /* where it begins: deep and wide joints shelter it */
   const stone_paving *l = &w->paving;
   float deep = l->depth / (l->depth + 4.0f), wide = l->half / (l->half + 3.0f);
-  n = field_add(n, field_scale(near, splat(0.75f + 0.5f * deep + 0.4f * wide)));
+  const float shelter = 0.75f + 0.5f * deep + 0.4f * wide;
+  n = field_add(n, field_scale(near, splat(shelter)));
+  /* how near a joint is differs within the footprint, too */
+  vf within = e / (e + splat(2.0f * v->moss_spread));
+  lost = lost + splat(0.5f * shelter * shelter) * within * near.v * (splat(1.0f) - near.v);
   vf soft = vsqrt(splat(0.0144f) + splat(3.0f) * lost);
   n.v = n.v - splat(1.35f - 1.5f * v->moss);
   return field_step(n, splat(0.0f) - soft, soft);
+}
+
+#define MOSS_ONE 0.3f  /* mm: a footprint that is wider is seen in two parts along a side, */
+#define MOSS_TWO 0.8f  /* and a wider one in four; */
+#define MOSS_LAID 6.0f /* from which on each of these parts has joints of its own */
+
+/* How near a joint a part of a footprint is, and how much of it is told by that and not by the
+ * mean of all stones. */
+STAGE vf weather_near(const stone_constants *w, const vf p[3], const vf *n, vf e, vf *told) {
+  const stone_paving *v = &w->paving;
+  laid q;
+  vf nx, ny;
+  laid_find(w, p, n, e, &q, &nx, &ny);
+  q.e = vmax(e, splat(LAID_LEAST));
+  q.m = field_of(vmax(q.edge + splat(v->half), splat(0.0f)));
+  vf size = vmin(q.unit.length, q.unit.width);
+  *told = splat(1.0f) - smooth_step(splat(0.7f) * size, splat(1.6f) * size, q.e);
+  return laid_fall(&q, v->half, w->weather.moss_spread).v;
+}
+
+/* Share of moss over a footprint. told: of the middle, where there is a paving. */
+STAGE field weather_moss(const stone_constants *w, int paved, const vf p[3],
+                         const laid_square *square, field near, vf told, vf e) {
+  const vf one = splat(1.0f), half = splat(0.5f), zero = splat(0.0f);
+  const vf mean = splat(w->weather.moss_mean);
+  vm two = gt(e, splat(MOSS_ONE)), four = gt(e, splat(MOSS_TWO)), laid = gt(e, splat(MOSS_LAID));
+  const int parts = any(four) ? 4 : any(two) ? 2 : 1, finds = paved && any(laid);
+  vf share = sel(four, splat(0.25f), sel(two, half, one)), each = zero;
+  field sum = field_of(zero);
+  for (int i = 0; i < parts * parts; i++) {
+    /* lanes of fewer parts have theirs in the first of these */
+    vf along[2] = {splat((float)(i % parts)), splat((float)(i / parts))};
+    vm there = and_(lt(along[0] * share, one), lt(along[1] * share, one));
+    vf at[3], known = told;
+    field by = near;
+    for (int k = 0; k < 2; k++) along[k] = ((along[k] + half) * share - half) * e;
+    for (int k = 0; k < 3; k++) {
+      vf off = square->side[0][k] * along[0] + square->side[1][k] * along[1];
+      at[k] = p[k] + off;
+      by.v = by.v + near.g[k] * off;
+    }
+    by.v = clamp01(by.v);
+    if (finds) {
+      vf told_there, found = weather_near(w, at, square->n, e * share, &told_there);
+      by.v = sel(laid, found, by.v);
+      known = sel(laid, told_there, known);
+    }
+    field part = weather_moss_at(w, at, by, e * share);
+    if (paved) {
+      part.v = mix(mean, part.v, known);
+      part = field_through(part, part.v, known);
+    }
+    sum.v = sel(there, sum.v + part.v, sum.v);
+    for (int k = 0; k < 3; k++) sum.g[k] = sel(there, sum.g[k] + part.g[k], sum.g[k]);
+    each = sel(there, each + one, each);
+  }
+  return field_scale(sum, one / each);
+}
+
+/* The same of what of the footprint is joint: there is more of it than between them. moss: of all.
+ */
+INLINE vf weather_moss_joint(const stone_constants *w, const vf p[3], vf moss, vf e) {
+  vf one = splat(1.0f);
+  vm wide = gt(e, splat(MOSS_ONE));
+  if (!any(wide)) return moss;
+  return sel(wide, vmax(weather_moss_at(w, p, field_of(one), e).v, moss), moss);
 }
 
 /* Light that water holds within a surface goes through it more than once:
