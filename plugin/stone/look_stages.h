@@ -86,7 +86,7 @@ INLINE int eye_whole(const stone_cells *c, const cells_eye *e) {
 }
 
 #ifdef SPREADS
-#define FIND_LOOKS 8 /* that go through the stages of finding side by side */
+#define FIND_LOOKS 4 /* that go through the stages of finding side by side */
 
 /* cells_find of lanes that lie close together, in stages: how many cells are tried is guessed wrong
  * once a look, and then nothing is lost but that. */
