@@ -96,16 +96,14 @@ STAGE vf bed_share(const stone_constants *w, const vf p[3], const vf nrm[3], vf 
  * and less as it grows to two and a half of theirs. Aslant, so that no face shows their
  * rows. */
 INLINE vf mottle_at(const stone_constants *w, const vf p[3], vf s) {
-  static const float row[3][3] = {{2.0f, 6.0f, 9.0f}, {6.0f, 7.0f, -6.0f}, {-9.0f, 6.0f, -2.0f}};
   vf sum = splat(0.0f);
   float f = w->mottle_frequency, weight = w->mottle * (0.224f / VALUE_SD / HASH_ONE);
   for (uint32_t o = 0; o < 3; o++) {
     vf left = clamp01(splat(2.5f / 2.4f) - splat(f / 2.4f) * s), at[3];
     if (!any(gt(left, splat(0.0f)))) break;
     for (int k = 0; k < 3; k++) {
-      const float by = 1.4f / 11.0f * f;
-      at[k] = splat(by * row[k][0]) * p[0] + splat(by * row[k][1]) * p[1] +
-              splat(by * row[k][2]) * p[2];
+      const float by = 1.4f / 11.0f * f, *row = value_aslant[k];
+      at[k] = splat(by * row[0]) * p[0] + splat(by * row[1]) * p[1] + splat(by * row[2]) * p[2];
     }
     left = left * left * (splat(3.0f) - left - left);
     sum = sum + splat(weight) * left * value_one(at, splatu(w->seed_mottle + o));

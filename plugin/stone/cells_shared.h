@@ -16,8 +16,9 @@ typedef struct {
   float weight[CELLS_SHARED] __attribute__((aligned(64)));
   int32_t number[CELLS_SHARED] __attribute__((aligned(64)));
   vf from[3][4];
-  vf least[4], bound[3]; /* to any lane, of each */
-  int layers;
+  vf least[4]; /* what each is at least away from any lane; and in every vector's lane */
+  vf bound[3]; /* the least of what those that all lanes have are at most, rising */
+  int layers;  /* of four by four, three or all; and of each those that are some lane's */
   uint32_t may;
 } cells_list;
 

@@ -85,15 +85,15 @@ INLINE void stage_load(const stone_constants *w, int paved, const stone_io *io, 
   }
   exchange(w, k->p);
   /* blocks whose footprints lie alike, as on flat ground they do, share what is made of them */
-  const block *before = k - 1;
   int same = k->facing;
   if (paved || !same) {
     if (!paved) copy3(k->face, k->nrm);
     exchange(w, k->nrm);
-    same = number && same_lanes(k->nrm, before->nrm, 3);
+    same = number && same_lanes(k->nrm, k[-1].nrm, 3);
     if (!same) square_sides(k->nrm, k->t1, k->t2);
   }
   if (!same) return;
+  const block *before = &k[-1];
   copy3(before->nrm, k->nrm);
   copy3(before->t1, k->t1);
   copy3(before->t2, k->t2);
@@ -175,7 +175,7 @@ INLINE void stage_surface(const stone_constants *w, int paved, const stone_io *i
   if (w->weather.moss > 0.0f) {
     copy3(k->t1, sides.side[0]);
     copy3(k->t2, sides.side[1]);
-    for (int i = 0; i < 2 && !w->tile.on; i++) from_bed(w, paved, k, sides.side[i]);
+    for (int i = 0; i < 2; i++) from_bed(w, paved, k, sides.side[i]);
     sides.n = io->in->normal[0] ? k->face : NULL;
   }
   if (w->tile.on) {

@@ -15,6 +15,10 @@
 #define VALUE_SD 0.4004f
 #define VALUE_SD_FLAT 0.4523f /* along two axes, quintic */
 
+/* A lattice that stands aslant to the axes: its rows, of length 11. */
+static const float value_aslant[3][3] = {
+    {2.0f, 6.0f, 9.0f}, {6.0f, 7.0f, -6.0f}, {-9.0f, 6.0f, -2.0f}};
+
 INLINE vu value_corner(const noise_axis a[3], int c, vu seed) {
   vu x = c & 1 ? a[0].high : a[0].low, y = c & 2 ? a[1].high : a[1].low;
   return x + y + ((c & 4 ? a[2].high : a[2].low) + seed);

@@ -9,6 +9,7 @@
 #include "../core/noise.h"
 #include "field.h"
 #include "laid.h"
+#include "value.h"
 
 /* Gradient noise of a size as a field, faded out by the footprint; *lost gains
  * the variance that was (gradient noise's own is 0.05). */
@@ -30,8 +31,7 @@ STAGE field weather_noise(const vf p[3], float frequency, uint32_t seed, float w
 #define CUSHION_CREASE 0.05f
 #define CUSHION_MEAN 0.190f
 STAGE field weather_cushions(const vf p[3], float frequency, uint32_t seed, float weight, vf e) {
-  /* aslant, so that no face shows the noise's rows */
-  static const float row[3][3] = {{2.0f, 6.0f, 9.0f}, {6.0f, 7.0f, -6.0f}, {-9.0f, 6.0f, -2.0f}};
+  const float(*row)[3] = value_aslant; /* so that no face shows the noise's rows */
   vf f = splat(frequency), one = splat(1.0f), zero = splat(0.0f), at[3], g[3];
   vf keep = one - smooth_step(splat(0.25f), splat(0.9f), e * f);
   if (!any(gt(keep, zero))) return field_of(zero);
