@@ -219,7 +219,7 @@ INLINE void stage_cover(const stone_constants *w, int paved, block *k) {
       a = a * q->grime;
       /* what is dry is browner, and paler */
       static const float dry[3] = {1.45f, 1.05f, 0.75f};
-      vf cushion = splat(air->moss_colour[c]) * (splat(0.85f) + q->tuft);
+      vf cushion = splat(air->moss_colour[c]) * (splat(0.79f) + q->tuft);
       cushion = cushion * mix(one, splat(dry[c]), q->dry);
       a = a + q->moss * vmax(cushion, splat(0.0f));
       a = weather_wet_albedo(a, vmax(q->film, q->water));

@@ -73,6 +73,9 @@ INLINE void laid_corner(const stone_paving *v, const cover *c, vf *edge, vf *nx,
   *ny = sel(there, y * inverse, *ny);
 }
 
+#define CORNER_SEEN 0.5f /* of its radius: footprints that a line across a corner tells, */
+#define CORNER_GONE 1.2f /* and such that it does not */
+
 /* Which stone is at a place, and how much of the footprint is joint. p and n, the face's
  * normal, or NULL for the plane's: object space. nx, ny: away from the stone's edge. */
 INLINE void laid_find(const stone_constants *w, const vf p[3], const vf n[3], vf s, laid *q, vf *nx,
@@ -92,10 +95,15 @@ INLINE void laid_find(const stone_constants *w, const vf p[3], const vf n[3], vf
   if (v->corner > 0.0f) {
     laid_corner(v, &c, &edge, nx, ny);
     vf e = cover_extent(&c, *nx, *ny, vmax(s, splat(COVER_LEAST)));
-    vf joint = cover_share(edge, e, splat(-2.0f * v->half), zero);
-    vf size = vmin(u->length, u->width);
-    vf far = smooth_step(splat(0.5f) * size, size, e);
-    q->joint = vmax(q->joint, (one - far) * joint);
+    vf joint = vmax(cover_share(edge, e, splat(-2.0f * v->half), zero), q->joint);
+    /* a wide footprint has its part of them wherever it is */
+    vf size = vmin(u->length, u->width), r = splat(v->corner);
+    vf wide = smooth_step(splat(CORNER_SEEN) * r, splat(CORNER_GONE) * r, e);
+    vf mean = one - (one - q->joint) * splat(1.0f - v->corner_share);
+    joint = mix(joint, mean, wide);
+    /* which the share of all the plane has, too */
+    vf far = smooth_step(size, splat(2.0f) * size, e);
+    q->joint = mix(joint, q->joint, far);
   }
   q->edge = edge;
   q->own = hash_mix(u->id + splatu(w->seed ^ 0x68bc21ebu));
@@ -138,7 +146,9 @@ STAGE void laid_by_parts(const stone_constants *w, const vf p[3], const vf n[3],
 }
 
 #define LAID_TWO 0.3f   /* of a stone's smaller side, from which a footprint is seen in two */
-#define LAID_FOUR 0.8f  /* parts to a side, and in four */
+#define LAID_FOUR 0.8f  /* parts to a side, and in four; */
+#define CORNER_TWO 0.4f /* the same of a corner's radius */
+#define CORNER_FOUR 1.0f
 #define LAID_MANY 12.0f /* from which parts vary by what the mean is off by: sd 0.001 */
 
 INLINE void laid_wide(const stone_constants *w, const vf p[3], const vf n[3], const vf t1[3],
@@ -146,8 +156,12 @@ INLINE void laid_wide(const stone_constants *w, const vf p[3], const vf n[3], co
   /* sides of irregular polygons are told as lines without ends, which small parts bear */
   int finer = w->paving.layout.kind == LAYOUT_CRAZY ? 2 : 1;
   vf size = vmin(q->unit.length, q->unit.width) * splat(1.0f / (float)finer), tone[3], joint;
-  vm wide = and_(gt(s, splat(LAID_TWO) * size), lt(s, splat(LAID_MANY) * size)),
-     four = and_(wide, gt(s, splat(LAID_FOUR) * size));
+  vf from = splat(LAID_TWO) * size, from4 = splat(LAID_FOUR) * size;
+  if (w->paving.corner > 0.0f) {
+    from = vmin(from, splat(CORNER_TWO * w->paving.corner));
+    from4 = vmin(from4, splat(CORNER_FOUR * w->paving.corner));
+  }
+  vm wide = and_(gt(s, from), lt(s, splat(LAID_MANY) * size)), four = and_(wide, gt(s, from4));
   for (int k = 0; k < 2; k++) {
     vm mine = k ? four : and_(wide, not_(four));
     if (!any(mine)) continue;

@@ -77,6 +77,7 @@ static void build_weather(stone_weather *a, const settings *s, const float (*col
   a->moss = (float)number_at(s, P_MOSS);
   a->moss_spread = (float)number_at(s, P_MOSS_SPREAD);
   a->moss_height = (float)number_at(s, P_MOSS_HEIGHT);
+  a->moss_told = 80.0f * (a->moss_spread > 8.0f ? a->moss_spread : 8.0f); /* of its patches */
   memcpy(a->moss_colour, colours[P_MOSS_COLOUR], sizeof a->moss_colour);
   a->wet = (float)number_at(s, P_WET);
   a->water = (float)number_at(s, P_WATER);
@@ -104,6 +105,7 @@ int32_t stone_build_paving(stone_constants *w, const settings *s, const float (*
   if (r) return r;
   double width = (double)(p->layout.width < p->layout.length ? p->layout.width : p->layout.length);
   p->wander.amplitude = (float)(number_at(s, P_WANDER) * width);
+  w->weather.moss_told = (float)(16.0 * width); /* eight parts, each of twice a stone's size */
   p->wander.frequency = (float)(number_at(s, P_DIVISIONS) / width);
   p->wander.seed = hash1(w->seed + 106u);
   double steep = number_at(s, P_WANDER) * number_at(s, P_DIVISIONS);
@@ -119,8 +121,10 @@ int32_t stone_build_paving(stone_constants *w, const settings *s, const float (*
   p->tint = (float)number_at(s, P_TINT);
   memcpy(p->colour, colours[P_JOINT_COLOUR], sizeof p->colour);
   /* rounded corners are joint */
-  p->layout.share += (float)(0.8584 * (double)p->corner * (double)p->corner /
-                             ((double)p->layout.length * (double)p->layout.width));
+  const double corners = 0.8584 * (double)p->corner * (double)p->corner /
+                         ((double)p->layout.length * (double)p->layout.width);
+  p->corner_share = (float)(corners / (1.0 - (double)p->layout.share));
+  p->layout.share += (float)corners;
   stone_laid_means m;
   measure(w, MEASURED, &m);
   p->mean = (float)m.height;

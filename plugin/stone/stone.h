@@ -126,7 +126,7 @@ typedef struct {
 typedef struct {
   layout layout; /* kind LAYOUT_NONE: the object is one block */
   layout_wander wander;
-  float corner;                  /* radius */
+  float corner, corner_share;    /* radius; what all corners take of the stones */
   float half;                    /* of the joint */
   float wall;                    /* how far the joint's side leans into the joint */
   float depth;                   /* of the joint below the edge's foot */
@@ -147,6 +147,7 @@ typedef struct {
   float wear, grime;
   float undulation, undulation_frequency;
   float moss, moss_spread, moss_height, moss_mean;
+  float moss_told; /* mm: of wider footprints no part tells anything but the mean */
   float moss_colour[3];
   float wet, water; /* water: height, -1000 for none */
   uint32_t seed;

@@ -125,24 +125,27 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
     out->height = height;
     return;
   }
-  if (air->grime > 0.0f) {
-    vf unused = zero;
-    field cloud = weather_noise(p, 0.004f, air->seed + 5u, 1.3f, s, &unused);
-    field spot = weather_noise(p, 0.05f, air->seed + 6u, 0.45f, s, &unused);
-    vf dirt = splat(0.35f) + splat(0.55f) * near.v + splat(0.5f) * (cloud.v + spot.v);
-    out->grime = one - splat(air->grime) * clamp01(dirt);
-  }
+  vf exposed = near.v; /* of what is bare */
   if (air->moss > 0.0f) {
-    field moss = weather_moss(w, paved, p, square, near, paved ? q->near : one, s);
-    moss_growth growth = weather_growth(air, p, s);
-    out->moss = out->moss_joint = moss.v;
-    if (paved && v->half > 0.0f) out->moss_joint = weather_moss_joint(w, p, moss.v, s);
+    moss_shares shares = weather_moss(w, paved, p, square, near, paved ? q->near : one, s);
+    moss_growth growth = weather_grown(air, p, square, s);
+    field moss = shares.all;
+    out->moss = moss.v;
+    out->moss_joint = shares.joint;
+    if (paved) exposed = clamp01(shares.near / vmax(one - moss.v, splat(1e-4f)));
     out->tuft = growth.shade;
     out->dry = growth.dry;
     height = field_add(height, field_scale(field_mul(moss, growth.rise), splat(air->moss_height)));
     /* it fills the joint */
     height = field_add(height, field_scale(field_mul(moss, edge), splat(-0.65f)));
     out->lost = out->lost * (one - moss.v) + splat(0.08f) * moss.v;
+  }
+  if (air->grime > 0.0f) {
+    vf unused = zero;
+    field cloud = weather_noise(p, 0.004f, air->seed + 5u, 1.3f, s, &unused);
+    field spot = weather_noise(p, 0.05f, air->seed + 6u, 0.45f, s, &unused);
+    vf dirt = splat(0.35f) + splat(0.55f) * exposed + splat(0.5f) * (cloud.v + spot.v);
+    out->grime = one - splat(air->grime) * clamp01(dirt);
   }
   out->film = splat(air->wet);
   if (air->water > -999.0f) {

@@ -14,7 +14,7 @@
 #include "truth.h"
 
 #define PI 3.14159265358979
-enum { PLACES = 384, TURNED = 48, SIZES = 17 };
+enum { PLACES = 384, TURNED = 48, SIZES = 17, S_JOINT = 14 };
 static const double sizes[SIZES] = {0.01, 0.03, 0.1, 0.2, 0.3, 0.5, 0.7, 1,  1.4,
                                     2,    3,    5,   10,  15,  30,  50,  100};
 
@@ -29,7 +29,8 @@ static void face(int k, double n[3], double u[3], double v[3]) {
   memcpy(v, of[k][2], sizeof of[k][2]);
 }
 
-static void one_place(points *p, const sozai_texture *t, int k, double s, double turn,
+/* joints: of their share, and else of albedo. */
+static void one_place(points *p, const sozai_texture *t, int k, double s, double turn, int joints,
                       truth_errors *e) {
   double n[3], u[3], v[3], at[3];
   face(k, n, u, v);
@@ -43,8 +44,15 @@ static void one_place(points *p, const sozai_texture *t, int k, double s, double
                             at[2] + x * u[2] + y * v[2], i < TRUTH_SAMPLES ? 0 : s);
     for (int c = 0; c < 3; c++) p->normal[c][j] = (float)n[c];
   }
-  points_ask_only(p, t, ONLY3(ALBEDO));
-  truth_add(e, p);
+  points_ask_only(p, t, joints ? ONLY(S_JOINT) : ONLY3(ALBEDO));
+  if (!joints) {
+    truth_add(e, p);
+    return;
+  }
+  double error = truth_error(p, S_JOINT);
+  e->square += error * error;
+  e->mean += error;
+  e->n++;
 }
 
 static unsigned presets(void) { return textures->find("stone")->preset_count; }
@@ -69,8 +77,10 @@ static void heading(void) {
   beyond = 0;
 }
 
-/* A texture's row. level: of a plane face alone, for what lies on the ground. */
-static void row(const char *id, const sozai_texture *t, int places, int level, double turned,
+enum { EVERY_FACE, LEVEL, LEVEL_JOINTS }; /* level: of what lies on the ground */
+
+/* A texture's row. */
+static void row(const char *id, const sozai_texture *t, int places, int what, double turned,
                 double *worst, double *worst_mean) {
   points p = {0};
   print_message("%-14s", id);
@@ -78,7 +88,8 @@ static void row(const char *id, const sozai_texture *t, int places, int level, d
   for (unsigned f = 0; f < SIZES; f++) {
     truth_errors e = {0};
     for (int i = 0; i < places; i++)
-      one_place(&p, t, level ? 0 : i % 4, sizes[f], turned * uniform(), &e);
+      one_place(&p, t, what == EVERY_FACE ? i % 4 : 0, sizes[f], turned * uniform(),
+                what == LEVEL_JOINTS, &e);
     double rms = truth_rms(&e), mean = truth_mean(&e);
     missed += rms > 0.01;
     beyond = fmax(beyond, fabs(mean) - 0.002 - 3 * rms / sqrt(places));
@@ -96,7 +107,7 @@ static void table(int places, double turned, double *worst, double *worst_mean) 
     const char *id = textures->find("stone")->presets[k]->id;
     sozai_texture *t;
     assert_int_equal(textures->create(NULL, "stone", id, NULL, 0, &t), SOZAI_OK);
-    row(id, t, places, 0, turned, worst, worst_mean);
+    row(id, t, places, EVERY_FACE, turned, worst, worst_mean);
     textures->destroy(t);
   }
 }
@@ -118,14 +129,15 @@ static void against_1024_samples(void **state) {
         worst_mean, PLACES, fmax(far, 0));
 }
 
-/* The goal is 0.01 here, too; it is missed, and this holds by how much. */
+/* Of granite's crystals under half a cover of moss the covariance is nobody's: the goal of 0.01 is
+ * missed there by some, and this holds by how much. */
 static void under_moss(void **state) {
   (void)state;
   static const struct {
     const char *preset, *moss;
   } mossy[] = {
       {"ishidatami", "0.55"}, {"belgian_block", "0.3"}, {"granite_fan", "0.4"}, {"inada", "0.5"}};
-  enum { MOSSY = sizeof mossy / sizeof *mossy, SOME = 96 };
+  enum { MOSSY = sizeof mossy / sizeof *mossy, SOME = 192 };
   double worst = 0, worst_mean = 0;
   print_message("under moss:\n");
   heading();
@@ -133,18 +145,38 @@ static void under_moss(void **state) {
     const sozai_value moss = {.id = "moss", .kind = SOZAI_KIND_STRING, .text = mossy[k].moss};
     sozai_texture *t;
     assert_int_equal(textures->create(NULL, "stone", mossy[k].preset, &moss, 1, &t), SOZAI_OK);
-    row(mossy[k].preset, t, SOME, 1, 0, &worst, &worst_mean);
+    row(mossy[k].preset, t, SOME, LEVEL, 0, &worst, &worst_mean);
     textures->destroy(t);
   }
-  CHECK(worst <= 0.02 && worst_mean <= 0.01,
-        "under moss: worst RMS %.4f (goal 0.01, held at 0.02), worst mean %.4f (goal 0.002, held "
-        "at 0.01); %u "
-        "of %u miss the goal\n",
-        worst, worst_mean, missed, MOSSY * SIZES);
+  CHECK(worst <= 0.0105,
+        "under moss: worst RMS %.4f (goal 0.01, held at 0.0105); %u of %u miss it\n", worst, missed,
+        MOSSY * SIZES);
+  CHECK(beyond <= 0,
+        "worst mean %.4f; beyond 0.002 and three standard errors of %d places by %.4f at most\n",
+        worst_mean, SOME, fmax(beyond, 0));
+}
+
+/* Corners of stones are joint, too. */
+static void joints(void **state) {
+  (void)state;
+  static const char *const laid[] = {"granite_fan", "porphyry", "belgian_block", "basalt_setts",
+                                     "brick_paver"};
+  enum { LAID = sizeof laid / sizeof *laid, SOME = 384 };
+  double worst = 0, worst_mean = 0;
+  print_message("share of joint:\n");
+  heading();
+  for (unsigned k = 0; k < LAID; k++) {
+    sozai_texture *t;
+    assert_int_equal(textures->create(NULL, "stone", laid[k], NULL, 0, &t), SOZAI_OK);
+    row(laid[k], t, SOME, LEVEL_JOINTS, 0, &worst, &worst_mean);
+    textures->destroy(t);
+  }
+  CHECK(worst <= 0.03 && worst_mean <= 0.004,
+        "joint: worst RMS %.4f (0.03), worst mean %.4f (0.004)\n", worst, worst_mean);
 }
 
 int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(against_1024_samples),
-                                     cmocka_unit_test(under_moss)};
+                                     cmocka_unit_test(under_moss), cmocka_unit_test(joints)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }
