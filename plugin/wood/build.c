@@ -405,10 +405,9 @@ static int32_t build_figure(wood_constants *w, const settings *s) {
   /* in each of four layers a share of the cells have one, and a radius meets three quarters of
    * those, less what has only begun or all but ended */
   double cell = 10.0 * __builtin_sqrt(0.62 * 0.7 / (0.25 * density));
-  /* in the mean over a face: the layers' radii squared are 1.07 of the mean's, eyes 0.775 as dark
-   * as the darkest and nine tenths grown; to 0.53 the cells' edges cut, as the filter's test found
-   */
-  const double eyes = 0.53;
+  /* in the mean over a face: the layers' radii squared are 1.07 of the mean's, eyes nine
+   * tenths grown; to 0.68 the cells' edges cut, as the filter's test found */
+  const double eyes = 0.68 * (double)WOOD_EYE_DARK;
   double area = 3.14159265 * WOOD_EYE_LONG * eyes * w->eye_radius * w->eye_radius;
   w->eye_mean = (float)(0.01 * density * area * WOOD_EYE_MEAN);
   w->eye_cell = (float)cell;

@@ -147,16 +147,35 @@ INLINE void figure_quilt(const wood_constants *w, vu own, vf y, vf footprint, st
 #define EYE_LAYERS 4
 #define EYE_SHARE 0.62f /* of the cells that have one, the mean */
 #define EYE_SWARM 0.38f /* how far the share departs from it: eyes swarm */
+/* An eye's outline: how much its square of the radius is bent, as two lobes and three, and that it
+ * is darker on one side, or open there. x, y: across and along the stem, over the radius. */
+typedef struct {
+  vf square, side;
+} eye_shape;
+INLINE eye_shape eye_shape_of(vu h, vf x, vf y) {
+  const vf k = splat(0.7f / HASH_ONE), one = splat(1.0f), most = splat(0.95f);
+  vf ux = to_float((vi)h) * k, uy = to_float((vi)(h << 10)) * k;
+  vf bend = to_float((vi)(h << 20)) * splat(0.16f / HASH_ONE);
+  vf square = x * x + y * y, inverse = inverse_root(vmax(square, splat(1e-6f)));
+  /* the sine and cosine of twice the angle, and of three times, lobes turned as the side is */
+  vf c = x * inverse, s = y * inverse, c2 = c * c - s * s, s2 = (c + c) * s;
+  vf c3 = c2 * c - s2 * s, s3 = s2 * c + c2 * s;
+  vf lobes = splat(0.22f) * (ux * c2 + uy * s2) + bend * (uy * c3 - ux * s3);
+  eye_shape e = {square * (one + lobes), one + clamp(c * ux + s * uy, splat(0.0f) - most, most)};
+  return e;
+}
+
 /* How dark an eye is, 0 to 1: an outline, half a radius off, and a pin in the middle. square: of
- * the distance from the middle; r2: the radius'; s2: the footprint's side's. A small footprint
- * widens the outline, a wide one fills it: a disc of the outline's variance, which is an eighth of
- * the radius' square, and a square's twelfth. What it has in all stays. */
-INLINE vf eye_outline(vf square, vf r2, vf s2) {
+ * the distance from the middle; side: of the outline, a factor, mean 1; r2: the radius'; s2: the
+ * footprint's side's. A small footprint widens the outline, a wide one fills it: a disc of the
+ * outline's variance, which is an eighth of the radius' square, and a square's twelfth. What it
+ * has in all stays. */
+INLINE vf eye_outline(vf square, vf side, vf r2, vf s2) {
   vf one = splat(1.0f), zero = splat(0.0f);
   vf wide = r2 + splat(0.6667f) * s2, q = square / wide;
   vf t = vmin(q + q, one), ring = splat(4.0f) * t * (one - t);
   vf pin = splat(WOOD_EYE_PIN) * vmax(one - splat(10.0f) * q, zero);
-  vf dark = (ring * ring + pin) * (r2 / wide);
+  vf dark = (ring * ring * side + pin) * (r2 / wide);
   vf filled = clamp01((s2 - splat(0.06f) * r2) / (splat(0.5f) * r2));
   if (!any(gt(filled, zero))) return dark;
   wide = splat(1.5f) * r2 + s2;
@@ -245,8 +264,12 @@ INLINE void figure_eyes(const wood_constants *w, vu own, int layer, vf y, vf foo
   vf dent = depth * half * (left2 * left + core2 * core);
   vf fall = splat(3.0f) * depth * (left2 + splat(4.0f) * core2) * age / r2;
   vf along = fall * a, out_r = along * turned - dent * age_r;
-  vf own_dark = splat(0.55f) + splat(0.45f / 255.0f) * to_float((vi)(g >> 2 & splatu(255u)));
-  vf dark = keep * eye_outline(q * r2, r2, footprint * footprint) * age * own_dark;
+  vf own_dark = splat(WOOD_EYE_DARK - WOOD_EYE_DARKS) +
+                splat(2.0f * WOOD_EYE_DARKS / 255.0f) * to_float((vi)(g >> 2 & splatu(255u)));
+  vf per = inverse_root(r2);
+  eye_shape shape = eye_shape_of(hash_mix(g ^ splatu(HASH_Y)), a * per, b * per);
+  vf dark = eye_outline(shape.square * r2, shape.side, r2, footprint * footprint);
+  dark = vmin(keep * dark * age * own_dark, one);
   p->eye = vmax(p->eye, sel(there, dark, zero));
   u->n = u->n - dent * age;
   u->nx = u->nx + (out_r * p->c - along * p->s);
