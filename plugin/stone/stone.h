@@ -121,7 +121,7 @@ typedef struct {
 #define STONE_ROUND_LEAST 0.2f
 #define STONE_ROUND_MOST 2.5f
 
-/* Paving, and what weather does to it: laid.h and weather.h. Lengths in mm; m is
+/* Paving, and what weather does to it: laid.h, moss.h and weather.h. Lengths in mm; m is
  * the distance from the joint's middle. */
 typedef struct {
   layout layout; /* kind LAYOUT_NONE: the object is one block */

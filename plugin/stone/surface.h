@@ -9,8 +9,8 @@
 
 #include "bodies_height.h"
 #include "laid.h"
+#include "moss.h"
 #include "relief.h"
-#include "weather.h"
 
 typedef struct {
   field height;       /* mm over the face, object space */
@@ -127,8 +127,8 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
   }
   vf exposed = near.v; /* of what is bare */
   if (air->moss > 0.0f) {
-    moss_shares shares = weather_moss(w, paved, p, square, near, paved ? q->near : one, s);
-    moss_growth growth = weather_grown(air, p, square, s);
+    moss_shares shares = moss_over(w, paved, p, square, near, paved ? q->near : one, s);
+    moss_growth growth = moss_grown(air, p, square, s);
     field moss = shares.all;
     out->moss = moss.v;
     out->moss_joint = shares.joint;
