@@ -189,6 +189,11 @@ static body holes_of(const settings *s) {
  * cells on, were chosen for: that of white granite's feldspar and quartz. */
 #define CONTRAST 0.19
 
+/* The contrasts, of crystals and of flakes, whose cells are counted for as long as any are. */
+#define COUNTED_CRYSTALS 0.21
+#define COUNTED_FLAKES 0.53
+#define COUNTED_LEAST 2.8f /* as a fade: from it on they begin to be */
+
 /* Relative sd of what is seen within a crystal, of turbidity 1 and of cleavage 1. */
 #define CLOUDS_SD 0.06
 #define LAMELLAE_SD 0.05
@@ -275,6 +280,14 @@ static void set_looks(stone_constants *w, const settings *s) {
       double root = __builtin_sqrt(share), power = c->shaped ? __builtin_sqrt(root) : root;
       c->looks = (float)(power * share * share * (double)c->looks);
       c->fade = (float)(share * (double)c->fade);
+    }
+    /* a mean over many cells errs as the contrast, and as the width; bodies err otherwise */
+    const double most = c->shaped ? COUNTED_FLAKES : COUNTED_CRYSTALS;
+    c->fade_counted = c->fade;
+    if (contrast < most && (!c->shaped || c->thick < 1.0f)) {
+      float fade = (float)(6.0 * contrast / most);
+      if (fade < COUNTED_LEAST) fade = COUNTED_LEAST;
+      if (fade < c->fade) c->fade_counted = fade;
     }
     /* nor do clouds within crystals go by how much crystals differ */
     if (c->turbidity * c->whole > CLOUDS_WHOLE) c->whole = CLOUDS_WHOLE / c->turbidity;

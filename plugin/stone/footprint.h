@@ -178,7 +178,8 @@ STAGE void view_divide(const stone_cells *c, cells_view *e, const cells_square *
   e->keep = crystal_keep(e->most, 0.6f * c->fade, 2.1f * c->fade);
   e->counted = view_counts(c, e->most);
   if (any(e->counted)) {
-    vf keep = crystal_keep(e->most, SECTIONS_KEEP * c->fade, SECTIONS_GONE * c->fade);
+    vf keep =
+        crystal_keep(e->most, SECTIONS_KEEP * c->fade_counted, SECTIONS_GONE * c->fade_counted);
     e->keep = sel(e->counted, keep, e->keep);
     e->counted = and_(e->counted, gt(keep, splat(0.0f)));
   }

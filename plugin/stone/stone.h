@@ -79,6 +79,7 @@ typedef struct {
   float swell;                 /* what the widest looks see of bodies in excess, a part of them */
   float size;                  /* mm */
   float fade;                  /* footprint, in cells, of which all but all is looked at */
+  float fade_counted;          /* the same of footprints whose cells are counted */
   float looks, spread; /* parts to a cell that a footprint is looked at in; fewer, by cells */
   float least;         /* parts of a point, and what they are rounded by */
   float single;        /* footprint, in cells, up to which one look is all */
