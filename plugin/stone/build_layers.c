@@ -192,7 +192,7 @@ static body holes_of(const settings *s) {
 /* The contrasts, of crystals and of flakes, whose cells are counted for as long as any are. */
 #define COUNTED_CRYSTALS 0.21
 #define COUNTED_FLAKES 0.53
-#define COUNTED_LEAST 2.8f /* as a fade: from it on they begin to be */
+#define COUNTED_LEAST 2.8f /* SECTIONS_FROM over SECTIONS_KEEP: from it on they begin to be */
 
 /* Relative sd of what is seen within a crystal, of turbidity 1 and of cleavage 1. */
 #define CLOUDS_SD 0.06
@@ -270,6 +270,7 @@ static void set_looks(stone_constants *w, const settings *s) {
     stone_cells *c = &w->layer[l];
     double contrast = layer_contrast(s, c, first[l], second[l], l == LAYER_GRAINS ? base : ground);
     double share = __builtin_sqrt(contrast / CONTRAST);
+    const double widest = (double)c->fade;
     if (!c->on) continue;
     if (share < 0.01) share = 0.01;
     /* bodies of which two cells tell (bodies.h); of low contrast fours would be too wide */
@@ -285,7 +286,7 @@ static void set_looks(stone_constants *w, const settings *s) {
     const double most = c->shaped ? COUNTED_FLAKES : COUNTED_CRYSTALS;
     c->fade_counted = c->fade;
     if (contrast < most && (!c->shaped || c->thick < 1.0f)) {
-      float fade = (float)(6.0 * contrast / most);
+      float fade = (float)(widest * contrast / most);
       if (fade < COUNTED_LEAST) fade = COUNTED_LEAST;
       if (fade < c->fade) c->fade_counted = fade;
     }

@@ -97,6 +97,7 @@ INLINE uint64_t cells_list_left(const cells_list *list, int most) {
   const vf *bound = list->bound;
   vf limit = (most > 2 ? third_of(bound) : second_of(bound)) + splat(CELLS_ROUND);
   uint64_t left = 0;
+  /* no more than four: sanitized, GCC would look past them */
   for (int v = 0; v < 4 && v < list->layers; v++) {
     uint64_t in = lanes_of(le(list->least[v], limit)) & list->may;
     left |= in << (16 * v);

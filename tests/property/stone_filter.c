@@ -171,8 +171,8 @@ static void joints(void **state) {
     row(laid[k], t, SOME, LEVEL_JOINTS, 0, &worst, &worst_mean);
     textures->destroy(t);
   }
-  CHECK(worst <= 0.03 && worst_mean <= 0.004,
-        "joint: worst RMS %.4f (0.03), worst mean %.4f (0.004)\n", worst, worst_mean);
+  CHECK(worst <= 0.02 && worst_mean <= 0.004,
+        "joint: worst RMS %.4f (0.02), worst mean %.4f (0.004)\n", worst, worst_mean);
 }
 
 int main(void) {
