@@ -134,13 +134,14 @@ STAGE void looks_find_together(const stone_cells *c, int three, cells_look *look
 #endif
 
 STAGE void looks_find(const stone_cells *c, cells_look *looks, int count) {
-  int together = looks_together(looks), three[CELLS_EYES], threes = 0, empty = 0;
+  int together = looks_together(looks), three[CELLS_EYES];
+  for (int l = 0; l < count; l++) three[l] = !c->shaped && !eye_whole(c, looks[l].eye);
+#ifdef SPREADS
+  int threes = 0, empty = 0;
   for (int l = 0; l < count; l++) {
-    three[l] = !c->shaped && !eye_whole(c, looks[l].eye);
     threes += three[l];
     empty |= looks[l].empty;
   }
-#ifdef SPREADS
   if (together && !empty && (threes == 0 || threes == count)) {
     looks_find_together(c, threes || cells_asked(c) > 2, looks, count);
     return;
