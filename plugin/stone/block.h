@@ -39,6 +39,8 @@ typedef struct {
   int mixed[STONE_LAYERS];           /* a bit to each layer below that it covers unevenly */
   vf with[STONE_PAIRS][CELLS_PARTS]; /* where it does: its covariances with their shares */
   laid laid;                         /* where there is a paving */
+  field relief;                      /* mm, with its slope; */
+  vf relief_square;                  /* its variance under the footprint */
   surface surface;
   cells_found holes, inclusions; /* that are asked how high they are */
   cells_bends bends;             /* of layers that share them, at the point */

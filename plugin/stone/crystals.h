@@ -87,46 +87,64 @@ INLINE vf crystal_number(vu hash, vi at, uint32_t on) {
   return hash_signed((vu)at * splatu(HASH_X) + hash + splatu(on * HASH_X));
 }
 
-/* The mean over the footprint, within +-1.5; of all places 0. Value noise along the
- * crystal's direction. Each lamella is the difference of two numbers, the next one's other
- * way round, so that the sum over any number of them is that of the two ends' numbers, and
- * the integral exact however wide the footprint, if it is a line: across two sides of
- * several lamellae each there is nothing left. h: the crystal's. */
-INLINE vf crystal_lamellae(vu h, const vf q[3], const cells_square *s) {
+/* A crystal's lamellae along a footprint, the first half of crystal_lamellae: where the footprint
+ * begins and how far it reaches, in lamellae; one over that; what is left of them. */
+typedef struct {
+  vu hash;
+  vf from, side, inverse, keep;
+} crystal_line;
+
+INLINE crystal_line crystal_line_of(vu h, const vf q[3], const cells_square *s) {
   const vf k = splat(LAMELLAE / HASH_ONE);
-  vu hash = hash_upper(h ^ splatu(0x3c6ef35fu));
-  vf d[3] = {to_float((vi)hash) * k, to_float((vi)(hash << 10)) * k,
-             to_float((vi)(hash << 20)) * k};
+  crystal_line o;
+  o.hash = hash_upper(h ^ splatu(0x3c6ef35fu));
+  vf d[3] = {to_float((vi)o.hash) * k, to_float((vi)(o.hash << 10)) * k,
+             to_float((vi)(o.hash << 20)) * k};
   vf t = dot3(d, q);
-  vf a = dot3(d, s->u), b = dot3(d, s->v);
-  vf one = splat(1.0f), zero = splat(0.0f), square = a * a + b * b + splat(1e-4f);
-  vf inverse = inverse_root(square), side = square * inverse;
-  vf least = vmin(vabs(a), vabs(b));
-  vf keep = crystal_keep(least, 0.7f, 2.5f);
-  if (!any(gt(keep, zero))) return zero;
+  vf a = dot3(d, s->u), b = dot3(d, s->v), square = a * a + b * b + splat(1e-4f);
+  o.inverse = inverse_root(square);
+  o.side = square * o.inverse;
+  o.from = t - splat(0.5f) * o.side;
+  o.keep = crystal_keep(vmin(vabs(a), vabs(b)), 0.7f, 2.5f);
+  return o;
+}
+
+/* wide: that some lane's footprint is longer than a lamella. */
+INLINE vf crystal_line_mean(const crystal_line *o, int wide) {
   vi first[2];
-  vf from = t - splat(0.5f) * side, f[2], number[2][3], sum[2];
-  f[0] = from - vfloor(from, &first[0]);
-  f[1] = from + side;
+  vf f[2], number[2][3], sum[2];
+  f[0] = o->from - vfloor(o->from, &first[0]);
+  f[1] = o->from + o->side;
   f[1] = f[1] - vfloor(f[1], &first[1]);
-  int wide = any(gt(side, one));
   for (uint32_t j = 0; j < 3; j++) {
-    number[0][j] = crystal_number(hash, first[0], j);
-    if (wide) number[1][j] = crystal_number(hash, first[1], j);
+    number[0][j] = crystal_number(o->hash, first[0], j);
+    if (wide) number[1][j] = crystal_number(o->hash, first[1], j);
   }
   if (!wide) {
     /* the other end is in the same piece or the next */
     vm next = lti(first[0], first[1]);
     number[1][0] = sel(next, number[0][1], number[0][0]);
     number[1][1] = sel(next, number[0][2], number[0][1]);
-    number[1][2] = sel(next, crystal_number(hash, first[0], 3), number[0][2]);
+    number[1][2] = sel(next, crystal_number(o->hash, first[0], 3), number[0][2]);
   }
   for (int i = 0; i < 2; i++) {
     vf low = number[i][0] - number[i][1], high = number[i][1] - number[i][2];
     sum[i] = low * f[i] + (high - low) * crystal_blend(f[i]) -
              splat(0.5f) * (number[i][0] + number[i][1]);
   }
-  return keep * (sum[1] - sum[0]) * (inverse * splat(0.70710678f / HASH_ONE));
+  return o->keep * (sum[1] - sum[0]) * (o->inverse * splat(0.70710678f / HASH_ONE));
+}
+
+/* The mean over the footprint, within +-1.5; of all places 0. Value noise along the
+ * crystal's direction. Each lamella is the difference of two numbers, the next one's other
+ * way round, so that the sum over any number of them is that of the two ends' numbers, and
+ * the integral exact however wide the footprint, if it is a line: across two sides of
+ * several lamellae each there is nothing left. h: the crystal's. */
+INLINE vf crystal_lamellae(vu h, const vf q[3], const cells_square *s) {
+  crystal_line line = crystal_line_of(h, q, s);
+  if (!any(gt(line.keep, splat(0.0f)))) return splat(0.0f);
+  if (any(gt(line.side, splat(1.0f)))) return crystal_line_mean(&line, 1);
+  return crystal_line_mean(&line, 0);
 }
 
 /* The nearest sheet's, of area CRACK_WIDE to a unit across, wherever the footprint is, and the
@@ -160,35 +178,51 @@ INLINE void crystal_clouds(const stone_cells *c, vf wide, vf cloud, vf tone[2]) 
 #define CRYSTAL_HALF 0.79f /* the root mean square of a half's sides, of the square's */
 
 /* What of it does not differ from crystal to crystal, of those minerals. Of a square in quarters
- * the noise is seen in each half, and for longer: quarters would tell more, for twice as much. */
-INLINE void crystal_tones(const stone_cells *c, const vf q[3], const cells_square *s,
-                          const cells_parts *p, vf wide, vf cloud, vf tone[2]) {
-  vf zero = splat(0.0f), t = splat(c->turbidity), half = splat(0.5f), cut[2][2];
+ * the noise is seen in each half, and for longer: quarters would tell more, for twice as much.
+ * keep: what is left of what is cut from it. */
+typedef struct {
+  crystal_noise noise[2];
+  vf keep;
+  int count;
+} crystal_seen;
+
+INLINE void crystal_see(const stone_cells *c, const vf q[3], const cells_square *s,
+                        const cells_parts *p, vf wide, crystal_seen *o) {
   vf keep = crystal_keep(wide, CRYSTAL_SEEN, CRYSTAL_GONE), part_wide = wide;
   const int halves = p->count > 1;
   cells_square part = *s;
-  crystal_clouds(c, wide, cloud, tone);
   if (halves) {
     vm parted = lt(p->side, splat(1.0f));
     keep = sel(parted, crystal_keep(wide, CRYSTAL_SEEN4, CRYSTAL_GONE4), keep);
     part_wide = sel(parted, splat(CRYSTAL_HALF) * wide, wide);
     for (int k = 0; k < 3; k++) part.u[k] = s->u[k] * p->side;
   }
-  keep = t * keep;
-  if (!any(gt(keep, zero))) return;
+  o->keep = splat(c->turbidity) * keep;
+  o->count = any(gt(o->keep, splat(0.0f))) ? halves ? 2 : 1 : 0;
   for (int i = 0; i < (halves ? 2 : 1); i++) {
-    vf at[3], here[2];
+    if (i >= o->count) break;
+    vf at[3];
     for (int k = 0; k < 3; k++) {
       vf u = s->u[k] * p->away;
       at[k] = !halves ? q[k] : i ? q[k] + u : q[k] - u;
     }
-    crystal_noise n = crystal_at(c, at, &part, part_wide);
-    crystal_cut(&n, here);
+    o->noise[i] = crystal_at(c, at, &part, part_wide);
+  }
+}
+
+INLINE void crystal_tones(const stone_cells *c, const crystal_seen *o, vf wide, vf cloud,
+                          vf tone[2]) {
+  vf cut[2][2];
+  crystal_clouds(c, wide, cloud, tone);
+  if (!o->count) return;
+  for (int i = 0; i < o->count; i++) {
+    vf here[2];
+    crystal_cut(&o->noise[i], here);
     for (int k = 0; k < 2; k++) cut[k][i] = here[k];
   }
   for (int k = 0; k < 2; k++) {
-    vf mean = halves ? half * (cut[k][0] + cut[k][1]) : cut[k][0];
-    tone[k] = tone[k] + keep * mean;
+    vf mean = o->count > 1 ? splat(0.5f) * (cut[k][0] + cut[k][1]) : cut[k][0];
+    tone[k] = tone[k] + o->keep * mean;
   }
 }
 

@@ -164,13 +164,27 @@ INLINE field stage_raise(const stone_constants *w, block *k, field relief, vf *s
   return field_add(relief, field_scale(dome, high));
 }
 
-/* hollows: that somebody asks for what lies in the relief's shadow. */
-INLINE void stage_surface(const stone_constants *w, int paved, const stone_io *io, int hollows,
-                          block *k) {
+/* The finish's relief, and the inclusions' over it. */
+INLINE void stage_relief(const stone_constants *w, block *k) {
   surface *q = &k->surface;
   *q = surface_none();
-  field relief;
-  vf square;
+  if (w->tile.on) {
+    k->relief = tile_relief(w, k->at, k->s, &q->lost);
+    return;
+  }
+  k->relief.v = relief_at(w, k->p, k->s, k->relief.g, &q->lost, &k->relief_square);
+  if (w->raise != 0.0f) k->relief = stage_raise(w, k, k->relief, &k->relief_square);
+}
+
+/* Where in the relief's range the place lies. */
+INLINE void stage_hollow(const stone_constants *w, block *k) {
+  surface *q = &k->surface;
+  q->low = surface_below((k->relief.v - splat(w->raise_mean)) * inverse_root(k->relief_square));
+  q->steep = vsqrt(vmax(splat(w->relief_steep) - q->lost, splat(0.0f)));
+}
+
+INLINE void stage_surface(const stone_constants *w, int paved, const stone_io *io, block *k) {
+  surface *q = &k->surface;
   laid_square sides;
   if (w->weather.moss > 0.0f) {
     copy3(k->t1, sides.side[0]);
@@ -179,25 +193,18 @@ INLINE void stage_surface(const stone_constants *w, int paved, const stone_io *i
     sides.n = io->in->normal[0] ? k->face : NULL;
   }
   if (w->tile.on) {
-    relief = tile_relief(w, k->at, k->s, &q->lost);
-    surface_lay(w, 0, &k->laid, k->at, &sides, k->s, relief, q);
+    surface_lay(w, 0, &k->laid, k->at, &sides, k->s, k->relief, q);
     stage_height(io, k);
     return;
-  }
-  relief.v = relief_at(w, k->p, k->s, relief.g, &q->lost, &square);
-  if (w->raise != 0.0f) relief = stage_raise(w, k, relief, &square);
-  if (hollows) {
-    q->low = surface_below((relief.v - splat(w->raise_mean)) * inverse_root(square));
-    q->steep = vsqrt(vmax(splat(w->relief_steep) - q->lost, splat(0.0f)));
   }
   if (w->layer[LAYER_HOLES].on && w->hole_depth > 0.0f) {
     const stone_cells *c = &w->layer[LAYER_HOLES];
     const height_form bowl = {c, 0, w->hole_depth, -0.1f * w->hole_depth, w->hole_depth / c->size};
-    relief = field_add(
-        relief, bodies_height(&bowl, k->p, k->t1, k->t2, k->s, k->hole, &k->holes, &q->lost));
+    k->relief = field_add(
+        k->relief, bodies_height(&bowl, k->p, k->t1, k->t2, k->s, k->hole, &k->holes, &q->lost));
   }
-  from_bed(w, paved, k, relief.g);
-  surface_lay(w, paved, &k->laid, k->at, &sides, k->s, relief, q);
+  from_bed(w, paved, k, k->relief.g);
+  surface_lay(w, paved, &k->laid, k->at, &sides, k->s, k->relief, q);
   stage_height(io, k);
 }
 
@@ -343,7 +350,9 @@ INLINE void evaluate_as(int paved, const stone_constants *w, const stone_io *io,
       k->hole = k->inclusion = splat(0.0f);
   }
   if (want->surface) {
-    for (int b = 0; b < count; b++) stage_surface(w, paved, io, want->hollows, &blocks[b]);
+    for (int b = 0; b < count; b++) stage_relief(w, &blocks[b]);
+    for (int b = 0; b < count && want->hollows && !w->tile.on; b++) stage_hollow(w, &blocks[b]);
+    for (int b = 0; b < count; b++) stage_surface(w, paved, io, &blocks[b]);
   }
   for (int b = 0; b < count; b++) {
     block *k = &blocks[b];

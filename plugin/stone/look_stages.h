@@ -11,7 +11,7 @@
 #endif
 
 /* Whether lanes are likely near each other: neighbours are mostly about a footprint apart. */
-#define CELLS_TOGETHER 0.08f
+#define CELLS_TOGETHER 0.2f
 INLINE int looks_together(const cells_look *looks) {
   return any(lt(looks[0].eye->view->most, splat(CELLS_TOGETHER)));
 }
@@ -152,61 +152,118 @@ STAGE void looks_find(const stone_cells *c, cells_look *looks, int count) {
   }
 }
 
-/* Of bodies, those of kind 0 are not there. whole: that no lane's part is seen in quarters. */
-INLINE void look_add_as(const stone_cells *c, int whole, const cells_look *o) {
-  vf share[3], core[3], zero = splat(0.0f), one = splat(1.0f), third = zero;
-  cells_eye *eye = o->eye;
-  const cells_view *view = eye->view;
-  const int count = whole || c->shaped ? 2 : 3;
+#define ADD_LOOKS 8 /* that go through the stages of adding side by side: each is one long wait */
+
+/* What a look adds, on its way: of the nearest two cells, of crystals three, and of kinds 0 and 2
+ * and of kind 1 the brightness. */
+typedef struct {
+  const cells_look *look;
   cells_kind kind[3];
+  int second; /* the second nearest is seen in some lane */
+  vf share[3], core[3], tone[2], lamellae[2];
+  crystal_line line[2];
+  crystal_seen seen;
+} cells_adding;
+
+/* Whether there is anything to add: of bodies, those of kind 0 are not there. */
+INLINE int add_begin(const stone_cells *c, const cells_look *o, cells_adding *a) {
+  vf zero = splat(0.0f);
+  cells_eye *eye = o->eye;
   vm body[2];
+  a->look = o;
+  if (!c->shaped) {
+    eye->nearest = o->near[0].h;
+    return 1;
+  }
   body[0] = body[1] = lt(zero, zero);
-  if (!c->shaped) eye->nearest = o->near[0].h;
-  for (int n = 0; n < 2 && c->shaped && !o->empty; n++) {
-    kind[n] = cells_kind_of(c, o->near[n].at);
-    body[n] = or_(kind[n].first, kind[n].second);
+  for (int n = 0; n < 2 && !o->empty; n++) {
+    a->kind[n] = cells_kind_of(c, o->near[n].at);
+    body[n] = or_(a->kind[n].first, a->kind[n].second);
   }
   int some = any(or_(body[0], body[1]));
-  if (c->shaped && eye->found) {
+  if (eye->found) {
     if (some) memcpy(eye->found->near, o->near, sizeof o->near);
     memcpy(eye->found->body, body, sizeof body);
   }
-  if (c->shaped && !some) {
-    for (int k = 0; k < CELLS_PARTS && eye->looks; k++) eye->looks->of[k][o->slot] = zero;
-    return;
-  }
-  cells_parts parts = cells_whole();
-  if (!whole) {
-    parts = cells_part(view->part_wide, c->whole);
-    third = one - crystal_keep(view->part_wide, c->whole, 2.0f * c->whole);
-  }
-  cells_shares(c, o->near, body, o->part, &parts, count > 2, third, share, core);
-  vf uneven = o->cloud * splat(1.3f * c->variation) + one, common[2] = {uneven, uneven};
-  int textured = crystal_textured(c);
-  if (textured && c->turbidity > 0.0f) {
-    vf tone[2];
-    crystal_tones(c, o->straight, &view->part, &parts, view->part_wide, o->cloud, tone);
-    /* inclusions of either kind are feldspar's, if they are crystals */
-    for (int k = 0; k < 2; k++) common[k] = uneven + tone[c->shaped ? 0 : k];
-  }
+  if (some) return 1;
+  for (int k = 0; k < CELLS_PARTS && eye->looks; k++) eye->looks->of[k][o->slot] = zero;
+  return 0;
+}
+
+/* How the look's parts are seen. whole: none in quarters. */
+INLINE cells_parts add_parts(const stone_cells *c, int whole, const cells_look *o) {
+  return whole ? cells_whole() : cells_part(o->eye->view->part_wide, c->whole);
+}
+
+INLINE void add_shares(const stone_cells *c, int whole, cells_adding *a) {
+  const cells_look *o = a->look;
+  vf wide = o->eye->view->part_wide, third = splat(0.0f);
+  cells_parts parts = add_parts(c, whole, o);
+  vm body[2];
+  for (int n = 0; n < 2 && c->shaped; n++) body[n] = or_(a->kind[n].first, a->kind[n].second);
+  if (!whole) third = splat(1.0f) - crystal_keep(wide, c->whole, 2.0f * c->whole);
+  cells_shares(c, o->near, body, o->part, &parts, !whole && !c->shaped, third, a->share, a->core);
+  a->second = any(gt(a->share[1], splat(0.0f)));
+}
+
+/* What is seen within the crystals: whether there are clouds. */
+INLINE void add_noise(const stone_cells *c, int whole, cells_adding *a) {
+  const cells_look *o = a->look;
+  const cells_view *view = o->eye->view;
+  cells_parts parts = add_parts(c, whole, o);
+  crystal_see(c, o->straight, &view->part, &parts, view->part_wide, &a->seen);
+}
+
+INLINE void add_tones(const stone_cells *c, cells_adding *a) {
+  const cells_look *o = a->look;
+  vf uneven = o->cloud * splat(1.3f * c->variation) + splat(1.0f), tone[2];
+  a->tone[0] = a->tone[1] = uneven;
+  if (c->turbidity <= 0.0f) return;
+  crystal_tones(c, &a->seen, o->eye->view->part_wide, o->cloud, tone);
+  /* inclusions of either kind are feldspar's, if they are crystals */
+  for (int k = 0; k < 2; k++) a->tone[k] = uneven + tone[c->shaped ? 0 : k];
+}
+
+INLINE void adds_lamellae(const stone_cells *c, cells_adding *adding, int count) {
   const float gone = c->shaped ? LAMELLAE_BODIES : LAMELLAE_GONE;
-  vf lamellae[2] = {crystal_keep(view->most, 0.4f * gone, gone),
-                    crystal_keep(view->most, LAMELLAE_NEXT, LAMELLAE_ONE)};
+  vf side = splat(0.0f), zero = side;
+  int each[ADD_LOOKS];
+  for (int l = 0; l < count; l++) {
+    cells_adding *a = &adding[l];
+    const cells_look *o = a->look;
+    const cells_view *view = o->eye->view;
+    const vf keep[2] = {crystal_keep(view->most, 0.4f * gone, gone),
+                        crystal_keep(view->most, LAMELLAE_NEXT, LAMELLAE_ONE)};
+    each[l] = a->second && any(gt(keep[1], zero)) ? 2 : any(gt(keep[0], zero));
+    for (int n = 0; n < 2; n++) a->lamellae[n] = n < each[l] ? keep[n] : zero;
+    for (int n = 0; n < each[l]; n++) {
+      a->line[n] = crystal_line_of(o->near[n].h, o->straight, &view->part);
+      side = vmax(side, a->line[n].side);
+    }
+  }
+  int wide = any(gt(side, splat(1.0f)));
+  for (int l = 0; l < count; l++) {
+    cells_adding *a = &adding[l];
+    for (int n = 0; n < each[l]; n++)
+      a->lamellae[n] = splat(c->cleavage) * crystal_line_mean(&a->line[n], wide) * a->lamellae[n];
+  }
+}
+
+INLINE void add_sum(const stone_cells *c, int whole, const cells_adding *a) {
+  const cells_look *o = a->look;
+  cells_eye *eye = o->eye;
   cells_cover look = cells_none();
-  for (int n = 0; n < count; n++) {
-    if (!any(gt(share[n], zero))) continue;
-    if (!c->shaped) kind[n] = cells_kind_of(c, o->near[n].at);
-    vf tone[2] = {common[0], common[1]};
-    if (n < 2 && c->cleavage > 0.0f && any(gt(lamellae[n], zero))) {
-      vf l = splat(c->cleavage) * crystal_lamellae(o->near[n].h, o->straight, &view->part);
-      l = l * lamellae[n];
-      tone[0] = tone[0] + splat(0.1f) * l;
-      tone[1] = tone[1] + splat(0.05f) * l;
+  for (int n = 0; n < (whole || c->shaped ? 2 : 3); n++) {
+    if (n == 1 ? !a->second : !any(gt(a->share[n], splat(0.0f)))) continue;
+    vf tone[2] = {a->tone[0], a->tone[1]};
+    if (n < 2 && c->cleavage > 0.0f) {
+      tone[0] = tone[0] + splat(0.1f) * a->lamellae[n];
+      tone[1] = tone[1] + splat(0.05f) * a->lamellae[n];
     }
-    if (textured) {
-      for (int k = 0; k < 2; k++) tone[k] = vmax(tone[k], zero);
+    if (crystal_textured(c)) {
+      for (int k = 0; k < 2; k++) tone[k] = vmax(tone[k], splat(0.0f));
     }
-    cells_add(c, o->near[n].h, &kind[n], share[n], core[n], tone, &look);
+    cells_add(c, o->near[n].h, &a->kind[n], a->share[n], a->core[n], tone, &look);
   }
   cells_cover *sum = &eye->sum;
   for (int k = 0; k < CELLS_PARTS; k++) {
@@ -215,12 +272,32 @@ INLINE void look_add_as(const stone_cells *c, int whole, const cells_look *o) {
   }
 }
 
+INLINE void looks_add_as(const stone_cells *c, int whole, const cells_look *looks, int count) {
+  cells_adding adding[ADD_LOOKS];
+  int some = 0;
+  for (int l = 0; l < count; l++) some += add_begin(c, &looks[l], &adding[some]);
+  for (int l = 0; l < some; l++) add_shares(c, whole, &adding[l]);
+  for (int l = 0; l < some && c->turbidity > 0.0f; l++) add_noise(c, whole, &adding[l]);
+  for (int l = 0; l < some; l++) add_tones(c, &adding[l]);
+  if (c->cleavage > 0.0f) adds_lamellae(c, adding, some);
+  for (int l = 0; l < some && !c->shaped; l++) {
+    cells_adding *a = &adding[l];
+    for (int n = 0; n < (whole ? 2 : 3); n++) {
+      a->kind[n] = cells_kind_of(c, a->look->near[n].at);
+    }
+  }
+  for (int l = 0; l < some; l++) add_sum(c, whole, &adding[l]);
+}
+
 STAGE void looks_add(const stone_cells *c, const cells_look *looks, int count) {
-  for (int l = 0; l < count; l++) {
-    if (eye_whole(c, looks[l].eye))
-      look_add_as(c, 1, &looks[l]);
+  int whole = 1;
+  for (int l = 0; l < count; l++) whole &= eye_whole(c, looks[l].eye);
+  for (int l = 0; l < count; l += ADD_LOOKS) {
+    int n = count - l < ADD_LOOKS ? count - l : ADD_LOOKS;
+    if (whole)
+      looks_add_as(c, 1, looks + l, n);
     else
-      look_add_as(c, 0, &looks[l]);
+      looks_add_as(c, 0, looks + l, n);
   }
 }
 
