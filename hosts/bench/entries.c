@@ -17,6 +17,8 @@
 #define STONE_ON(set) STONE("full.batch1024@" set, 1024, set), STONE("full.batch1@" set, 1, set)
 #define STONE_FOOTPRINT(mm) STONE("footprint_" #mm ".batch1024", 1024, NULL, .footprint = (float)(mm))
 #define STONE_OF(id) {.name = "stone." id ".batch1024", .batch = 1024, .wood = {.stone = id}}
+#define PAVING(id, mm) \
+  {.name = "stone." id "_" #mm ".batch1024", .batch = 1024, .footprint = (float)(mm), .wood = {.stone = id}}
 #define FIBER(label, size, set, ...) \
   {.name = "fiber." label, .batch = size, .wood = {.cpu = set, .fiber = "felt"}, __VA_ARGS__}
 #define FIBER_ON(set) FIBER("full.batch1024@" set, 1024, set), FIBER("full.batch1@" set, 1, set)
@@ -116,6 +118,10 @@ const entry entries[] = {
     STONE_OF("carrara"),
     STONE_OF("travertino"),
     STONE_OF("terrazzo"),
+    /* cells counted, joints in parts, moss in parts */
+    PAVING("ishidatami", 20),
+    PAVING("granite_fan", 50),
+    PAVING("ishidatami", 100),
     {.name = "stone.create", .kind = ENTRY_CREATE, .wood = {.stone = "travertino"}},
     FIBER("full.batch1024", 1024, NULL),
     FIBER("full.batch1", 1, NULL),
