@@ -72,6 +72,35 @@ INLINE vf sections_patch(const stone_cells *c, const sections_face *f, const vi 
   return patch;
 }
 
+typedef struct {
+  vi at[3];
+  vu h;
+  vf patch;
+  cells_kind kind;
+} sections_cell;
+
+/* Of patches: all of them; as of cells_cover; and of bodies those of kinds 1 and 2. */
+typedef struct {
+  vf of[3], count[2], all;
+} sections_sum;
+
+INLINE void sections_add(const stone_cells *c, const sections_cell *o, sections_sum *sum) {
+  const vf zero = splat(0.0f);
+  const cells_kind *kind = &o->kind;
+  vf patch = o->patch;
+  sum->all = sum->all + patch;
+  vf tone = patch + patch * splat(c->variation / HASH_ONE) * hash_signed(o->h + splatu(HASH_Y));
+  vf calm = c->shaped ? cells_calm(c, patch, tone) : tone;
+  vm other = not_(or_(kind->first, kind->second));
+  if (c->shaped) {
+    sum->count[0] = sum->count[0] + sel(kind->first, patch, zero);
+    sum->count[1] = sum->count[1] + sel(kind->second, patch, zero);
+  }
+  sum->of[0] = sum->of[0] + sel(other, tone, zero);
+  sum->of[1] = sum->of[1] + sel(kind->first, tone, zero);
+  sum->of[2] = sum->of[2] + sel(kind->second, calm, zero);
+}
+
 INLINE sections_axis sections_open(const stone_cells *c, const vf p[3], const cells_square *s,
                                    sections_face *f) {
   vf n[3], dual[3];
@@ -98,12 +127,13 @@ STAGE void sections_count(const stone_cells *c, const vf p[3], const cells_squar
   sections_face f;
   vf zero = splat(0.0f), one = splat(1.0f), half = splat(0.5f);
   sections_axis axis = sections_open(c, p, s, &f);
-  vf q[3], up[3], u[3], v[3], sum[3] = {zero, zero, zero}, all = zero, count[2] = {zero, zero};
+  vf q[3], up[3], u[3], v[3];
+  sections_sum sum = {{zero, zero, zero}, {zero, zero}, zero};
   sections_turn(&axis, f.q, q);
   sections_turn(&axis, f.up, up);
   sections_turn(&axis, s->u, u);
   sections_turn(&axis, s->v, v);
-  vi from[3], at[3], place[3];
+  vi from[3], at[3];
   vf many[3], lean[3], reach[3];
   for (int k = 1; k < 3; k++) {
     reach[k] = half * (vabs(u[k]) + vabs(v[k])) + half;
@@ -137,39 +167,29 @@ STAGE void sections_count(const stone_cells *c, const vf p[3], const cells_squar
       at[1] = from[1] + splati(i);
       vf x = to_float(at[1]) + half - q[1];
       (void)vfloor(q[0] - x * lean[1] - y * lean[2] - half, &at[0]);
+      /* both side by side, step by step: each is one long wait */
+      sections_cell cell[2];
       for (int n = 0; n < 2; n++) {
-        vu h;
-        sections_turn_back(&axis, at, place);
+        sections_turn_back(&axis, at, cell[n].at);
         at[0] = at[0] + splati(1);
-        vf patch = sel(column, sections_patch(c, &f, place, &h), zero);
-        if (!any(gt(patch, zero))) continue;
-        all = all + patch;
-        cells_kind kind = cells_kind_of(c, place);
-        vf tone = patch + patch * splat(c->variation / HASH_ONE) * hash_signed(h + splatu(HASH_Y));
-        vf calm = c->shaped ? cells_calm(c, patch, tone) : tone;
-        vm other = not_(or_(kind.first, kind.second));
-        if (c->shaped) {
-          count[0] = count[0] + sel(kind.first, patch, zero);
-          count[1] = count[1] + sel(kind.second, patch, zero);
-        }
-        sum[0] = sum[0] + sel(other, tone, zero);
-        sum[1] = sum[1] + sel(kind.first, tone, zero);
-        sum[2] = sum[2] + sel(kind.second, calm, zero);
+        cell[n].patch = sel(column, sections_patch(c, &f, cell[n].at, &cell[n].h), zero);
       }
+      for (int n = 0; n < 2; n++) cell[n].kind = cells_kind_of(c, cell[n].at);
+      for (int n = 0; n < 2; n++) sections_add(c, &cell[n], &sum);
     }
   }
-  vf each = one / vmax(all, splat(1e-6f));
+  vf each = one / vmax(sum.all, splat(1e-6f));
   if (c->shaped) {
     /* of the cells that have a body, all the same part is body */
     each = each * splat(c->chance[1] > 0.0f ? (c->mean[0] + c->mean[1]) / c->chance[1] : 0.0f);
-    sum[0] = count[0] + count[1];
+    sum.of[0] = sum.count[0] + sum.count[1];
     if (c->rim > 0.0f) {
-      vf rim = sum[1] * splat(1.0f - c->core);
-      sum[1] = sum[1] - rim;
-      sum[2] = sum[2] + rim;
+      vf rim = sum.of[1] * splat(1.0f - c->core);
+      sum.of[1] = sum.of[1] - rim;
+      sum.of[2] = sum.of[2] + rim;
     }
   }
-  for (int k = 0; k < 3; k++) out[k] = sum[k] * each;
+  for (int k = 0; k < 3; k++) out[k] = sum.of[k] * each;
 }
 
 #endif
