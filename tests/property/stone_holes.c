@@ -61,7 +61,8 @@ static void fines_are_small(void **state) {
         1.440 / 1.303);
 }
 
-/* A hole is of one shade, up to `hole_variation` off its colour either way, evenly spread. */
+/* A hole is of one shade, up to `hole_variation` off its colour either way, evenly spread. An edge
+ * is a millionth of a cell wide even to a point: of 400,000 one or two may be on one. */
 static void holes_differ(void **state) {
   (void)state;
   static const double variation[] = {0, 0.2, 0.5};
@@ -74,21 +75,23 @@ static void holes_differ(void **state) {
     for (int i = 0; i < 400000; i++)
       points_add(&p, 8000 * uniform(), 8000 * uniform(), 8000 * uniform(), 0);
     points_ask_only(&p, t, ONLY3(ALBEDO));
-    double count = 0, sum = 0, square = 0, most = 0;
+    double count = 0, sum = 0, square = 0;
+    int off = 0;
     for (unsigned i = 0; i < p.count; i++) {
       double x = (double)p.out[ALBEDO][i] / 0.5;
       if (x <= 0.1) continue;
       count++;
       sum += x;
       square += x * x;
-      most = fmax(most, fabs(x - 1));
+      off += fabs(x - 1) > variation[k] + 1e-5;
     }
     double mean = sum / count, sd = sqrt(fmax(square / count - mean * mean, 0));
-    CHECK(count > 30000 && fabs(mean - 1) < 0.01 && most <= variation[k] + 1e-5 &&
+    CHECK(count > 30000 && fabs(mean - 1) < 0.01 && off <= 4 &&
               fabs(sd - variation[k] / sqrt(3)) < 0.01,
-          "hole_variation=%g: %.0f places in holes are %.4f of the colour, sd %.4f (%.4f), at most "
-          "%.4f off\n",
-          variation[k], count, mean, sd, variation[k] / sqrt(3), most);
+          "hole_variation=%g: %.0f places in holes are %.4f of the colour, sd %.4f (%.4f), %d of "
+          "them "
+          "further off\n",
+          variation[k], count, mean, sd, variation[k] / sqrt(3), off);
     points_free(&p);
     textures->destroy(t);
   }
