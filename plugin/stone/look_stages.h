@@ -152,7 +152,9 @@ STAGE void looks_find(const stone_cells *c, cells_look *looks, int count) {
   }
 }
 
-#define ADD_LOOKS 8 /* that go through the stages of adding side by side: each is one long wait */
+/* That go through the stages of adding side by side: each is one long wait. Of points alone there
+ * is mostly one. */
+#define ADD_LOOKS (LANES == 1 ? 1 : 8)
 
 /* What a look adds, on its way: of the nearest two cells, of crystals three, and of kinds 0 and 2
  * and of kind 1 the brightness. */
@@ -283,6 +285,7 @@ INLINE void looks_add_as(const stone_cells *c, int whole, const cells_look *look
   for (int l = 0; l < some && !c->shaped; l++) {
     cells_adding *a = &adding[l];
     for (int n = 0; n < (whole ? 2 : 3); n++) {
+      if (n == 1 ? !a->second : n && !any(gt(a->share[n], splat(0.0f)))) continue;
       a->kind[n] = cells_kind_of(c, a->look->near[n].at);
     }
   }
