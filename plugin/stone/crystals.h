@@ -199,8 +199,8 @@ INLINE void crystal_see(const stone_cells *c, const vf q[3], const cells_square 
   }
   o->keep = splat(c->turbidity) * keep;
   o->count = any(gt(o->keep, splat(0.0f))) ? halves ? 2 : 1 : 0;
+  if (!o->count) return;
   for (int i = 0; i < (halves ? 2 : 1); i++) {
-    if (i >= o->count) break;
     vf at[3];
     for (int k = 0; k < 3; k++) {
       vf u = s->u[k] * p->away;

@@ -208,7 +208,7 @@ INLINE void add_shares(const stone_cells *c, int whole, cells_adding *a) {
   a->second = any(gt(a->share[1], splat(0.0f)));
 }
 
-/* What is seen within the crystals: whether there are clouds. */
+/* What clouds and cuts within the crystals. */
 INLINE void add_noise(const stone_cells *c, int whole, cells_adding *a) {
   const cells_look *o = a->look;
   const cells_view *view = o->eye->view;

@@ -88,9 +88,8 @@ static void holes_differ(void **state) {
     double mean = sum / count, sd = sqrt(fmax(square / count - mean * mean, 0));
     CHECK(count > 30000 && fabs(mean - 1) < 0.01 && off <= 4 &&
               fabs(sd - variation[k] / sqrt(3)) < 0.01,
-          "hole_variation=%g: %.0f places in holes are %.4f of the colour, sd %.4f (%.4f), %d of "
-          "them "
-          "further off\n",
+          "hole_variation=%g: %.0f places in holes are %.4f of the colour, sd %.4f (%.4f), further "
+          "off %d\n",
           variation[k], count, mean, sd, variation[k] / sqrt(3), off);
     points_free(&p);
     textures->destroy(t);
