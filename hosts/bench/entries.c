@@ -118,7 +118,7 @@ const entry entries[] = {
     STONE_OF("carrara"),
     STONE_OF("travertino"),
     STONE_OF("terrazzo"),
-    /* cells counted, joints in parts, moss in parts */
+    /* cells counted; corners in parts; all but the stones' shade its mean */
     PAVING("ishidatami", 20),
     PAVING("granite_fan", 50),
     PAVING("ishidatami", 100),

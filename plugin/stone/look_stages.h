@@ -167,6 +167,11 @@ typedef struct {
   crystal_seen seen;
 } cells_adding;
 
+/* Whether cell n is seen in some lane. */
+INLINE int add_sees(const cells_adding *a, int n) {
+  return n == 1 ? a->second : any(gt(a->share[n], splat(0.0f)));
+}
+
 /* Whether there is anything to add: of bodies, those of kind 0 are not there. */
 INLINE int add_begin(const stone_cells *c, const cells_look *o, cells_adding *a) {
   vf zero = splat(0.0f);
@@ -256,7 +261,7 @@ INLINE void add_sum(const stone_cells *c, int whole, const cells_adding *a) {
   cells_eye *eye = o->eye;
   cells_cover look = cells_none();
   for (int n = 0; n < (whole || c->shaped ? 2 : 3); n++) {
-    if (n == 1 ? !a->second : !any(gt(a->share[n], splat(0.0f)))) continue;
+    if (!add_sees(a, n)) continue;
     vf tone[2] = {a->tone[0], a->tone[1]};
     if (n < 2 && c->cleavage > 0.0f) {
       tone[0] = tone[0] + splat(0.1f) * a->lamellae[n];
@@ -285,8 +290,7 @@ INLINE void looks_add_as(const stone_cells *c, int whole, const cells_look *look
   for (int l = 0; l < some && !c->shaped; l++) {
     cells_adding *a = &adding[l];
     for (int n = 0; n < (whole ? 2 : 3); n++) {
-      if (n == 1 ? !a->second : n && !any(gt(a->share[n], splat(0.0f)))) continue;
-      a->kind[n] = cells_kind_of(c, a->look->near[n].at);
+      if (add_sees(a, n)) a->kind[n] = cells_kind_of(c, a->look->near[n].at);
     }
   }
   for (int l = 0; l < some; l++) add_sum(c, whole, &adding[l]);

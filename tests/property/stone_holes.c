@@ -61,8 +61,24 @@ static void fines_are_small(void **state) {
         1.440 / 1.303);
 }
 
-/* A hole is of one shade, up to `hole_variation` off its colour either way, evenly spread. An edge
- * is a millionth of a cell wide even to a point: of 400,000 one or two may be on one. */
+/* Whether a place is on a hole's edge, which has a width even to a point: a step from it, as small
+ * as its coordinates have, there is none. */
+static int on_edge(const sozai_texture *t, const points *p, unsigned i) {
+  points near = {0};
+  for (int k = 0; k < 6; k++) {
+    double step[3] = {0, 0, 0};
+    step[k / 2] = k % 2 ? 1e-3 : -1e-3;
+    points_add(&near, (double)p->point[0][i] + step[0], (double)p->point[1][i] + step[1],
+               (double)p->point[2][i] + step[2], 0);
+  }
+  points_ask_only(&near, t, ONLY3(ALBEDO));
+  int none = 0;
+  for (unsigned k = 0; k < near.count; k++) none |= (double)near.out[ALBEDO][k] <= 0;
+  points_free(&near);
+  return none;
+}
+
+/* A hole is of one shade, up to `hole_variation` off its colour either way, evenly spread. */
 static void holes_differ(void **state) {
   (void)state;
   static const double variation[] = {0, 0.2, 0.5};
@@ -75,22 +91,22 @@ static void holes_differ(void **state) {
     for (int i = 0; i < 400000; i++)
       points_add(&p, 8000 * uniform(), 8000 * uniform(), 8000 * uniform(), 0);
     points_ask_only(&p, t, ONLY3(ALBEDO));
-    double count = 0, sum = 0, square = 0;
-    int off = 0;
+    double count = 0, sum = 0, square = 0, most = 0;
     for (unsigned i = 0; i < p.count; i++) {
       double x = (double)p.out[ALBEDO][i] / 0.5;
       if (x <= 0.1) continue;
       count++;
       sum += x;
       square += x * x;
-      off += fabs(x - 1) > variation[k] + 1e-5;
+      if (fabs(x - 1) > variation[k] + 1e-5 && on_edge(t, &p, i)) continue;
+      most = fmax(most, fabs(x - 1));
     }
     double mean = sum / count, sd = sqrt(fmax(square / count - mean * mean, 0));
-    CHECK(count > 30000 && fabs(mean - 1) < 0.01 && off <= 4 &&
+    CHECK(count > 30000 && fabs(mean - 1) < 0.01 && most <= variation[k] + 1e-5 &&
               fabs(sd - variation[k] / sqrt(3)) < 0.01,
-          "hole_variation=%g: %.0f places in holes are %.4f of the colour, sd %.4f (%.4f), further "
-          "off %d\n",
-          variation[k], count, mean, sd, variation[k] / sqrt(3), off);
+          "hole_variation=%g: %.0f places in holes are %.4f of the colour, sd %.4f (%.4f), at most "
+          "%.4f off\n",
+          variation[k], count, mean, sd, variation[k] / sqrt(3), most);
     points_free(&p);
     textures->destroy(t);
   }
