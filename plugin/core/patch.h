@@ -10,15 +10,19 @@
 
 #ifdef SPREADS
 
-/* Whether the lanes hold one number, or that and the next; the former in all lanes, and
- * which hold the latter. */
-INLINE int one_apart(vi i, vi *base, vm *upper) {
-  __m512i first = _mm512_broadcastd_epi32(_mm512_castsi512_si128((__m512i)i));
-  int32_t below = _mm512_cmplt_epi32_mask((__m512i)i, first) != 0;
-  *base = (vi)first - splati(below);
-  __m512i d = (__m512i)(i - *base);
-  *upper = _mm512_test_epi32_mask(d, d);
-  return _mm512_cmpgt_epu32_mask(d, _mm512_set1_epi32(1)) == 0;
+/* Whether the lanes of a few vectors hold one number, or that and the next; the former in all
+ * lanes, and which hold the latter. */
+INLINE int one_apart(const vi *i, int count, vi *base, vm *upper) {
+  __m512i first = _mm512_broadcastd_epi32(_mm512_castsi512_si128((__m512i)i[0]));
+  uint32_t below = 0, far = 0;
+  for (int n = 0; n < count; n++) below |= _mm512_cmplt_epi32_mask((__m512i)i[n], first);
+  *base = (vi)first - splati(below != 0);
+  for (int n = 0; n < count; n++) {
+    __m512i d = (__m512i)(i[n] - *base);
+    upper[n] = _mm512_test_epi32_mask(d, d);
+    far |= _mm512_cmpgt_epu32_mask(d, _mm512_set1_epi32(1));
+  }
+  return far == 0;
 }
 
 /* Halves, quarters, pairs and neighbours change places. */
@@ -30,9 +34,8 @@ INLINE vf change_places(vf x, int step) {
   return (vf)_mm512_permute_ps(v, 0xb1);
 }
 
-/* The least and the greatest of the lanes, in all of them. */
-INLINE void range_of(vf v, vf *least, vf *most) {
-  vf x = v, y = v;
+/* The least of the lanes of x and the greatest of those of y, in all of them. */
+INLINE void range_across(vf x, vf y, vf *least, vf *most) {
   UNROLL(4)
   for (int k = 0; k < 4; k++) {
     x = vmin(x, change_places(x, k));
@@ -41,6 +44,7 @@ INLINE void range_of(vf v, vf *least, vf *most) {
   *least = x;
   *most = y;
 }
+INLINE void range_of(vf v, vf *least, vf *most) { range_across(v, v, least, most); }
 
 /* Of the numbers in all lanes of some vectors, in each lane rising: the second least, and
  * the third. */

@@ -55,33 +55,48 @@ INLINE vi cells_step(vi number, vi own, int axis) {
   return (((number >> (2 * axis)) - own + splati(1)) & splati(3)) - splati(1);
 }
 
-/* Along each axis the point's own cell, its neighbour on the nearer side and that on
- * the further: from the point to their middles, their parts of the hash, and of the
- * cell's number. */
+/* Along each axis the point's own cell: which it is, how far from the point its middle is, and its
+ * part of the hash. */
+typedef struct {
+  vi whole[3];
+  vf from[3];
+  vu hash[3];
+} cells_own;
+
+INLINE void cells_look_own(const stone_cells *c, const vf q[3], cells_own *o) {
+  static const uint32_t prime[3] = {HASH_X, HASH_Y, HASH_Z};
+  for (int k = 0; k < 3; k++) {
+    o->from[k] = splat(0.5f) - (q[k] - vfloor(q[k], &o->whole[k]));
+    o->hash[k] = (vu)o->whole[k] * splatu(prime[k]) + splatu(k ? 0u : c->seed);
+  }
+}
+
+/* Along each axis that, its neighbour on the nearer side and that on the further: from the
+ * point to their middles, their parts of the hash, and of the cell's number. */
 typedef struct {
   vf from[3][3];
   vu hash[3][3];
   vi number[3][3];
 } cells_about;
 
-INLINE void cells_look_about(const stone_cells *c, const vf q[3], vi whole[3], cells_about *a) {
+INLINE void cells_look_about(const cells_own *own, cells_about *a) {
   static const uint32_t prime[3] = {HASH_X, HASH_Y, HASH_Z};
   for (int k = 0; k < 3; k++) {
-    vf o = splat(0.5f) - (q[k] - vfloor(q[k], &whole[k]));
+    vf o = own->from[k];
+    vi whole = own->whole[k];
     vm up = lt(o, splat(0.0f));
     vf t = sel(up, splat(1.0f), splat(-1.0f));
-    vu own = (vu)whole[k] * splatu(prime[k]) + splatu(k ? 0u : c->seed);
     vu step = (vu)seli(up, splati((int32_t)prime[k]), splati((int32_t)(0u - prime[k])));
     vi on = seli(up, splati(1), splati(-1));
     a->from[k][0] = o;
     a->from[k][1] = o + t;
     a->from[k][2] = o - t;
-    a->hash[k][0] = own;
-    a->hash[k][1] = own + step;
-    a->hash[k][2] = own - step;
-    a->number[k][0] = cells_number(whole[k], k);
-    a->number[k][1] = cells_number(whole[k] + on, k);
-    a->number[k][2] = cells_number(whole[k] - on, k);
+    a->hash[k][0] = own->hash[k];
+    a->hash[k][1] = own->hash[k] + step;
+    a->hash[k][2] = own->hash[k] - step;
+    a->number[k][0] = cells_number(whole, k);
+    a->number[k][1] = cells_number(whole + on, k);
+    a->number[k][2] = cells_number(whole - on, k);
   }
 }
 
@@ -119,8 +134,11 @@ INLINE int cells_further(int n) { return (n % 3 == 2) + (n / 3 % 3 == 2) + (n / 
   }
 
 /* The least `most` distances, two or three. */
-INLINE void cells_nearest(const stone_cells *c, int graded, int most, const cells_about *a,
+INLINE void cells_nearest(const stone_cells *c, int graded, int most, const cells_own *own,
                           vf key[3]) {
+  cells_about about;
+  const cells_about *a = &about;
+  cells_look_about(own, &about);
   CELLS_TRY_ALL(cells_further(n) == 0)
   /* No cell on the further side is nearer than the square of the distance there; nor
    * one that is further along two axes than the sum of two, of which the least count. */
@@ -150,18 +168,17 @@ INLINE void cells_nearest(const stone_cells *c, int graded, int most, const cell
 #endif
 
 /* The cell of a key, of those about the point. */
-INLINE cells_near cells_of_key(const stone_cells *c, int graded, const cells_about *a,
-                               const vi whole[3], vf key) {
+INLINE cells_near cells_of_key(const stone_cells *c, int graded, const cells_own *own, vf key) {
   cells_near o;
   vi d[3];
   for (int i = 0; i < 3; i++) {
-    d[i] = cells_step(bits_of(key), whole[i], i);
-    o.at[i] = whole[i] + d[i];
+    d[i] = cells_step(bits_of(key), own->whole[i], i);
+    o.at[i] = own->whole[i] + d[i];
   }
-  o.h = hash_upper(a->hash[0][0] + a->hash[1][0] + a->hash[2][0] + (vu)d[0] * splatu(HASH_X) +
+  o.h = hash_upper(own->hash[0] + own->hash[1] + own->hash[2] + (vu)d[0] * splatu(HASH_X) +
                    (vu)d[1] * splatu(HASH_Y) + (vu)d[2] * splatu(HASH_Z));
-  cells_centre(o.h, a->from[0][0] + to_float(d[0]), a->from[1][0] + to_float(d[1]),
-               a->from[2][0] + to_float(d[2]), o.x);
+  cells_centre(o.h, own->from[0] + to_float(d[0]), own->from[1] + to_float(d[1]),
+               own->from[2] + to_float(d[2]), o.x);
   o.d = dot3(o.x, o.x);
   if (graded) o.d = o.d + cells_weight(c, o.h);
   return o;
@@ -171,16 +188,15 @@ INLINE cells_near cells_of_key(const stone_cells *c, int graded, const cells_abo
  * lanes may well lie close to each other, which changes nothing but the time. */
 INLINE void cells_find_as(const stone_cells *c, int graded, int most, int together, const vf q[3],
                           cells_near out[]) {
-  vi whole[3];
-  cells_about about;
-  cells_look_about(c, q, whole, &about);
+  cells_own own;
+  cells_look_own(c, q, &own);
   vf key[3] = {splat(1e30f), splat(1e30f), splat(1e30f)};
 #ifdef SPREADS
-  if (!together || !cells_nearest_shared(c, graded, most, whole, &about, key))
+  if (!together || !cells_nearest_shared(c, graded, most, &own, key))
 #endif
-    cells_nearest(c, graded, most, &about, key);
+    cells_nearest(c, graded, most, &own, key);
   (void)together;
-  for (int k = 0; k < most; k++) out[k] = cells_of_key(c, graded, &about, whole, key[k]);
+  for (int k = 0; k < most; k++) out[k] = cells_of_key(c, graded, &own, key[k]);
 }
 
 /* The hash of the block of 4^3 that a place on the lattice is in. */

@@ -7,56 +7,92 @@
 #ifndef SOZAI_STONE_CELLS_SHARED_H
 #define SOZAI_STONE_CELLS_SHARED_H
 
-#define CELLS_SHARED 64   /* 4 along each axis, of which the inner two are the lanes' own */
+#define CELLS_SHARED 64   /* 4 along each axis */
 #define CELLS_NONE 1e15f  /* cells to one that is not among the lane's 27 */
 #define CELLS_ROUND 1e-4f /* more than rounding and a number's bits do to a distance */
 
+#define CELLS_GROUP 4      /* looks that one list may serve */
+#define CELLS_GROUPED 1.2f /* cells: the sides of a box about their lanes, together, at most */
+
+/* The lanes' places, of one look or of some: their lattice cells are `base` or the next along each
+ * axis. To the middle of a box about them all, from the side that the two cells share; and its
+ * sides. Lengths in cells. */
+typedef struct {
+  vi base[3];
+  int upper[3]; /* some lane is in the next */
+  vf middle[3], reach[3];
+} cells_span;
+
+/* The cells that may be nearest, 4 along each axis, of which the inner two are the lanes' own. */
 typedef struct {
   float jitter[3][CELLS_SHARED] __attribute__((aligned(64)));
   float weight[CELLS_SHARED] __attribute__((aligned(64)));
   int32_t number[CELLS_SHARED] __attribute__((aligned(64)));
-  vf from[3][4];
   vf least[4]; /* what each is at least away from any lane; and in every vector's lane */
   vf bound[3]; /* the least of what those that all lanes have are at most, rising */
   int layers;  /* of four by four, three or all; and of each those that are some lane's */
   uint32_t may;
 } cells_list;
 
-/* From the lanes to the middles of the four cells along an axis. o: to that of their own,
- * which is the upper of the inner two or the lower. */
-INLINE void cells_list_from(vf o, vm upper, vf from[4]) {
-  vf below = o - splat(1.0f), above = o + splat(1.0f), none = splat(CELLS_NONE);
-  from[0] = sel(upper, none, below);
-  from[1] = sel(upper, below, o);
-  from[2] = sel(upper, o, above);
-  from[3] = sel(upper, above, none);
+/* From a look's lanes to the middles of the four cells along each axis. */
+typedef struct {
+  vf from[3][4];
+} cells_reached;
+
+/* Own is the upper of the inner two or the lower. */
+INLINE void cells_reach_about(const cells_span *span, const cells_own *own, cells_reached *r) {
+  vf none = splat(CELLS_NONE);
+  for (int i = 0; i < 3; i++) {
+    vf o = own->from[i], below = o - splat(1.0f), above = o + splat(1.0f), *from = r->from[i];
+    vm upper = lti(span->base[i], own->whole[i]);
+    from[0] = sel(upper, none, below);
+    from[1] = sel(upper, below, o);
+    from[2] = sel(upper, o, above);
+    from[3] = sel(upper, above, none);
+  }
 }
 
-/* 0: the lanes are too far apart. */
-INLINE int cells_list_make(const stone_cells *c, int graded, int most, const vi whole[3],
-                           const cells_about *about, cells_list *list) {
+/* Of `count` looks' lanes, the sides of the box together no more than `most`. 0: they are too far
+ * apart. */
+INLINE int cells_span_make(int count, float most, const cells_own *own, cells_span *span) {
+  vf half = splat(0.5f), one = splat(1.0f), zero = splat(0.0f), sides = zero;
+  vm upper[3][CELLS_GROUP];
+  for (int i = 0; i < 3; i++) {
+    vi at[CELLS_GROUP];
+    for (int l = 0; l < count; l++) at[l] = own[l].whole[i];
+    if (!one_apart(at, count, &span->base[i], upper[i])) return 0;
+  }
+  for (int i = 0; i < 3; i++) {
+    vf low = zero, high = zero;
+    span->upper[i] = 0;
+    for (int l = 0; l < count; l++) {
+      vf in = half - own[l].from[i] + sel(upper[i][l], one, zero);
+      low = l ? vmin(low, in) : in;
+      high = l ? vmax(high, in) : in;
+      span->upper[i] |= upper[i][l];
+    }
+    range_across(low, high, &low, &high);
+    span->middle[i] = half * (low + high);
+    span->reach[i] = high - low; /* twice half of it */
+    sides = sides + span->reach[i];
+  }
+  return count == 1 || !any(gt(sides, splat(most)));
+}
+
+INLINE void cells_list_make(const stone_cells *c, int graded, int most, const cells_span *span,
+                            cells_list *list) {
   static const uint32_t prime[3] = {HASH_X, HASH_Y, HASH_Z};
   const float k = 0.5f * CELLS_JITTER / HASH_ONE;
-  vi base[3];
-  vm upper[3];
-  for (int i = 0; i < 3; i++) {
-    if (!one_apart(whole[i], &base[i], &upper[i])) return 0;
-  }
+  const vi *base = span->base;
+  const int *upper = span->upper;
   vi own = lane_numbers(), x = own & splati(3), y = own >> 2;
-  vf middle[3], reach[3], half = splat(0.5f);
-  for (int i = 0; i < 3; i++) {
-    vf o = about->from[i][0], low, high;
-    cells_list_from(o, upper[i], list->from[i]);
-    range_of(half - o + sel(upper[i], splat(1.0f), splat(0.0f)), &low, &high);
-    middle[i] = half * (low + high);
-    reach[i] = high - low; /* twice half of it */
-  }
+  vf half = splat(0.5f);
   vi from[3] = {base[0] + x - splati(1), base[1] + y - splati(1), base[2] - splati(1)};
   vu hash = splatu(c->seed);
   for (int i = 0; i < 3; i++) hash = hash + (vu)from[i] * splatu(prime[i]);
   vi number = cells_number(from[0], 0) | cells_number(from[1], 1);
-  vf at[3] = {to_float(x) - half - middle[0], to_float(y) - half - middle[1],
-              splat(-0.5f) - middle[2]};
+  vf at[3] = {to_float(x) - half - span->middle[0], to_float(y) - half - span->middle[1],
+              splat(-0.5f) - span->middle[2]};
   /* where no lane is in the upper cell the fourth is nobody's; and what all lanes have
    * among their 27 are three, or the inner two */
   uint32_t may = (upper[0] ? 0xffffu : 0x7777u) & (upper[1] ? 0xffffu : 0x0fffu);
@@ -77,7 +113,7 @@ INLINE int cells_list_make(const stone_cells *c, int graded, int most, const vi 
       vf d = at[i] + j;
       if (i == 2) d = d + splat((float)v);
       f = f + d * d;
-      b = b + reach[i] * vabs(d);
+      b = b + span->reach[i] * vabs(d);
     }
     vi n = number | cells_number(from[2] + splati(v), 2);
     memcpy(list->number + 16 * v, &n, sizeof n);
@@ -89,7 +125,6 @@ INLINE int cells_list_make(const stone_cells *c, int graded, int most, const vi 
   memcpy(list->bound, bound, sizeof bound);
   list->layers = layers;
   list->may = may;
-  return 1;
 }
 
 /* Those that are left, a bit to each. */
@@ -105,25 +140,37 @@ INLINE uint64_t cells_list_left(const cells_list *list, int most) {
   return left;
 }
 
-/* The least `most` of those that are left. */
-INLINE void cells_list_try(const cells_list *list, uint64_t left, int most, vf key[3]) {
+/* The least `most` of those that are left, of `count` looks. */
+INLINE void cells_list_try(const cells_list *list, uint64_t left, int most, int count,
+                           const cells_reached *reached, vf (*key)[3]) {
   for (; left; left &= left - 1) {
-    int n = __builtin_ctzll(left);
-    const vf x[3] = {splat(list->jitter[0][n]) + list->from[0][n & 3],
-                     splat(list->jitter[1][n]) + list->from[1][n >> 2 & 3],
-                     splat(list->jitter[2][n]) + list->from[2][n >> 4]};
-    cells_keep(dot3(x, x) + splat(list->weight[n]), splati(list->number[n]), most, key);
+    int n = __builtin_ctzll(left), x = n & 3, y = n >> 2 & 3, z = n >> 4;
+    vf j[3], weight = splat(list->weight[n]);
+    vi number = splati(list->number[n]);
+    for (int i = 0; i < 3; i++) j[i] = splat(list->jitter[i][n]);
+    UNROLL(4)
+    for (int l = 0; l < count; l++) {
+      const cells_reached *r = &reached[l];
+      const vf at[3] = {j[0] + r->from[0][x], j[1] + r->from[1][y], j[2] + r->from[2][z]};
+      cells_keep(dot3(at, at) + weight, number, most, key[l]);
+    }
   }
 }
 
 /* Whether the lanes are near enough to each other, and then what cells_nearest says. */
-INLINE int cells_nearest_shared(const stone_cells *c, int graded, int most, const vi whole[3],
-                                const cells_about *about, vf key[3]) {
+INLINE int cells_nearest_shared(const stone_cells *c, int graded, int most, const cells_own *own,
+                                vf key[3]) {
+  cells_span span;
+  cells_reached reached;
   cells_list list;
-  if (!cells_list_make(c, graded, most, whole, about, &list)) return 0;
+  if (!cells_span_make(1, 0.0f, own, &span)) return 0;
+  cells_reach_about(&span, own, &reached);
+  cells_list_make(c, graded, most, &span, &list);
   uint64_t left = cells_list_left(&list, most);
   if (!left) return 0;
-  cells_list_try(&list, left, most, key);
+  vf all[1][3] = {{key[0], key[1], key[2]}};
+  cells_list_try(&list, left, most, 1, &reached, all);
+  for (int k = 0; k < most; k++) key[k] = all[0][k];
   return 1;
 }
 

@@ -86,48 +86,80 @@ INLINE int eye_whole(const stone_cells *c, const cells_eye *e) {
 }
 
 #ifdef SPREADS
-#define FIND_LOOKS 4 /* that go through the stages of finding side by side */
+#define FIND_LOOKS CELLS_GROUP /* that go through the stages of finding side by side */
+
+/* How many looks in a row lie so close together that one list of cells serves them: all, two or
+ * one, and no more than `each` was for those before. spans: of each group; a single look may have
+ * none. */
+INLINE int looks_spans(int each, const cells_own *own, int count, cells_span *spans, int *near) {
+  const float most = CELLS_GROUPED;
+  if (each >= 4 && count == 4) {
+    near[0] = cells_span_make(4, most, own, spans);
+    if (near[0]) return 4;
+  }
+  if (each >= 2 && count % 2 == 0) {
+    int all = 1;
+    for (int l = 0; l < count && all; l += 2)
+      all = near[l / 2] = cells_span_make(2, most, own + l, &spans[l / 2]);
+    if (all) return 2;
+  }
+  for (int l = 0; l < count; l++)
+    near[l] = cells_span_make(1, most, own + l, &spans[l]);
+  return 1;
+}
 
 /* cells_find of lanes that lie close together, in stages: how many cells are tried is guessed wrong
- * once a look, and then nothing is lost but that. */
-INLINE void looks_find_shared(const stone_cells *c, int graded, int most, cells_look *looks,
-                              int count) {
-  cells_about about[FIND_LOOKS];
+ * once a group of looks, and then nothing is lost but that. each: see looks_spans, and returned. */
+INLINE int looks_find_shared(const stone_cells *c, int graded, int most, int each,
+                             cells_look *looks, int count) {
+  cells_own own[FIND_LOOKS];
+  cells_span spans[FIND_LOOKS];
+  cells_reached reached[FIND_LOOKS];
   cells_list list[FIND_LOOKS];
-  vi whole[FIND_LOOKS][3];
   vf key[FIND_LOOKS][3];
   uint64_t left[FIND_LOOKS];
   int near[FIND_LOOKS];
   for (int l = 0; l < count; l++) {
-    cells_look_about(c, looks[l].q, whole[l], &about[l]);
-    near[l] = cells_list_make(c, graded, most, whole[l], &about[l], &list[l]);
-  }
-  for (int l = 0; l < count; l++) left[l] = near[l] ? cells_list_left(&list[l], most) : 0;
-  for (int l = 0; l < count; l++) {
+    cells_look_own(c, looks[l].q, &own[l]);
     for (int k = 0; k < 3; k++) key[l][k] = splat(1e30f);
-    if (left[l])
-      cells_list_try(&list[l], left[l], most, key[l]);
+  }
+  each = looks_spans(each, own, count, spans, near);
+  const int groups = count / each;
+  for (int g = 0; g < groups; g++) {
+    if (near[g]) cells_list_make(c, graded, most, &spans[g], &list[g]);
+    for (int l = g * each; l < (g + 1) * each && near[g]; l++)
+      cells_reach_about(&spans[g], &own[l], &reached[l]);
+  }
+  for (int g = 0; g < groups; g++) left[g] = near[g] ? cells_list_left(&list[g], most) : 0;
+  for (int g = 0, l = 0; g < groups; g++, l += each) {
+    if (left[g] && each == 4)
+      cells_list_try(&list[g], left[g], most, 4, reached + l, key + l);
+    else if (left[g] && each == 2)
+      cells_list_try(&list[g], left[g], most, 2, reached + l, key + l);
+    else if (left[g])
+      cells_list_try(&list[g], left[g], most, 1, reached + l, key + l);
     else
-      cells_nearest(c, graded, most, &about[l], key[l]);
+      for (int i = l; i < l + each; i++) cells_nearest(c, graded, most, &own[i], key[i]);
   }
   for (int l = 0; l < count; l++) {
     for (int k = 0; k < most; k++)
-      looks[l].near[k] = cells_of_key(c, graded, &about[l], whole[l], key[l][k]);
+      looks[l].near[k] = cells_of_key(c, graded, &own[l], key[l][k]);
   }
+  return each;
 }
 
 STAGE void looks_find_together(const stone_cells *c, int three, cells_look *looks, int count) {
-  for (int l = 0; l < count; l += FIND_LOOKS) {
+  for (int l = 0, each = FIND_LOOKS; l < count; l += FIND_LOOKS) {
     int n = count - l < FIND_LOOKS ? count - l : FIND_LOOKS;
     if (c->grading > 0.0f) {
       if (three)
-        looks_find_shared(c, 1, 3, looks + l, n);
+        each = looks_find_shared(c, 1, 3, each, looks + l, n);
       else
-        looks_find_shared(c, 1, 2, looks + l, n);
+        each = looks_find_shared(c, 1, 2, each, looks + l, n);
     } else if (three) {
-      looks_find_shared(c, 0, 3, looks + l, n);
+      each = looks_find_shared(c, 0, 3, each, looks + l, n);
     } else {
-      looks_find_shared(c, 0, 2, looks + l, n);
+      each = looks_find_shared(c, 0, 2, each, looks + l, n);
     }
   }
 }

@@ -67,14 +67,15 @@ INLINE void sites_flake(const stone_cells *c, const cells_near *n, const cells_s
 INLINE void sites_find(const stone_cells *c, int shaped, const vf q[3], const cells_square *s,
                        vf reach, cells_sites *o) {
   const int count = sites_count(shaped), graded = !shaped; /* bodies have no weights */
-  vi whole[3];
+  cells_own own;
   cells_about about;
   vf key[SITES];
-  cells_look_about(c, q, whole, &about);
+  cells_look_own(c, q, &own);
+  cells_look_about(&own, &about);
   sites_nearest(c, graded, count, &about, key);
   const vf back = splat(-2.0f), quarter = splat(0.25f);
   for (int k = 0; k < count; k++) {
-    cells_near n = cells_of_key(c, graded, &about, whole, key[k]);
+    cells_near n = cells_of_key(c, graded, &own, key[k]);
     o->h[k] = n.h;
     o->far[k] = n.d;
     memcpy(o->at[k], n.at, sizeof n.at);
