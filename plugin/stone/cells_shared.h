@@ -12,7 +12,7 @@
 #define CELLS_ROUND 1e-4f /* more than rounding and a number's bits do to a distance */
 
 #define CELLS_GROUP 4      /* looks that one list may serve */
-#define CELLS_GROUPED 1.2f /* cells: the sides of a box about their lanes, together, at most */
+#define CELLS_GROUPED 1.6f /* cells: the sides of a box about their lanes, together, at most */
 
 /* The lanes' places, of one look or of some: their lattice cells are `base` or the next along each
  * axis. To the middle of a box about them all, from the side that the two cells share; and its

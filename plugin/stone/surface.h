@@ -169,14 +169,23 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
 
 /* ---- light ------------------------------------------------------------- */
 
+#define SMITH_STEEPER 1.6f /* times the slopes' sd: a steeper light is past all of them */
+#define ROOT_TWO 1.41421356f
+
+/* Whether the light may be less steep than that in some lane; steep2: the variance. */
+INLINE int surface_grazed(vf steep2, vf t) {
+  const float much = 2.01f * SMITH_STEEPER * SMITH_STEEPER; /* a little more: rounding */
+  return any(lt(t * t, splat(much) * vmax(steep2, splat(1e-8f))));
+}
+
 /* Smith's Lambda for slopes of sd `steep` under a light whose elevation has the
  * tangent t: Walter et al. 2007's fit. */
 INLINE vf surface_lambda(vf steep, vf t) {
-  vf a = t / vmax(steep * splat(1.41421356f), splat(1e-4f)), one = splat(1.0f);
+  vf a = t / vmax(steep * splat(ROOT_TWO), splat(1e-4f)), one = splat(1.0f);
   vf low = vmax(a, splat(1e-3f));
   vf l = (one - low * (splat(1.259f) - splat(0.396f) * low)) /
          (low * (splat(3.535f) + splat(2.181f) * low));
-  return sel(lt(a, splat(1.6f)), vmax(l, splat(0.0f)), splat(0.0f));
+  return sel(lt(a, splat(SMITH_STEEPER)), vmax(l, splat(0.0f)), splat(0.0f));
 }
 
 /* Share of the light that reaches the place: past the relief about it, by where
@@ -187,9 +196,12 @@ INLINE vf surface_lit(const stone_constants *w, int paved, const laid *q, const 
                       const vf light[3], vf up) {
   vf zero = splat(0.0f), one = splat(1.0f);
   vf c = clamp(up, splat(1e-3f), one), t = c * inverse_root(vmax(one - c * c, splat(1e-6f)));
-  vf lambda = surface_lambda(f->steep, t);
-  vf lit = exp2_(lambda * log2_(clamp(f->low, splat(1e-6f), one)));
-  lit = lit / (one + surface_lambda(vsqrt(f->lost), t));
+  vf lit = one;
+  if (surface_grazed(f->steep * f->steep, t)) {
+    vf lambda = surface_lambda(f->steep, t);
+    lit = exp2_(lambda * log2_(clamp(f->low, splat(1e-6f), one)));
+  }
+  if (surface_grazed(f->lost, t)) lit = lit / (one + surface_lambda(vsqrt(f->lost), t));
   if (!paved) return lit;
   const stone_paving *v = &w->paving;
   vf square = q->m.g[0] * q->m.g[0] + q->m.g[1] * q->m.g[1];
