@@ -86,26 +86,25 @@ INLINE int eye_whole(const stone_cells *c, const cells_eye *e) {
 }
 
 #ifdef SPREADS
-#define FIND_LOOKS CELLS_GROUP /* that go through the stages of finding side by side */
+#define FIND_LOOKS 8 /* that go through the stages of finding side by side */
 
-/* How many looks in a row lie so close together that one list of cells serves them: all, two or
- * one, and no more than `each` was for those before. spans: of each group; a single look may have
- * none. */
+/* The boxes about groups of n looks in a row. 0: some group's lanes are too far apart. */
+INLINE int looks_spans_of(const int n, const cells_own *own, int count, cells_span *spans,
+                          int *near) {
+  if (count % n) return 0;
+  for (int g = 0; g * n < count; g++) {
+    near[g] = cells_span_make(n, CELLS_GROUPED, own + g * n, &spans[g]);
+    if (!near[g] && n > 1) return 0;
+  }
+  return n;
+}
+
+/* How many looks in a row lie so close together that one list of cells serves them: four, two or
+ * one, and no more than `each` was for those before. A look by itself may have no box. */
 INLINE int looks_spans(int each, const cells_own *own, int count, cells_span *spans, int *near) {
-  const float most = CELLS_GROUPED;
-  if (each >= 4 && count == 4) {
-    near[0] = cells_span_make(4, most, own, spans);
-    if (near[0]) return 4;
-  }
-  if (each >= 2 && count % 2 == 0) {
-    int all = 1;
-    for (int l = 0; l < count && all; l += 2)
-      all = near[l / 2] = cells_span_make(2, most, own + l, &spans[l / 2]);
-    if (all) return 2;
-  }
-  for (int l = 0; l < count; l++)
-    near[l] = cells_span_make(1, most, own + l, &spans[l]);
-  return 1;
+  if (each >= 4 && looks_spans_of(4, own, count, spans, near)) return 4;
+  if (each >= 2 && looks_spans_of(2, own, count, spans, near)) return 2;
+  return looks_spans_of(1, own, count, spans, near);
 }
 
 /* cells_find of lanes that lie close together, in stages: how many cells are tried is guessed wrong
@@ -149,7 +148,7 @@ INLINE int looks_find_shared(const stone_cells *c, int graded, int most, int eac
 }
 
 STAGE void looks_find_together(const stone_cells *c, int three, cells_look *looks, int count) {
-  for (int l = 0, each = FIND_LOOKS; l < count; l += FIND_LOOKS) {
+  for (int l = 0, each = CELLS_GROUP; l < count; l += FIND_LOOKS) {
     int n = count - l < FIND_LOOKS ? count - l : FIND_LOOKS;
     if (c->grading > 0.0f) {
       if (three)
