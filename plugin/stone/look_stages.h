@@ -141,8 +141,7 @@ INLINE int looks_find_shared(const stone_cells *c, int graded, int most, int eac
       for (int i = l; i < l + each; i++) cells_nearest(c, graded, most, &own[i], key[i]);
   }
   for (int l = 0; l < count; l++) {
-    for (int k = 0; k < most; k++)
-      looks[l].near[k] = cells_of_key(c, graded, &own[l], key[l][k]);
+    for (int k = 0; k < most; k++) looks[l].near[k] = cells_of_key(c, graded, &own[l], key[l][k]);
   }
   return each;
 }
