@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * The nearest cells of lanes that lie close together: what cells.h finds of each of them
- * alone, to the bit. The cells that may be nearest to any are made once, one to a lane,
- * and those that a bound leaves are tried on all lanes.
+ * The nearest cells of lanes that lie close together, of one look or of some: what cells.h
+ * finds of each of them alone, to the bit. The cells that may be nearest to any are made
+ * once, one to a lane, and those that a bound leaves are tried on all lanes.
  */
 #ifndef SOZAI_STONE_CELLS_SHARED_H
 #define SOZAI_STONE_CELLS_SHARED_H
@@ -52,9 +52,8 @@ INLINE void cells_reach_about(const cells_span *span, const cells_own *own, cell
   }
 }
 
-/* Of `count` looks' lanes, the sides of the box together no more than `most`. 0: they are too far
- * apart. */
-INLINE int cells_span_make(int count, float most, const cells_own *own, cells_span *span) {
+/* Of `count` looks' lanes. 0: they are too far apart, or several looks' for one list. */
+INLINE int cells_span_make(int count, const cells_own *own, cells_span *span) {
   vf half = splat(0.5f), one = splat(1.0f), zero = splat(0.0f), sides = zero;
   vm upper[3][CELLS_GROUP];
   for (int i = 0; i < 3; i++) {
@@ -76,7 +75,7 @@ INLINE int cells_span_make(int count, float most, const cells_own *own, cells_sp
     span->reach[i] = high - low; /* twice half of it */
     sides = sides + span->reach[i];
   }
-  return count == 1 || !any(gt(sides, splat(most)));
+  return count == 1 || !any(gt(sides, splat(CELLS_GROUPED)));
 }
 
 INLINE void cells_list_make(const stone_cells *c, int graded, int most, const cells_span *span,
@@ -163,14 +162,12 @@ INLINE int cells_nearest_shared(const stone_cells *c, int graded, int most, cons
   cells_span span;
   cells_reached reached;
   cells_list list;
-  if (!cells_span_make(1, 0.0f, own, &span)) return 0;
+  if (!cells_span_make(1, own, &span)) return 0;
   cells_reach_about(&span, own, &reached);
   cells_list_make(c, graded, most, &span, &list);
   uint64_t left = cells_list_left(&list, most);
   if (!left) return 0;
-  vf all[1][3] = {{key[0], key[1], key[2]}};
-  cells_list_try(&list, left, most, 1, &reached, all);
-  for (int k = 0; k < most; k++) key[k] = all[0][k];
+  cells_list_try(&list, left, most, 1, &reached, (vf(*)[3])key);
   return 1;
 }
 

@@ -88,19 +88,20 @@ INLINE int eye_whole(const stone_cells *c, const cells_eye *e) {
 #ifdef SPREADS
 #define FIND_LOOKS 8 /* that go through the stages of finding side by side */
 
-/* The boxes about groups of n looks in a row. 0: some group's lanes are too far apart. */
+/* The boxes about groups of n looks in a row. n, or 0: some group has none, or looks are left over.
+ * A look by itself may have none, as `near` tells. */
 INLINE int looks_spans_of(const int n, const cells_own *own, int count, cells_span *spans,
                           int *near) {
   if (count % n) return 0;
   for (int g = 0; g * n < count; g++) {
-    near[g] = cells_span_make(n, CELLS_GROUPED, own + g * n, &spans[g]);
+    near[g] = cells_span_make(n, own + g * n, &spans[g]);
     if (!near[g] && n > 1) return 0;
   }
   return n;
 }
 
 /* How many looks in a row lie so close together that one list of cells serves them: four, two or
- * one, and no more than `each` was for those before. A look by itself may have no box. */
+ * one, and no more than `each` was for those before. */
 INLINE int looks_spans(int each, const cells_own *own, int count, cells_span *spans, int *near) {
   if (each >= 4 && looks_spans_of(4, own, count, spans, near)) return 4;
   if (each >= 2 && looks_spans_of(2, own, count, spans, near)) return 2;

@@ -169,8 +169,9 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
 
 /* ---- light ------------------------------------------------------------- */
 
-#define SMITH_STEEPER 1.6f /* times the slopes' sd: a steeper light is past all of them */
-#define ROOT_TWO 1.41421356f
+/* In Walter et al.'s fit a light whose elevation's tangent is as many times the slopes' sd, and the
+ * root of two times that, is past all of them. */
+#define SMITH_STEEPER 1.6f
 
 /* Whether the light may be less steep than that in some lane; steep2: the variance. */
 INLINE int surface_grazed(vf steep2, vf t) {
@@ -181,7 +182,7 @@ INLINE int surface_grazed(vf steep2, vf t) {
 /* Smith's Lambda for slopes of sd `steep` under a light whose elevation has the
  * tangent t: Walter et al. 2007's fit. */
 INLINE vf surface_lambda(vf steep, vf t) {
-  vf a = t / vmax(steep * splat(ROOT_TWO), splat(1e-4f)), one = splat(1.0f);
+  vf a = t / vmax(steep * splat(1.41421356f), splat(1e-4f)), one = splat(1.0f);
   vf low = vmax(a, splat(1e-3f));
   vf l = (one - low * (splat(1.259f) - splat(0.396f) * low)) /
          (low * (splat(3.535f) + splat(2.181f) * low));
