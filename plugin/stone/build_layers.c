@@ -12,6 +12,7 @@
 #define MEASURED 8192u     /* points, for means that have no formula; whole blocks of every width */
 #define CELLS_WHOLE 0.05f  /* cells: wider looks at that contrast are seen in quarters */
 #define HOLES_FINE 1.4f    /* the finer bends of holes, over those of crystals as bent */
+#define SPECKS_FINE 0.18f  /* cells: the finer bends of specks that are as ragged as can be */
 #define SPARSE 0.15f       /* of cells in most places, a body: fewer are asked for first */
 #define CLOUDS_WHOLE 0.04f /* the same over the turbidity of what is seen */
 
@@ -157,7 +158,7 @@ static body specks_of(const settings *s) {
   body b = {.size = number_at(s, P_SPECK_SIZE),
             .stretch = number_at(s, P_SPECK_STRETCH),
             .grading = 0.8,
-            .interlock = 0.6,
+            .interlock = 0.51 + 0.6 * number_at(s, P_SPECK_RAGGEDNESS),
             .roundness = 0.4,
             .blur = 0.3 * number_at(s, P_GRAIN_BLUR),
             .share = {number_at(s, P_BLACK_SHARE), number_at(s, P_WHITE_SHARE)},
@@ -340,6 +341,7 @@ void stone_build_layers(stone_constants *w, const settings *s, stone_measure *me
   share_bends(&w->layer[LAYER_GRAINS], &bodies[LAYER_GRAINS], &w->layer[LAYER_SPECKS],
               &bodies[LAYER_SPECKS]);
   w->layer[LAYER_HOLES].warp_fine *= HOLES_FINE;
+  w->layer[LAYER_SPECKS].warp_fine = SPECKS_FINE * (float)number_at(s, P_SPECK_RAGGEDNESS);
   w->layer[LAYER_HOLES].least = 1.55f; /* of those the slope is seen, too */
   const stone_cells *raised = &w->layer[LAYER_INCLUSIONS];
   if (raised->on && choice_at(s, P_MODE) == MODE_FABRIC)

@@ -285,6 +285,13 @@ static const sozai_parameter speck_flatness = {
    "lies its own way.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
 
+static const sozai_parameter speck_raggedness = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "speck_raggedness", .label = "Speck raggedness", .group = "specks", .unit = "",
+   .doc = "How frayed their outlines are: 0 smooth, as of crystals that grew freely, 1 as of mica that grew last, in "
+   "what the others left.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.15}};
+
 static const sozai_parameter speck_clustering = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "speck_clustering", .label = "Speck clustering", .group = "specks", .unit = "",
@@ -545,6 +552,7 @@ const sozai_parameter *const stone_parameters[STONE_PARAMETERS] = {
    [P_WHITE_SHARE] = &white_share,
    [P_SPECK_STRETCH] = &speck_stretch,
    [P_SPECK_FLATNESS] = &speck_flatness,
+   [P_SPECK_RAGGEDNESS] = &speck_raggedness,
    [P_SPECK_CLUSTERING] = &speck_clustering,
    [P_VEIN_SPACING] = &vein_spacing,
    [P_VEIN_WIDTH] = &vein_width,

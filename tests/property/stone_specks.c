@@ -1,0 +1,93 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Specks in stone: how ragged their outlines are.
+ */
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "cmocka_all.h"
+#include "truth.h"
+#include "wood.h"
+
+/* Specks alone, in light grey on black. */
+#define PLAIN                                                                                      \
+  "grain_variation=0; second_share=0; third_share=0; mottle=0; cleavage=0; turbidity=0; "          \
+  "base_colour=0 0 0 @ lin_rec709; white_colour=0.5 0.5 0.5 @ lin_rec709; speck_size=3; "
+
+enum { LINES = 800, STEPS = 4000 };
+#define STEP 0.05 /* mm */
+#define SHARE 0.1 /* what specks fill is measured at creation, to some 3 % */
+
+/* Along straight lines: the part that lies in specks, and how often a speck begins to a mm. */
+static void along_lines(double grains, double ragged, double *covered, double *begin) {
+  char text[400];
+  snprintf(text, sizeof text, PLAIN "white_share=%g; grain_size=%g; speck_raggedness=%g", SHARE,
+           grains, ragged);
+  sozai_texture *t = stone_make(NULL, text);
+  points p = {0};
+  uniform_seed(75);
+  for (int l = 0; l < LINES; l++) {
+    double x = 4000 * uniform(), y = 4000 * uniform(), z = 4000 * uniform();
+    for (int i = 0; i < STEPS; i++) points_add(&p, x + STEP * i, y, z, 0);
+  }
+  points_ask_only(&p, t, ONLY3(ALBEDO));
+  *covered = *begin = 0;
+  for (unsigned i = 0; i < p.count; i++) {
+    bool in = p.out[ALBEDO][i] > 0.25f;
+    *covered += in;
+    *begin += in && i % STEPS != 0 && p.out[ALBEDO][i - 1] <= 0.25f;
+  }
+  *covered /= p.count;
+  *begin /= p.count * STEP;
+  points_free(&p);
+  textures->destroy(t);
+}
+
+/* How much larger a surface is, at places moved by noises of a gradient of sd s along each axis
+ * for each of their three numbers: E |n + g|, by sampling, were the gradients normal. */
+static double larger(double s) {
+  double sum = 0;
+  enum { SAMPLES = 200000 };
+  uniform_seed(76);
+  for (int i = 0; i < SAMPLES; i++) {
+    double g[4];
+    for (int k = 0; k < 4; k += 2) {
+      double r = sqrt(-2 * log(1 - uniform())), a = 2 * acos(-1) * uniform();
+      g[k] = s * r * cos(a);
+      g[k + 1] = s * r * sin(a);
+    }
+    sum += sqrt((1 + g[0]) * (1 + g[0]) + g[1] * g[1] + g[2] * g[2]);
+  }
+  return sum / SAMPLES;
+}
+
+/* A line meets an outline as often as there is surface. Bends are value noise of sd 0.45 times
+ * their height, mixed by 3 t^2 - 2 t^3, whose gradient has 2.4 / (26/35) of its variance along each
+ * axis, times the frequency squared: 1.15 to a speck with a height of 0.2 (0.51 + 0.6 r), and 3.5
+ * with 0.18 r. Where crystals are as large, the noises are theirs. */
+static void frayed_outlines_are_longer(void **state) {
+  (void)state;
+  static const double grains[] = {20, 3}, ragged[] = {0, 0.5, 1};
+  for (int g = 0; g < 2; g++) {
+    double smooth[2] = {1, 1};
+    for (int k = 0; k < 3; k++) {
+      double r = ragged[k], covered, begin;
+      double coarse = 1.15 * 0.2 * (0.51 + 0.6 * r), fine = 3.5 * 0.18 * r;
+      double surface = larger(0.45 * sqrt(2.4 / (26.0 / 35.0) * (coarse * coarse + fine * fine)));
+      along_lines(grains[g], r, &covered, &begin);
+      if (k == 0) smooth[0] = begin / covered, smooth[1] = surface;
+      double more = begin / covered / smooth[0], expected = surface / smooth[1];
+      CHECK(fabs(covered - SHARE) < 0.006,
+            "speck_raggedness=%g: specks take %.4f of a line, of %g\n", r, covered, SHARE);
+      CHECK(fabs(more / expected - 1) < 0.02,
+            "speck_raggedness=%g, crystals of %g mm: a line meets %.3f as many, of %.3f\n", r,
+            grains[g], more, expected);
+    }
+  }
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {cmocka_unit_test(frayed_outlines_are_longer)};
+  return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
+}
