@@ -58,6 +58,7 @@ static void build_bands(stone_constants *w, const settings *s) {
   w->vein_frequency = (float)(1.0 / number_at(s, P_VEIN_SPACING));
   w->vein_warp = (float)number_at(s, P_VEIN_WARP);
   w->vein_crossing = (float)number_at(s, P_VEIN_CROSSING);
+  w->vein_variation = (float)number_at(s, P_VEIN_VARIATION);
   build_vein_frames(w);
   w->has_veins = w->vein_width > 0.0f;
   w->seed_bed = hash1(w->seed + 101u);

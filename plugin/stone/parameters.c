@@ -330,6 +330,12 @@ static const sozai_parameter vein_crossing = {
    .doc = "How many of the finer veins there are that cross the first ones in two directions.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.5}};
 
+static const sozai_parameter vein_variation = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "vein_variation", .label = "Vein variation", .group = "veins", .unit = "",
+   .doc = "How streaked veins are along their way: streaks leave out up to this part of their colour, half of it in the mean.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
+
 static const sozai_parameter hole_size = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "hole_size", .label = "Hole size", .group = "holes", .unit = "mm",
@@ -559,6 +565,7 @@ const sozai_parameter *const stone_parameters[STONE_PARAMETERS] = {
    [P_VEIN_SOFTNESS] = &vein_softness,
    [P_VEIN_WARP] = &vein_warp,
    [P_VEIN_CROSSING] = &vein_crossing,
+   [P_VEIN_VARIATION] = &vein_variation,
    [P_HOLE_SIZE] = &hole_size,
    [P_HOLE_SHARE] = &hole_share,
    [P_HOLE_STRETCH] = &hole_stretch,

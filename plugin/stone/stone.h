@@ -161,7 +161,7 @@ typedef struct {
 
   float bed_frequency, bed_contrast, bed_wave, bed_wave_frequency; /* 1/mm; mm */
   float vein_frequency, vein_width, vein_warp, vein_mean;          /* 1/mm; mm */
-  float vein_soft, vein_crossing;                                  /* mm; 0..1 */
+  float vein_soft, vein_crossing, vein_variation;                  /* mm; 0..1 */
   float vein_frame[VEIN_FAMILIES][3][3]; /* rows: across a family's veins, and two along; unit */
   float mottle, mottle_frequency;
   int32_t has_beds, has_veins, has_mottle;

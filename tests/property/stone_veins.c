@@ -152,9 +152,95 @@ static void warp_bends(void **state) {
         mean[2]);
 }
 
+/* What the streaks leave of veins, in the mean of many places, and between which bounds. */
+static void streaks_leave_their_part(void **state) {
+  (void)state;
+  static const double variation[] = {0.3, 0.7, 1};
+  enum { COUNT = 400000 };
+  const char *plain = "vein_spacing=100; vein_width=30; vein_softness=0; vein_warp=0.7; "
+                      "vein_crossing=0.5; vein_variation=%g";
+  points p = {0}, q = {0};
+  uniform_seed(84);
+  for (int i = 0; i < COUNT; i++) {
+    double x = 30000 * uniform(), y = 30000 * uniform();
+    points_add(&p, x, y, 0, 0);
+    points_add(&q, x, y, 0, 0);
+  }
+  char text[200];
+  snprintf(text, sizeof text, plain, 0.0);
+  sozai_texture *even = veined(text);
+  points_ask(&p, even);
+  for (int k = 0; k < 3; k++) {
+    snprintf(text, sizeof text, plain, variation[k]);
+    sozai_texture *t = veined(text);
+    points_ask(&q, t);
+    double sum = 0, all = 0, least = 1, most = 0;
+    for (unsigned i = 0; i < COUNT; i++) {
+      double a = share_at(&p, i), b = share_at(&q, i);
+      all += a;
+      sum += b;
+      if (a < 0.9999) continue;
+      least = fmin(least, b);
+      most = fmax(most, b);
+    }
+    double expected = 1 - 0.5 * variation[k];
+    CHECK(all > 0.01 * COUNT && fabs(sum / all - expected) < 0.02 &&
+              least >= 1 - variation[k] - 1e-5 && least < 1 - 0.9 * variation[k] && most > 0.99,
+          "vein_variation=%g: %.4f of the veins is left (%.4f), from %.4f to %.4f of a place\n",
+          variation[k], sum / all, expected, least, most);
+    textures->destroy(t);
+  }
+  textures->destroy(even);
+  points_free(&p);
+  points_free(&q);
+}
+
+/* Of straight veins: they differ across, not along. */
+static void streaks_go_along(void **state) {
+  (void)state;
+  enum { SIDE = 700 };
+  const char *plain = "vein_spacing=200; vein_width=100; vein_softness=0; vein_warp=0; "
+                      "vein_crossing=0; vein_variation=%g";
+  points p[2] = {{0}, {0}};
+  for (int k = 0; k < 2; k++) {
+    char text[200];
+    snprintf(text, sizeof text, plain, 1.0 * k);
+    sozai_texture *t = veined(text);
+    for (int j = 0; j < SIDE; j++)
+      for (int i = 0; i < SIDE; i++) points_add(&p[k], 2 * i, 2 * j, 0, 0);
+    points_ask(&p[k], t);
+    textures->destroy(t);
+  }
+  double tensor[2][3] = {{0}};
+  for (unsigned j = 1; j + 1 < SIDE; j++) {
+    for (unsigned i = 1; i + 1 < SIDE; i++) {
+      unsigned at = j * SIDE + i, near[4] = {at + 1, at - 1, at + SIDE, at - SIDE};
+      int within = 1;
+      for (int m = 0; m < 4; m++) within &= share_at(&p[0], near[m]) > 0.9999;
+      const points *q = &p[within]; /* of the veins' own borders, or of streaks within */
+      double x = share_at(q, near[0]) - share_at(q, near[1]);
+      double y = share_at(q, near[2]) - share_at(q, near[3]);
+      tensor[within][0] += x * x, tensor[within][1] += x * y, tensor[within][2] += y * y;
+    }
+  }
+  double way[2][2];
+  for (int k = 0; k < 2; k++) {
+    double a = tensor[k][0] - tensor[k][2], b = 2 * tensor[k][1], sum = tensor[k][0] + tensor[k][2];
+    way[k][0] = a / sum;
+    way[k][1] = b / sum;
+  }
+  double streaks = hypot(way[1][0], way[1][1]), veins = hypot(way[0][0], way[0][1]);
+  double alike = (way[0][0] * way[1][0] + way[0][1] * way[1][1]) / (streaks * veins);
+  CHECK(streaks > 0.6 && veins > 0.6 && alike > 0.95,
+        "streaks lie one way by %.3f of 1, veins by %.3f, and that way is the same by %.3f of 1\n",
+        streaks, veins, alike);
+  for (int k = 0; k < 2; k++) points_free(&p[k]);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(lengths_are_mm), cmocka_unit_test(areas_go_with_width),
-      cmocka_unit_test(crossing_is_other_ways), cmocka_unit_test(warp_bends)};
+      cmocka_unit_test(lengths_are_mm),           cmocka_unit_test(areas_go_with_width),
+      cmocka_unit_test(crossing_is_other_ways),   cmocka_unit_test(warp_bends),
+      cmocka_unit_test(streaks_leave_their_part), cmocka_unit_test(streaks_go_along)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

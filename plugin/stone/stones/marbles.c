@@ -22,7 +22,8 @@ static const sozai_value values_carrara[] = {
     NUMBER("vein_softness", 3.0),
     NUMBER("vein_warp", 0.6),
     NUMBER("vein_crossing", 0.4),
-    SRGB("vein_colour", 158, 163, 169),
+    NUMBER("vein_variation", 0.6),
+    SRGB("vein_colour", 140, 146, 154),
     NUMBER("ior", 1.6),
 };
 STONE(carrara, "Carrara marble (Bianco Carrara)",
@@ -49,7 +50,8 @@ static const sozai_value values_statuario[] = {
     NUMBER("vein_softness", 5.0),
     NUMBER("vein_warp", 0.8),
     NUMBER("vein_crossing", 0.55),
-    SRGB("vein_colour", 132, 136, 142),
+    NUMBER("vein_variation", 0.7),
+    SRGB("vein_colour", 106, 110, 118),
     NUMBER("ior", 1.6),
 };
 STONE(statuario, "Statuario (marble, Carrara)",
@@ -76,7 +78,8 @@ static const sozai_value values_calacatta[] = {
     NUMBER("vein_softness", 14.0),
     NUMBER("vein_warp", 0.9),
     NUMBER("vein_crossing", 0.6),
-    SRGB("vein_colour", 172, 156, 132),
+    NUMBER("vein_variation", 0.75),
+    SRGB("vein_colour", 152, 131, 102),
     NUMBER("ior", 1.6),
 };
 STONE(calacatta, "Calacatta Oro (marble, Apuan Alps)",
@@ -104,7 +107,8 @@ static const sozai_value values_bardiglio[] = {
     NUMBER("vein_softness", 3.0),
     NUMBER("vein_warp", 0.4),
     NUMBER("vein_crossing", 0.25),
-    SRGB("vein_colour", 88, 93, 101),
+    NUMBER("vein_variation", 0.5),
+    SRGB("vein_colour", 74, 79, 88),
     NUMBER("ior", 1.6),
 };
 STONE(bardiglio, "Bardiglio (marble, Apuan Alps)",
@@ -129,6 +133,7 @@ static const sozai_value values_nero_marquina[] = {
     NUMBER("vein_softness", 0.35),
     NUMBER("vein_warp", 0.8),
     NUMBER("vein_crossing", 0.7),
+    NUMBER("vein_variation", 0.4),
     SRGB("vein_colour", 212, 210, 206),
     NUMBER("ior", 1.6),
 };
@@ -164,6 +169,7 @@ static const sozai_value values_emperador[] = {
     NUMBER("vein_softness", 0.4),
     NUMBER("vein_warp", 1.0),
     NUMBER("vein_crossing", 1.0),
+    NUMBER("vein_variation", 0.4),
     SRGB("vein_colour", 186, 156, 126),
     NUMBER("ior", 1.6),
 };
@@ -199,6 +205,7 @@ static const sozai_value values_rosso_levanto[] = {
     NUMBER("vein_softness", 0.5),
     NUMBER("vein_warp", 0.9),
     NUMBER("vein_crossing", 1.0),
+    NUMBER("vein_variation", 0.5),
     SRGB("vein_colour", 208, 196, 190),
     NUMBER("ior", 1.6),
 };
@@ -235,6 +242,7 @@ static const sozai_value values_verde_alpi[] = {
     NUMBER("vein_softness", 0.6),
     NUMBER("vein_warp", 0.9),
     NUMBER("vein_crossing", 1.0),
+    NUMBER("vein_variation", 0.5),
     SRGB("vein_colour", 160, 184, 166),
     NUMBER("ior", 1.6),
 };
