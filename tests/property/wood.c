@@ -4,6 +4,8 @@
 #include "cmocka_all.h"
 
 #include <dlfcn.h>
+#include <limits.h>
+#include <malloc.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,8 +21,17 @@ static void stop(const char *what, const char *why) {
   exit(1);
 }
 
+/* Arrays of points grow, and go: memory that is given back each time has to be mapped anew, which
+ * took longer than the points. */
+static void keep_memory(void) {
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, INT_MAX);
+  mallopt(M_TOP_PAD, 1 << 24);
+}
+
 int wood_setup(void **state) {
   (void)state;
+  keep_memory();
   library = dlopen(SOZAI_TEST_PLUGIN, RTLD_NOW | RTLD_LOCAL);
   if (!library) stop(SOZAI_TEST_PLUGIN, dlerror());
   entry = dlsym(library, SOZAI_ENTRY_SYMBOL);
