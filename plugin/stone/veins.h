@@ -92,27 +92,29 @@ INLINE vf vein_strip(vf low, vf high, vf inverse) {
 #define VEIN_STREAK_CUT 0.6f /* of those cells: wider footprints are seen in two parts */
 #define VEIN_STREAK_HIGH 1.25f
 
-/* Of a value noise's place what it tells of an extent's mean, by regression over 60,000 of each:
- * 0.87 of one cell (0.88), 0.61 of two (0.64), 0.39 of three (0.45); past 8 nothing. */
-INLINE vf vein_streak_keep(vf e) {
-  vf k = splat(1.0f) / (splat(1.0f) + splat(0.137f) * e * e);
-  return vmax(splat(1.1f) * k - splat(0.1f), splat(0.0f));
+/* Of a value noise's place what it tells of an extent's mean, and of a finer one's. By regression
+ * over 60,000 of each: 0.87 of one cell (0.88), 0.61 of two (0.64), 0.39 of three (0.45); past 8
+ * nothing. */
+INLINE void vein_streak_keep(vf e, vf keep[2]) {
+  const vf one = splat(1.0f), finer = splat(VEIN_STREAK_FINER * VEIN_STREAK_FINER);
+  e = vmin(e, splat(100.0f));
+  vf e2 = splat(0.137f) * e * e, a = one + e2, b = one + finer * e2, k = splat(1.1f) / (a * b);
+  keep[0] = vmax(b * k - splat(0.1f), splat(0.0f));
+  keep[1] = vmax(a * k - splat(0.1f), splat(0.0f));
 }
 
-/* One of the two noises; at a place across, of an extent, in its cells. */
-INLINE vf vein_streak_octave(vu seed, const noise_axis *along, vf x, vf e) {
-  const vf far = splat(128.0f), zero = splat(0.0f);
-  vf keep = vein_streak_keep(e), unused;
-  if (!any(gt(keep, zero))) return zero;
-  noise_axis across = noise_split_cubic(clamp(x, zero - far, far), HASH_Z);
-  return keep * noise_value2(along, &across, seed, &unused, &unused);
-}
-
-/* Within +-1, mean 0. */
-INLINE vf vein_streak(vu seed, const vein_lattice fine[2], vf x, vf e) {
-  const vf one = splat(1.0f), finer = splat(VEIN_STREAK_FINER);
-  vf n = vein_streak_octave(seed + splatu(50u), &fine[0].u, x, e) +
-         splat(0.7f) * vein_streak_octave(seed + splatu(51u), &fine[1].v, x * finer, e * finer);
+/* Within +-1, mean 0. x: the place across, in cells; keep: of the noise and of the finer one. */
+INLINE vf vein_streak(vu seed, const vein_lattice fine[2], vf x, const vf keep[2]) {
+  const vf far = splat(128.0f), zero = splat(0.0f), one = splat(1.0f);
+  const noise_axis *along[2] = {&fine[0].u, &fine[1].v};
+  const float finer[2] = {1.0f, VEIN_STREAK_FINER}, high[2] = {1.0f, 0.7f};
+  vf n = zero, unused;
+  for (uint32_t o = 0; o < 2; o++) {
+    if (!any(gt(keep[o], zero))) continue;
+    noise_axis across = noise_split_cubic(clamp(x * splat(finer[o]), zero - far, far), HASH_Z);
+    n = n + splat(high[o]) * keep[o] *
+                noise_value2(along[o], &across, seed + splatu(50u + o), &unused, &unused);
+  }
   return clamp(splat(VEIN_STREAK_HIGH / HASH_ONE) * n, splat(-1.0f), one);
 }
 
@@ -120,18 +122,22 @@ INLINE vf vein_streak(vu seed, const vein_lattice fine[2], vf x, vf e) {
  * squared; mm. */
 INLINE vf vein_streaks(const stone_constants *w, const vein_family *f, vu seed, vf widest, vf d,
                        vf e2, const vein_lattice fine[2]) {
-  const vf one = splat(1.0f);
+  const vf one = splat(1.0f), zero = splat(0.0f), most = splat(0.5f * w->vein_variation);
   vf per = splat(VEIN_STREAK) / vmax(widest, splat(1e-4f * f->spacing));
   vf x = d * per, e = vsqrt(e2) * per, n;
   vm cut = gt(e, splat(VEIN_STREAK_CUT));
+  vf part = sel(cut, splat(0.5f) * e, e);
+  vf keep[2];
+  vein_streak_keep(part, keep);
+  if (!any(gt(keep[0], zero))) return one - most;
   if (any(cut)) {
-    vf half = sel(cut, splat(0.5f) * e, e), off = sel(cut, splat(0.25f) * e, splat(0.0f));
+    vf off = sel(cut, splat(0.25f) * e, zero);
     n = splat(0.5f) *
-        (vein_streak(seed, fine, x - off, half) + vein_streak(seed, fine, x + off, half));
+        (vein_streak(seed, fine, x - off, keep) + vein_streak(seed, fine, x + off, keep));
   } else {
-    n = vein_streak(seed, fine, x, e);
+    n = vein_streak(seed, fine, x, keep);
   }
-  return one - splat(0.5f * w->vein_variation) * (one + n);
+  return one - most * (one + n);
 }
 
 /* The share of the footprint that a sheet takes. widest: half its width, at most, mm; from,
