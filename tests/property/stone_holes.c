@@ -3,11 +3,10 @@
  * Holes in stone: how many of them are small, and how they differ.
  */
 #include <math.h>
-#include <stdbool.h>
 #include <stdio.h>
 
 #include "cmocka_all.h"
-#include "truth.h"
+#include "lines.h"
 #include "wood.h"
 
 /* Holes alone, in black. */
@@ -16,31 +15,14 @@
   "base_colour=0 0 0 @ lin_rec709; hole_colour=0.5 0.5 0.5 @ lin_rec709; hole_size=3; "            \
   "hole_raggedness=0; "
 
-enum { LINES = 2000, STEPS = 2000 };
-#define STEP 0.1  /* mm */
 #define SHARE 0.1 /* what holes fill is measured at creation, to some 3 % */
 
-/* Along straight lines: the part that lies in holes, and how often a hole begins to a mm. */
-static void along_lines(double fines, double *covered, double *begin) {
+static void cut_by_lines(double fines, double *covered, double *begin) {
   char text[400];
   snprintf(text, sizeof text, PLAIN "hole_share=%g; hole_fines=%g", SHARE, fines);
   sozai_texture *t = stone_make(NULL, text);
-  points p = {0};
   uniform_seed(73);
-  for (int l = 0; l < LINES; l++) {
-    double x = 4000 * uniform(), y = 4000 * uniform(), z = 4000 * uniform();
-    for (int i = 0; i < STEPS; i++) points_add(&p, x + STEP * i, y, z, 0);
-  }
-  points_ask_only(&p, t, ONLY3(ALBEDO));
-  *covered = *begin = 0;
-  for (unsigned i = 0; i < p.count; i++) {
-    bool in = p.out[ALBEDO][i] > 0.25f;
-    *covered += in;
-    *begin += in && i % STEPS != 0 && p.out[ALBEDO][i - 1] <= 0.25f;
-  }
-  *covered /= p.count;
-  *begin /= p.count * STEP;
-  points_free(&p);
+  lines_meet(&(lines){2000, 2000, 0.1}, t, covered, begin);
   textures->destroy(t);
 }
 
@@ -51,7 +33,7 @@ static void fines_are_small(void **state) {
   (void)state;
   double covered[2], begin[2];
   for (int k = 0; k < 2; k++) {
-    along_lines(k, &covered[k], &begin[k]);
+    cut_by_lines(k, &covered[k], &begin[k]);
     CHECK(fabs(covered[k] - SHARE) < 0.006, "hole_fines=%d: holes take %.4f of a line, of %g\n", k,
           covered[k], SHARE);
   }

@@ -3,11 +3,10 @@
  * Specks in stone: how ragged their outlines are.
  */
 #include <math.h>
-#include <stdbool.h>
 #include <stdio.h>
 
 #include "cmocka_all.h"
-#include "truth.h"
+#include "lines.h"
 #include "wood.h"
 
 /* Specks alone, in light grey on black. */
@@ -15,32 +14,15 @@
   "grain_variation=0; second_share=0; third_share=0; mottle=0; cleavage=0; turbidity=0; "          \
   "base_colour=0 0 0 @ lin_rec709; white_colour=0.5 0.5 0.5 @ lin_rec709; speck_size=3; "
 
-enum { LINES = 800, STEPS = 4000 };
-#define STEP 0.05 /* mm */
 #define SHARE 0.1 /* what specks fill is measured at creation, to some 3 % */
 
-/* Along straight lines: the part that lies in specks, and how often a speck begins to a mm. */
-static void along_lines(double grains, double ragged, double *covered, double *begin) {
+static void cut_by_lines(double grains, double ragged, double *covered, double *begin) {
   char text[400];
   snprintf(text, sizeof text, PLAIN "white_share=%g; grain_size=%g; speck_raggedness=%g", SHARE,
            grains, ragged);
   sozai_texture *t = stone_make(NULL, text);
-  points p = {0};
   uniform_seed(75);
-  for (int l = 0; l < LINES; l++) {
-    double x = 4000 * uniform(), y = 4000 * uniform(), z = 4000 * uniform();
-    for (int i = 0; i < STEPS; i++) points_add(&p, x + STEP * i, y, z, 0);
-  }
-  points_ask_only(&p, t, ONLY3(ALBEDO));
-  *covered = *begin = 0;
-  for (unsigned i = 0; i < p.count; i++) {
-    bool in = p.out[ALBEDO][i] > 0.25f;
-    *covered += in;
-    *begin += in && i % STEPS != 0 && p.out[ALBEDO][i - 1] <= 0.25f;
-  }
-  *covered /= p.count;
-  *begin /= p.count * STEP;
-  points_free(&p);
+  lines_meet(&(lines){800, 4000, 0.05}, t, covered, begin);
   textures->destroy(t);
 }
 
@@ -75,7 +57,7 @@ static void frayed_outlines_are_longer(void **state) {
       double r = ragged[k], covered, begin;
       double coarse = 1.15 * 0.2 * (0.51 + 0.6 * r), fine = 3.5 * 0.18 * r;
       double surface = larger(0.45 * sqrt(2.4 / (26.0 / 35.0) * (coarse * coarse + fine * fine)));
-      along_lines(grains[g], r, &covered, &begin);
+      cut_by_lines(grains[g], r, &covered, &begin);
       if (k == 0) smooth[0] = begin / covered, smooth[1] = surface;
       double more = begin / covered / smooth[0], expected = surface / smooth[1];
       CHECK(fabs(covered - SHARE) < 0.006,
