@@ -130,7 +130,7 @@ static void against_1024_samples(void **state) {
 }
 
 /* Of granite's crystals under half a cover of moss the covariance is nobody's: the goal of 0.01 is
- * missed there by some, and this holds by how much. */
+ * missed there by one, and this holds by how much. */
 static void under_moss(void **state) {
   (void)state;
   static const struct {
@@ -148,8 +148,9 @@ static void under_moss(void **state) {
     row(mossy[k].preset, t, SOME, LEVEL, 0, &worst, &worst_mean);
     textures->destroy(t);
   }
-  CHECK(worst <= 0.012, "under moss: worst RMS %.4f (goal 0.01, held at 0.012); %u of %u miss it\n",
-        worst, missed, MOSSY * SIZES);
+  CHECK(worst <= 0.012 && missed <= 1,
+        "under moss: worst RMS %.4f (goal 0.01, held at 0.012); %u of %u miss it (1)\n", worst,
+        missed, MOSSY * SIZES);
   CHECK(beyond <= 0,
         "worst mean %.4f; beyond 0.002 and three standard errors of %d places by %.4f at most\n",
         worst_mean, SOME, fmax(beyond, 0));

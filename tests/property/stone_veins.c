@@ -86,7 +86,26 @@ static void areas_go_with_width(void **state) {
   }
 }
 
-/* How much more borders face one way than the other: 0 to 1, of their gradients' tensor. */
+/* Which way slopes face: their tensor. */
+typedef struct {
+  double xx, xy, yy;
+} facing;
+
+/* between: the points to the right, to the left, above and below. */
+static void facing_add(facing *f, const points *p, const unsigned between[4]) {
+  double x = share_at(p, between[0]) - share_at(p, between[1]);
+  double y = share_at(p, between[2]) - share_at(p, between[3]);
+  f->xx += x * x, f->xy += x * y, f->yy += y * y;
+}
+
+/* At twice the angle of the way that more of them face, how much more: 0 to 1. */
+static double facing_way(const facing *f, double way[2]) {
+  way[0] = (f->xx - f->yy) / (f->xx + f->yy);
+  way[1] = 2 * f->xy / (f->xx + f->yy);
+  return hypot(way[0], way[1]);
+}
+
+/* How much more borders face one way than the other. */
 static double one_way(const sozai_texture *t) {
   enum { SIDE = 300 };
   const double step = 2;
@@ -95,17 +114,16 @@ static double one_way(const sozai_texture *t) {
     for (int i = 0; i < SIDE; i++) points_add(&p, step * i, step * j, 0, step);
   }
   points_ask(&p, t);
-  double xx = 0, xy = 0, yy = 0;
+  facing f = {0};
+  double way[2];
   for (unsigned j = 1; j + 1 < SIDE; j++) {
     for (unsigned i = 1; i + 1 < SIDE; i++) {
       unsigned at = j * SIDE + i;
-      double x = share_at(&p, at + 1) - share_at(&p, at - 1);
-      double y = share_at(&p, at + SIDE) - share_at(&p, at - SIDE);
-      xx += x * x, xy += x * y, yy += y * y;
+      facing_add(&f, &p, (unsigned[4]){at + 1, at - 1, at + SIDE, at - SIDE});
     }
   }
   points_free(&p);
-  return sqrt((xx - yy) * (xx - yy) + 4 * xy * xy) / (xx + yy);
+  return facing_way(&f, way);
 }
 
 static void crossing_is_other_ways(void **state) {
@@ -211,25 +229,16 @@ static void streaks_go_along(void **state) {
     points_ask(&p[k], t);
     textures->destroy(t);
   }
-  double tensor[2][3] = {{0}};
+  facing f[2] = {{0, 0, 0}, {0, 0, 0}}; /* the veins' own borders, and streaks within */
   for (unsigned j = 1; j + 1 < SIDE; j++) {
     for (unsigned i = 1; i + 1 < SIDE; i++) {
-      unsigned at = j * SIDE + i, near[4] = {at + 1, at - 1, at + SIDE, at - SIDE};
+      unsigned at = j * SIDE + i, between[4] = {at + 1, at - 1, at + SIDE, at - SIDE};
       int within = 1;
-      for (int m = 0; m < 4; m++) within &= share_at(&p[0], near[m]) > 0.9999;
-      const points *q = &p[within]; /* of the veins' own borders, or of streaks within */
-      double x = share_at(q, near[0]) - share_at(q, near[1]);
-      double y = share_at(q, near[2]) - share_at(q, near[3]);
-      tensor[within][0] += x * x, tensor[within][1] += x * y, tensor[within][2] += y * y;
+      for (int m = 0; m < 4; m++) within &= share_at(&p[0], between[m]) > 0.9999;
+      facing_add(&f[within], &p[within], between);
     }
   }
-  double way[2][2];
-  for (int k = 0; k < 2; k++) {
-    double a = tensor[k][0] - tensor[k][2], b = 2 * tensor[k][1], sum = tensor[k][0] + tensor[k][2];
-    way[k][0] = a / sum;
-    way[k][1] = b / sum;
-  }
-  double streaks = hypot(way[1][0], way[1][1]), veins = hypot(way[0][0], way[0][1]);
+  double way[2][2], veins = facing_way(&f[0], way[0]), streaks = facing_way(&f[1], way[1]);
   double alike = (way[0][0] * way[1][0] + way[0][1] * way[1][1]) / (streaks * veins);
   CHECK(streaks > 0.6 && veins > 0.6 && alike > 0.95,
         "streaks lie one way by %.3f of 1, veins by %.3f, and that way is the same by %.3f of 1\n",
