@@ -18,7 +18,7 @@
 
 typedef struct {
   double size, stretch, grading, interlock, gap, roundness, variation, blur, share[2];
-  double depth, cleavage, turbidity, flatness, cluster, rest, rim, fines;
+  double depth, cleavage, turbidity, flatness, cluster, rest, rim, fines, clear;
 } body;
 
 static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped) {
@@ -36,6 +36,7 @@ static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped
   c->variation = (float)b->variation;
   c->calm = (float)(1.0 - b->rest);
   c->blur = (float)(b->blur / b->size);
+  c->opacity = (float)(1.0 - b->clear);
   c->rim = (float)(b->rim / b->size);
   c->depth = (float)(0.6 * b->depth);
   c->cleavage = (float)b->cleavage;
@@ -147,6 +148,7 @@ static body inclusions_of(const settings *s) {
             .variation = number_at(s, P_INCLUSION_VARIATION),
             .blur = number_at(s, P_INCLUSION_BLUR),
             .rim = number_at(s, P_INCLUSION_RIM),
+            .clear = 1.0 - number_at(s, P_INCLUSION_OPACITY),
             .cleavage = number_at(s, P_INCLUSION_CLEAVAGE),
             .turbidity = number_at(s, P_INCLUSION_TURBIDITY),
             .share = {number_at(s, P_INCLUSION_SHARE), number_at(s, P_INCLUSION_SECOND_SHARE)}};
@@ -215,12 +217,13 @@ static double layer_contrast(const settings *s, const stone_cells *c, int first,
     double light[2] = {light_of(s, first, k), light_of(s, second, k)};
     double mean = below[k], square = mean * mean;
     for (int i = 0; i < 2; i++) {
+      light[i] = below[k] + (double)c->opacity * (light[i] - below[k]);
       mean += (double)c->mean[i] * (light[i] - below[k]);
       square += (double)c->mean[i] * (light[i] * light[i] - below[k] * below[k]);
     }
     double clouds = CLOUDS_SD * (double)c->turbidity, lamellae = LAMELLAE_SD * (double)c->cleavage;
     square += ((double)(c->variation * c->variation) + clouds * clouds + lamellae * lamellae) *
-              mean * mean;
+              (double)(c->opacity * c->opacity) * mean * mean;
     double variance = square - mean * mean;
     double sd = variance > 0.0 ? __builtin_sqrt(variance / (mean + 0.01)) : 0.0;
     if (sd > most) most = sd;

@@ -112,7 +112,7 @@ STAGE int stage_layer(const stone_constants *w, int n, block *blocks, int count)
   if (once && seen) eyes_look(c, eyes, seen);
   for (int b = 0; b < seen; b++) {
     stage_seen(w, l, &eyes[b], of[b]);
-    int all = c->shaped && !any(lt(of[b]->cover[l].of[0], splat(1.0f)));
+    int all = c->shaped && c->opacity == 1.0f && !any(lt(of[b]->cover[l].of[0], splat(1.0f)));
     if (!all || n <= of[b]->hidden) continue;
     of[b]->hidden = n;
     for (int m = 0; m < n; m++) of[b]->cover[fabric_order[m]] = cells_none();
@@ -157,7 +157,10 @@ INLINE void fabric_with(const stone_constants *w, const fabric_stack *o, const b
   for (int n = 0; n < o->count; n++) {
     for (int c = 0; c < 3; c++) out[c] = out[c] * (one - o->cover[n]);
     if (!(k->mixed[layer] >> o->layer[n] & 1)) continue;
-    const vf *with = k->with[pair_of(layer, o->layer[n])];
+    const vf *both = k->with[pair_of(layer, o->layer[n])];
+    vf with[CELLS_PARTS];
+    const vf opacity = splat(w->layer[o->layer[n]].opacity);
+    for (int p = 0; p < CELLS_PARTS; p++) with[p] = both[p] * opacity;
     for (int c = 0; c < 3; c++) {
       out[c] = out[c] + with[1] * splat(w->colour[o->colour[n][0]][c]) +
                with[2] * splat(w->colour[o->colour[n][1]][c]) - with[0] * o->under[n][c];
@@ -176,24 +179,27 @@ INLINE void fabric_add(fabric_stack *o, int layer, int first, int second, vf cov
   for (int c = 0; c < 3; c++) o->under[n][c] = under[c];
 }
 
-/* Two colours of the palette, by their shares, over a part of what is there: that part. */
+/* Two colours of the palette, by their shares, over a part of what is there: that part, which
+ * hides what is below as far as the layer is opaque. */
 INLINE vf lay_over(const stone_constants *w, int layer, int first, int second, fabric_stack *o,
                    block *k) {
   vf one = splat(1.0f), zero = splat(0.0f), with[3] = {zero, zero, zero};
   const cells_cover *q = &k->cover[layer];
+  const vf opacity = splat(w->layer[layer].opacity);
   int mixed = k->mixed[layer];
-  vf cover = vmin(q->of[0], one);
+  vf cover = vmin(q->of[0], one), hides = cover * opacity;
+  vf own[2] = {q->of[1] * opacity, q->of[2] * opacity};
   if (mixed) fabric_with(w, o, k, layer, with);
-  fabric_add(o, layer, first, second, cover, k->albedo);
+  fabric_add(o, layer, first, second, hides, k->albedo);
   for (int c = 0; c < 3; c++) {
-    k->albedo[c] = k->albedo[c] * (one - cover) + q->of[1] * splat(w->colour[first][c]) +
-                   q->of[2] * splat(w->colour[second][c]);
+    k->albedo[c] = k->albedo[c] * (one - hides) + own[0] * splat(w->colour[first][c]) +
+                   own[1] * splat(w->colour[second][c]);
     /* no darker than black, but for what a palette has below that */
-    if (mixed) k->albedo[c] = vmax(k->albedo[c] - with[c], vmin(k->albedo[c], zero));
+    if (mixed) k->albedo[c] = vmax(k->albedo[c] - with[c] * opacity, vmin(k->albedo[c], zero));
   }
-  k->speck = k->speck * (one - cover);
+  k->speck = k->speck * (one - hides);
   if (mixed >> LAYER_SPECKS & 1)
-    k->speck = vmax(k->speck - k->with[pair_of(layer, LAYER_SPECKS)][0], zero);
+    k->speck = vmax(k->speck - k->with[pair_of(layer, LAYER_SPECKS)][0] * opacity, zero);
   return cover;
 }
 

@@ -247,6 +247,14 @@ static const sozai_parameter inclusion_turbidity = {
    .doc = "How clouded and flecked inclusions are within, as altered phenocrysts are.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
 
+static const sozai_parameter inclusion_opacity = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "inclusion_opacity", .label = "Inclusion opacity", .group = "inclusions", .unit = "",
+   .doc = "How much inclusions hide of what they lie in: 1 all, as chips and phenocrysts do; below, its "
+   "grains, specks, beds and clouds are seen on within them, as in nodules, fossils and fragments of "
+   "the same rock.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {1}};
+
 static const sozai_parameter inclusion_relief = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "inclusion_relief", .label = "Inclusion relief", .group = "inclusions", .unit = "mm",
@@ -552,6 +560,7 @@ const sozai_parameter *const stone_parameters[STONE_PARAMETERS] = {
    [P_INCLUSION_RIM] = &inclusion_rim,
    [P_INCLUSION_CLEAVAGE] = &inclusion_cleavage,
    [P_INCLUSION_TURBIDITY] = &inclusion_turbidity,
+   [P_INCLUSION_OPACITY] = &inclusion_opacity,
    [P_INCLUSION_RELIEF] = &inclusion_relief,
    [P_SPECK_SIZE] = &speck_size,
    [P_BLACK_SHARE] = &black_share,

@@ -74,6 +74,7 @@ typedef struct {
   float variation;             /* of brightness from cell to cell; */
   float calm;                  /* of that and of lamellae kind 2 has this part, of bodies */
   float blur;                  /* mm over size: crystals let light through at their edges */
+  float opacity;               /* share of what is below that bodies hide */
   float depth;                 /* share of light that comes through from behind them */
   float cleavage, turbidity;   /* what is seen within a crystal: crystals.h */
   float swell;                 /* what the widest looks see of bodies in excess, a part of them */
