@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "control.h"
+#include "memory.h"
 
 static const char *const sets[] = {"avx512", "avx2", "sse2", "neon", "scalar"};
 
@@ -100,4 +101,10 @@ static void stack_of(subject *s, const sozai_texture_info *info, const char *pre
 }
 
 /* "Any thread": the smallest stacks that are usual are of 512 KiB. */
-void batches_stack(subject *s) { start_each_texture(s, 2, stack_of); }
+void batches_stack(subject *s) {
+  if (memory_sanitized()) {
+    skipped("a sanitizer's frames are larger");
+    return;
+  }
+  start_each_texture(s, 2, stack_of);
+}

@@ -11,18 +11,19 @@
 #include <string.h>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define WATCHED 0
+#define SANITIZED 1
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define WATCHED 0
+#define SANITIZED 1
 #endif
 #endif
-#ifndef WATCHED
-#ifdef __GLIBC__
+#ifndef SANITIZED
+#define SANITIZED 0
+#endif
+#if defined(__GLIBC__) && !SANITIZED
 #define WATCHED 1
 #else
 #define WATCHED 0
-#endif
 #endif
 
 static _Thread_local uint64_t calls, locks;
@@ -30,6 +31,7 @@ static atomic_int_fast64_t live;
 static atomic_bool scribbling;
 
 bool memory_watched(void) { return WATCHED; }
+bool memory_sanitized(void) { return SANITIZED; }
 void memory_scribble(void) { atomic_store(&scribbling, true); }
 uint64_t memory_calls(void) { return calls; }
 int64_t memory_live(void) { return (int64_t)atomic_load(&live); }

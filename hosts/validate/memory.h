@@ -9,6 +9,8 @@
 
 /* Whether they are: not under a sanitizer, which has these functions itself. */
 bool memory_watched(void);
+/* Whether a sanitizer built this, and so likely what it loads. */
+bool memory_sanitized(void);
 /* Calls of malloc and its like by this thread so far. */
 uint64_t memory_calls(void);
 /* From now on fresh memory holds rubbish, and memory given back too: what is

@@ -12,12 +12,16 @@
  * is fetched anew, of which all together do not stay near. */
 #define STONE_BLOCKS CELLS_EYES
 
-/* Pairs of layers, one over the other; the number of one. */
-#define STONE_PAIRS (STONE_LAYERS * (STONE_LAYERS - 1) / 2)
+/* Pairs of layers, one over the other, moss over all; the number of one. */
+#define STONE_COVERS (STONE_LAYERS + 1)
+#define STONE_PAIRS (STONE_COVERS * (STONE_COVERS - 1) / 2)
 INLINE int pair_of(int over, int under) {
   /* from the lowest */
-  static const int place[STONE_LAYERS] = {
-      [LAYER_GRAINS] = 0, [LAYER_SPECKS] = 1, [LAYER_INCLUSIONS] = 2, [LAYER_HOLES] = 3};
+  static const int place[STONE_COVERS] = {[LAYER_GRAINS] = 0,
+                                          [LAYER_SPECKS] = 1,
+                                          [LAYER_INCLUSIONS] = 2,
+                                          [LAYER_HOLES] = 3,
+                                          [OVER_MOSS] = 4};
   return place[over] * (place[over] - 1) / 2 + place[under];
 }
 
@@ -36,8 +40,12 @@ typedef struct {
   vu crystal;                           /* that the point is in */
   int hidden; /* how many of the layers, from below, no lane sees anything of */
   cells_cover cover[STONE_LAYERS];
-  int mixed[STONE_LAYERS];           /* a bit to each layer below that it covers unevenly */
+  int mixed[STONE_COVERS];           /* a bit to each layer below that it covers unevenly */
   vf with[STONE_PAIRS][CELLS_PARTS]; /* where it does: its covariances with their shares */
+  int mossed;                        /* its shares are known, */
+  moss_shares moss;                  /* and here; */
+  vf moss_hides[3];                  /* the covariance of its share with the stone's colour */
+  int square;                        /* the footprint is square to a normal that was given */
   laid laid;                         /* where there is a paving */
   field relief;                      /* mm, with its slope; */
   vf relief_square;                  /* its variance under the footprint */

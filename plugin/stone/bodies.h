@@ -80,8 +80,11 @@ INLINE vf cells_flake(const cells_edge *e, vf half, const cells_parts *p, int pa
 }
 
 /* How many of the nearest cells tell what is there: a footprint at a body's corner has two of its
- * faces. A flake's outline is mostly its own. */
+ * faces. A flake's outline is mostly its own, and small footprints at its corners are few. */
 INLINE int cells_asked(const stone_cells *c) { return c->shaped && c->thick >= 1.0f ? 3 : 2; }
+
+/* Whether larger ones ask a third cell that not all do. */
+INLINE int cells_may_third(const stone_cells *c) { return !c->shaped || c->thick < 1.0f; }
 
 /* What two cells' power distances differ by, and by how much it grows along each axis. */
 INLINE vf cells_differ(const cells_near *a, const cells_near *b, vf g[3]) {
@@ -122,18 +125,22 @@ INLINE vf cells_calm(const stone_cells *c, vf mean, vf tone) {
 }
 
 /* How much of each part of the square has a body, `less` smaller all round: it ends at the faces to
- * both of the others. */
+ * both of the others. three: a flake's third cell is known, and counts as much as `third`. */
 INLINE void cells_within(const stone_cells *c, const cells_near near[3], int n, vf less,
-                         const cells_square *s, const cells_parts *p, vf cover[4]) {
-  int third = cells_asked(c) > 2, rounded = c->radius < 4.0f;
+                         const cells_square *s, const cells_parts *p, int three, vf third,
+                         vf cover[4]) {
+  int all = cells_asked(c) > 2, rounded = c->radius < 4.0f;
   const cells_near *a = &near[n];
   vf erosion = cells_erosion(c, a->h) + less;
   cells_edge face = edge_of_face(c, a, &near[1 - n], erosion, s, p), other = face, ball = face;
-  if (third) other = edge_of_face(c, a, &near[2], erosion, s, p);
+  if (all || three) other = edge_of_face(c, a, &near[2], erosion, s, p);
   if (rounded) ball = edge_of_ball(c, a, less, s, p);
   for (int i = 0; i < p->count; i++) {
     cover[i] = edge_cover(&face, p, i);
-    if (third) cover[i] = edges_both(cover[i], edge_cover(&other, p, i));
+    if (all)
+      cover[i] = edges_both(cover[i], edge_cover(&other, p, i));
+    else if (three)
+      cover[i] = mix(cover[i], edges_both(cover[i], edge_cover(&other, p, i)), third);
     if (rounded) cover[i] = vmin(cover[i], edge_cover(&ball, p, i));
   }
 }
@@ -141,7 +148,8 @@ INLINE void cells_within(const stone_cells *c, const cells_near near[3], int n, 
 /* How much of a square the bodies of its nearest two cells have; core: and of it what is not
  * rim. A flake is thin: mostly it is elsewhere, and then its outline is nobody's. */
 INLINE void cells_bodies(const stone_cells *c, const cells_near near[3], const vm body[2],
-                         const cells_square *s, const cells_parts *p, vf share[2], vf core[2]) {
+                         const cells_square *s, const cells_parts *p, int three, vf third,
+                         vf share[2], vf core[2]) {
   vf zero = splat(0.0f), one = splat(1.0f);
   int flat = c->thick < 1.0f;
   for (int n = 0; n < 2; n++) {
@@ -158,11 +166,11 @@ INLINE void cells_bodies(const stone_cells *c, const cells_near near[3], const v
       }
     }
     if (!any(and_(body[n], gt(some, zero)))) continue;
-    cells_within(c, near, n, zero, s, p, cover);
+    cells_within(c, near, n, zero, s, p, three, third, cover);
     for (int i = 0; i < p->count; i++) cover[i] = cover[i] * flake[i];
     share[n] = core[n] = cells_mean(p, cover);
     if (c->rim <= 0.0f) continue;
-    cells_within(c, near, n, cells_rim(c, a->h), s, p, cover);
+    cells_within(c, near, n, cells_rim(c, a->h), s, p, three, third, cover);
     core[n] = vmin(cells_mean(p, cover), share[n]);
   }
 }
@@ -218,13 +226,13 @@ INLINE void cells_crystals(const stone_cells *c, const cells_near near[3], const
 
 /* A square no larger than about a cell: of the nearest cells, how much each has of it;
  * where cells have bodies, of those alone that are `body`, and what is not rim. third: how
- * much the third crystal counts, three: whether it does to any. */
+ * much the third cell counts, of crystals and flakes, three: whether it does to any. */
 INLINE void cells_shares(const stone_cells *c, const cells_near near[3], const vm body[2],
                          const cells_square *s, const cells_parts *p, int three, vf third,
                          vf share[3], vf core[3]) {
   share[2] = core[2] = splat(0.0f);
   if (c->shaped) {
-    cells_bodies(c, near, body, s, p, share, core);
+    cells_bodies(c, near, body, s, p, three, third, share, core);
     return;
   }
   cells_crystals(c, near, s, p, three, third, share);

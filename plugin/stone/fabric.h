@@ -7,7 +7,7 @@
 #define SOZAI_STONE_FABRIC_H
 
 #include "bands.h"
-#include "block.h"
+#include "bed.h"
 #include "together.h"
 #include "veins.h"
 
@@ -62,9 +62,31 @@ INLINE void stage_view(const stone_cells *c, const block *k, cells_view *view, i
   *of = k->alike;
 }
 
-/* The layers, a bit to each, of which a footprint takes more than a look. */
-STAGE void stage_looks(const stone_constants *w, int layers, fabric_views *views, block *k) {
+/* What moss covers of each part of a footprint, as a layer's looks. */
+STAGE void stage_moss(const stone_constants *w, int paved, block *k, cells_covered *seen) {
+  laid_square square;
+  stage_square(w, paved, k, &square);
+  vf told = paved ? k->laid.near : splat(1.0f);
+  field near = surface_near(w, paved, &k->laid);
+  k->moss = moss_over(w, paved, k->at, &square, near, told, k->s, seen);
+  k->mossed = 1;
+}
+
+/* The covariances of what a layer covers with the layers below it. */
+INLINE void stage_mixed(block *k, int above, int below, const cells_grid *grid, const vf *covered,
+                        const cells_seen *seen) {
+  if (!any(gt(grid->weight * seen->grid.weight, splat(0.0f)))) return;
+  k->mixed[above] |= 1 << below;
+  seen_covariance(grid, covered, seen, k->with[pair_of(above, below)]);
+}
+
+/* The layers, a bit to each, of which a footprint takes more than a look. mossy: who asks for the
+ * colour asks for what lies on it, too. */
+STAGE void stage_looks(const stone_constants *w, int paved, int mossy, int layers,
+                       fabric_views *views, block *k) {
   cells_seen seen[STONE_LAYERS];
+  cells_covered moss;
+  if (mossy) stage_moss(w, paved, k, &moss);
   for (int n = k->hidden; n < STONE_LAYERS; n++) {
     int l = fabric_order[n];
     if (!(layers >> l & 1)) continue;
@@ -76,11 +98,9 @@ STAGE void stage_looks(const stone_constants *w, int layers, fabric_views *views
     stage_seen(w, l, &e, k);
     for (int m = k->hidden; m < n; m++) {
       int below = fabric_order[m];
-      if (!(layers >> below & 1)) continue;
-      if (!any(gt(seen[l].weight * seen[below].weight, splat(0.0f)))) continue;
-      k->mixed[l] |= 1 << below;
-      seen_covariance(&seen[l], &seen[below], k->with[pair_of(l, below)]);
+      if (layers >> below & 1) stage_mixed(k, l, below, &seen[l].grid, seen[l].of[0], &seen[below]);
     }
+    if (mossy) stage_mixed(k, OVER_MOSS, l, &moss.grid, moss.of, &seen[l]);
   }
 }
 
@@ -121,11 +141,11 @@ STAGE int stage_layer(const stone_constants *w, int n, block *blocks, int count)
 }
 
 /* The layers of cells, from the uppermost down. */
-STAGE void stage_cells(const stone_constants *w, block *blocks, int count) {
+STAGE void stage_cells(const stone_constants *w, int paved, int mossy, block *blocks, int count) {
   int wide = 0;
   for (int b = 0; b < count; b++) {
-    blocks[b].hidden = 0;
-    for (int l = 0; l < STONE_LAYERS; l++) blocks[b].mixed[l] = 0;
+    blocks[b].hidden = blocks[b].mossed = 0;
+    for (int l = 0; l < STONE_COVERS; l++) blocks[b].mixed[l] = 0;
   }
   for (int n = STONE_LAYERS - 1; n >= 0; n--) {
     int l = fabric_order[n];
@@ -134,7 +154,7 @@ STAGE void stage_cells(const stone_constants *w, block *blocks, int count) {
   if (!wide) return;
   fabric_views views;
   for (int l = 0; l < STONE_LAYERS; l++) views.of[l] = -1;
-  for (int b = 0; b < count; b++) stage_looks(w, wide, &views, &blocks[b]);
+  for (int b = 0; b < count; b++) stage_looks(w, paved, mossy, wide, &views, &blocks[b]);
 }
 
 /* What has been laid so far, for what is laid over it. */
@@ -208,7 +228,7 @@ STAGE void stage_fabric(const stone_constants *w, block *k) {
   vf zero = splat(0.0f), one = splat(1.0f), bed = zero, shift = one;
   fabric_stack over;
   over.count = over.mixes = 0;
-  for (int l = 0; l < STONE_LAYERS; l++) over.mixes |= k->mixed[l];
+  for (int l = 0; l < STONE_COVERS; l++) over.mixes |= k->mixed[l];
   k->speck = k->hole = k->inclusion = zero;
   const int seen = !k->hidden, veins = k->hidden < STONE_LAYERS - 1;
   if (w->has_beds && seen) bed = splat(w->bed_contrast) * bed_share(w, k->p, k->nrm, k->s);
@@ -235,13 +255,14 @@ STAGE void stage_fabric(const stone_constants *w, block *k) {
         lay_over(w, LAYER_INCLUSIONS, COLOUR_INCLUSION, COLOUR_INCLUSION_SECOND, &over, k);
   if (w->has_veins && veins) {
     vf v = vein_share(w, k->p, k->nrm, k->t1, k->t2, k->s);
-    fabric_add(&over, STONE_LAYERS, COLOUR_VEIN, COLOUR_VEIN, v, k->albedo);
+    fabric_add(&over, OVER_VEINS, COLOUR_VEIN, COLOUR_VEIN, v, k->albedo);
     for (int c = 0; c < 3; c++)
       k->albedo[c] = mix(k->albedo[c], splat(w->colour[COLOUR_VEIN][c]), v);
     k->speck = k->speck * (one - v);
   }
   if (w->layer[LAYER_HOLES].on)
     k->hole = lay_over(w, LAYER_HOLES, COLOUR_HOLE, COLOUR_HOLE, &over, k);
+  if (k->mixed[OVER_MOSS]) fabric_with(w, &over, k, OVER_MOSS, k->moss_hides);
 }
 
 #endif

@@ -60,10 +60,19 @@ INLINE void cells_add(const stone_cells *c, vu h, const cells_kind *kind, vf sha
 /* What looks have seen of a layer, each by itself: the shares of which a body's first is what it
  * covers. */
 typedef struct {
-  vf of[CELLS_PARTS][CELLS_STEPS * CELLS_STEPS];
   vf n[2];   /* looks along each side */
   vf weight; /* what the footprint's shares have of theirs; 0 where there is one look, or none */
+} cells_grid;
+typedef struct {
+  cells_grid grid;
+  vf of[CELLS_PARTS][CELLS_STEPS * CELLS_STEPS];
 } cells_seen;
+
+/* The same of what only covers. */
+typedef struct {
+  cells_grid grid;
+  vf of[CELLS_STEPS * CELLS_STEPS];
+} cells_covered;
 
 /* What the one look at a footprint's middle has found of bodies, for who asks how deep they
  * are. */
@@ -236,9 +245,9 @@ INLINE void eye_close(const stone_cells *c, const cells_eye *e, cells_cover *out
   const cells_view *view = e->view;
   vf one = splat(1.0f);
   if (e->looks) {
-    for (int k = 0; k < 2; k++) e->looks->n[k] = view->n[k];
+    for (int k = 0; k < 2; k++) e->looks->grid.n[k] = view->n[k];
     vm parts = and_(view->seen, view_several(view));
-    e->looks->weight = sel(parts, view->keep * view->swell, splat(0.0f));
+    e->looks->grid.weight = sel(parts, view->keep * view->swell, splat(0.0f));
   }
   if (view->sole) {
     for (int k = 0; k < CELLS_PARTS; k++) out->of[k] = e->sum.of[k] * view->each;

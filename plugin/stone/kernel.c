@@ -22,13 +22,6 @@ INLINE void put(const stone_io *io, const block *k, int channel, vf x) {
   store(io->out[channel] + k->o, x);
 }
 
-/* Object space to bed space, which is its own way back. */
-INLINE void exchange(const stone_constants *w, vf v[3]) {
-  vf y = v[1];
-  v[1] = v[w->swap];
-  v[w->swap] = y;
-}
-
 /* The square's sides: the two axes of bed space nearest to the surface, the
  * first of them laid down on it. */
 INLINE void square_sides(const vf n[3], vf t1[3], vf t2[3]) {
@@ -42,10 +35,6 @@ INLINE void square_sides(const vf n[3], vf t1[3], vf t2[3]) {
   t1[1] = (sel(use_x, zero, splat(1.0f)) - a * n[1]) * k;
   t1[2] = (zero - a * n[2]) * k;
   cross3(n, t1, t2);
-}
-
-INLINE void copy3(const vf from[3], vf to[3]) {
-  for (int c = 0; c < 3; c++) to[c] = from[c];
 }
 
 /* The face given, or without one what leans alike against every axis. */
@@ -131,12 +120,6 @@ STAGE void stage_grain(const stone_constants *w, const stone_io *io, block *k) {
   put(io, k, STONE_GRAIN, to_float((vi)(h >> 8)) * splat(1.0f / 16777216.0f));
 }
 
-/* Bed space to object space, a direction. */
-INLINE void from_bed(const stone_constants *w, int paved, const block *k, vf v[3]) {
-  exchange(w, v);
-  if (paved) laid_turn_back(&k->laid, v);
-}
-
 INLINE void stage_height(const stone_io *io, block *k) {
   const surface *q = &k->surface;
   put(io, k, STONE_HEIGHT, q->height.v);
@@ -186,14 +169,10 @@ INLINE void stage_hollow(const stone_constants *w, block *k) {
 INLINE void stage_surface(const stone_constants *w, int paved, const stone_io *io, block *k) {
   surface *q = &k->surface;
   laid_square sides;
-  if (w->weather.moss > 0.0f) {
-    copy3(k->t1, sides.side[0]);
-    copy3(k->t2, sides.side[1]);
-    for (int i = 0; i < 2; i++) from_bed(w, paved, k, sides.side[i]);
-    sides.n = io->in->normal[0] ? k->face : NULL;
-  }
+  const moss_shares *moss = k->mossed ? &k->moss : NULL;
+  if (w->weather.moss > 0.0f) stage_square(w, paved, k, &sides);
   if (w->tile.on) {
-    surface_lay(w, 0, &k->laid, k->at, &sides, k->s, k->relief, q);
+    surface_lay(w, 0, &k->laid, k->at, &sides, k->s, k->relief, moss, q);
     stage_height(io, k);
     return;
   }
@@ -204,7 +183,7 @@ INLINE void stage_surface(const stone_constants *w, int paved, const stone_io *i
         k->relief, bodies_height(&bowl, k->p, k->t1, k->t2, k->s, k->hole, &k->holes, &q->lost));
   }
   from_bed(w, paved, k, k->relief.g);
-  surface_lay(w, paved, &k->laid, k->at, &sides, k->s, k->relief, q);
+  surface_lay(w, paved, &k->laid, k->at, &sides, k->s, k->relief, moss, q);
   stage_height(io, k);
 }
 
@@ -218,11 +197,17 @@ INLINE void stage_cover(const stone_constants *w, int paved, block *k) {
   /* what the moss has left of the joint, and of the stone; of the joint it takes more */
   vf bare = one - q->moss, open = vmin(joint * (one - q->moss_joint), bare);
   vf stone = bare - open;
+  /* where crystals or bodies were looked at in parts, how they lie under it is known */
+  const int hides = k->mixed[OVER_MOSS];
   for (int c = 0; c < 3; c++) {
     vf a = k->albedo[c];
     if (paved) a = stone * (a * k->laid.tone[c]) + open * (splat(w->paving.colour[c]) * sand);
     if (air->on) {
       if (!paved) a = a * bare;
+      if (hides) {
+        vf more = k->moss_hides[c] * (paved ? k->laid.tone[c] * (one - joint) : one);
+        a = vmax(a - more, vmin(a, splat(0.0f)));
+      }
       a = a * q->grime;
       /* what is dry is browner, and paler */
       static const float dry[3] = {1.45f, 1.05f, 0.75f};
@@ -234,6 +219,10 @@ INLINE void stage_cover(const stone_constants *w, int paved, block *k) {
     k->albedo[c] = a;
   }
   k->speck = k->speck * stone;
+  if (hides >> LAYER_SPECKS & 1) {
+    vf more = k->with[pair_of(OVER_MOSS, LAYER_SPECKS)][0] * (one - joint);
+    k->speck = vmax(k->speck - more, splat(0.0f));
+  }
 }
 
 INLINE void stage_light(const stone_constants *w, int paved, const stone_io *io, block *k,
@@ -333,13 +322,16 @@ INLINE void evaluate_as(int paved, const stone_constants *w, const stone_io *io,
                         const stone_wants *want, block *blocks, int count) {
   for (int b = 0; b < count; b++) {
     block *k = &blocks[b];
-    k->crystal_known = 0;
+    k->crystal_known = k->mossed = 0;
+    k->mixed[OVER_MOSS] = 0;
+    k->square = io->in->normal[0] != NULL;
     bends_none(&k->bends);
     k->holes.bent = k->holes.met = k->inclusions.bent = k->inclusions.met = 0;
     stage_load(w, paved, io, b, k);
     stage_laid(w, paved, io, k);
   }
-  if (want->fabric) stage_cells(w, blocks, count);
+  const int mossy = want->cover && w->weather.moss > 0.0f && !w->tile.on;
+  if (want->fabric) stage_cells(w, paved, mossy, blocks, count);
   for (int b = 0; b < count; b++) {
     block *k = &blocks[b];
     if (want->fabric)

@@ -15,7 +15,7 @@
 /* What bodies fill, what of it is not rim, and what the widest looks see. */
 static void measure_layer(const stone_cells *c, uint32_t count, double *fill, double *core,
                           double *seen) {
-  const vf zero = splat(0.0f), side = splat(CELLS_LOOK_MOST);
+  const vf zero = splat(0.0f), one = splat(1.0f), side = splat(CELLS_LOOK_MOST);
   const cells_square point = {{zero, zero, zero}, {zero, zero, zero}};
   const cells_square look = {{side, zero, zero}, {zero, side, zero}};
   const vm all = le(zero, zero), body[2] = {all, all};
@@ -24,11 +24,11 @@ static void measure_layer(const stone_cells *c, uint32_t count, double *fill, do
     vf q[3], share[3], inner[3];
     cells_near near[3];
     for (uint32_t a = 0; a < 3; a++) q[a] = measure_place(i, a, MEASURED_EXTENT);
-    cells_find(c, 0, 0, q, near);
+    cells_find(c, 0, cells_may_third(c), q, near);
     cells_shares(c, near, body, &point, &one_part, 0, zero, share, inner);
     measure_add(fill, share[0] + share[1]);
     measure_add(core, inner[0] + inner[1]);
-    cells_shares(c, near, body, &look, &quarters, 0, zero, share, inner);
+    cells_shares(c, near, body, &look, &quarters, cells_may_third(c), one, share, inner);
     measure_add(seen, share[0] + share[1]);
   }
   *fill /= count;
@@ -100,7 +100,7 @@ static void measure_laid(const stone_constants *w, uint32_t count, stone_laid_me
     laid q;
     laid_at(w, p, NULL, x, y, zero, &q);
     surface f = surface_none();
-    surface_lay(w, 1, &q, p, &square, zero, field_of(zero), &f);
+    surface_lay(w, 1, &q, p, &square, zero, field_of(zero), NULL, &f);
     vf lost, slope;
     laid_round round = surface_round(w, &q, p, zero);
     field profile = laid_profile(&w->paving, &q, &round, &lost);

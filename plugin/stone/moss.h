@@ -6,6 +6,7 @@
 #ifndef SOZAI_STONE_MOSS_H
 #define SOZAI_STONE_MOSS_H
 
+#include "footprint.h"
 #include "laid.h"
 #include "value.h"
 #include "weather.h"
@@ -175,9 +176,10 @@ INLINE moss_shares moss_part(const stone_constants *w, int paved, vm laid, const
   return m;
 }
 
-/* told: of the middle, where there is a paving. */
+/* told: of the middle, where there is a paving. seen: where the parts' shares are kept, or NULL. */
 STAGE moss_shares moss_over(const stone_constants *w, int paved, const vf p[3],
-                            const laid_square *square, field near, vf told, vf e) {
+                            const laid_square *square, field near, vf told, vf e,
+                            cells_covered *seen) {
   const vf one = splat(1.0f), half = splat(0.5f), zero = splat(0.0f);
   static const float from[] = {MOSS_ONE, MOSS_TWO, MOSS_FOUR, MOSS_SIX};
   /* of parts that tell nothing of joints nor of patches one does for all */
@@ -212,6 +214,11 @@ STAGE moss_shares moss_over(const stone_constants *w, int paved, const vf p[3],
     sum.joint = sel(there, sum.joint + part.joint, sum.joint);
     sum.near = sel(there, sum.near + part.near, sum.near);
     each = sel(there, each + one, each);
+    if (seen) seen->of[i / parts * CELLS_STEPS + i % parts] = part.all.v;
+  }
+  if (seen) {
+    seen->grid.n[0] = seen->grid.n[1] = side;
+    seen->grid.weight = sel(gt(side, one), one, zero);
   }
   vf inverse = one / each;
   sum.all = field_scale(sum.all, inverse);

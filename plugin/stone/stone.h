@@ -43,6 +43,8 @@ enum {
 };
 
 enum { LAYER_GRAINS, LAYER_INCLUSIONS, LAYER_SPECKS, LAYER_HOLES, STONE_LAYERS };
+/* What else lies over those. */
+enum { OVER_MOSS = STONE_LAYERS, OVER_VEINS };
 
 /* Beds that a layer's bodies keep to: two families, of which a part has all that there
  * is in this way. */

@@ -65,14 +65,21 @@ STAGE laid_round surface_round(const stone_constants *w, const laid *q, const vf
   return r;
 }
 
+/* How near a joint is, 1 in it. */
+INLINE field surface_near(const stone_constants *w, int paved, const laid *q) {
+  if (!paved) return field_of(splat(0.0f));
+  return laid_fall(q, w->paving.half, w->weather.moss_spread);
+}
+
 /* p: object space; bed: that in the block's bed space. relief: the finish's, in
- * object space. */
+ * object space. moss: its shares, or NULL for none known yet. */
 INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, const vf p[3],
-                        const laid_square *square, vf s, field relief, surface *out) {
+                        const laid_square *square, vf s, field relief, const moss_shares *moss,
+                        surface *out) {
   const stone_paving *v = &w->paving;
   const stone_weather *air = &w->weather;
   vf zero = splat(0.0f), one = splat(1.0f);
-  field near = field_of(zero), edge = near, height = relief;
+  field near = surface_near(w, paved, q), edge = field_of(zero), height = relief;
   out->in_joint = zero;
   if (air->wet > 0.0f) relief = field_scale(relief, splat(1.0f - 0.5f * air->wet));
   height = relief;
@@ -111,7 +118,6 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
     vf slot = surface_slot(depth, q->m.v + reach, vmax(reach - q->m.v, zero) + depth * splat(0.2f));
     slot = sel(gt(q->m.v, reach), splat(0.5f) + splat(0.5f) * slot, slot);
     out->occlusion = mix(splat(v->occlusion), slot, q->near);
-    near = laid_fall(q, v->half, air->moss_spread);
   }
   if (air->undulation > 0.0f) {
     vf unused = zero;
@@ -127,18 +133,19 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
   }
   vf exposed = near.v; /* of what is bare */
   if (air->moss > 0.0f) {
-    moss_shares shares = moss_over(w, paved, p, square, near, paved ? q->near : one, s);
+    vf told = paved ? q->near : one;
+    moss_shares shares = moss ? *moss : moss_over(w, paved, p, square, near, told, s, NULL);
     moss_growth growth = moss_grown(air, p, square, s);
-    field moss = shares.all;
-    out->moss = moss.v;
+    field cover = shares.all;
+    out->moss = cover.v;
     out->moss_joint = shares.joint;
-    if (paved) exposed = clamp01(shares.near / vmax(one - moss.v, splat(1e-4f)));
+    if (paved) exposed = clamp01(shares.near / vmax(one - cover.v, splat(1e-4f)));
     out->tuft = growth.shade;
     out->dry = growth.dry;
-    height = field_add(height, field_scale(field_mul(moss, growth.rise), splat(air->moss_height)));
+    height = field_add(height, field_scale(field_mul(cover, growth.rise), splat(air->moss_height)));
     /* it fills the joint */
-    height = field_add(height, field_scale(field_mul(moss, edge), splat(-0.65f)));
-    out->lost = out->lost * (one - moss.v) + splat(0.08f) * moss.v;
+    height = field_add(height, field_scale(field_mul(cover, edge), splat(-0.65f)));
+    out->lost = out->lost * (one - cover.v) + splat(0.08f) * cover.v;
   }
   if (air->grime > 0.0f) {
     vf unused = zero;

@@ -30,7 +30,7 @@ INLINE vi seen_slot(int i, vf rate) {
 }
 
 /* Whether all lanes took as many looks. */
-INLINE int seen_alike(const cells_seen *a, const cells_seen *b) {
+INLINE int seen_alike(const cells_grid *a, const cells_grid *b) {
   vf other = splat(0.0f);
   for (int k = 0; k < 2; k++) {
     other = other + vabs(a->n[k] - splat(lane(a->n[k], 0)));
@@ -39,9 +39,11 @@ INLINE int seen_alike(const cells_seen *a, const cells_seen *b) {
   return !any(gt(other, splat(0.0f)));
 }
 
-/* The covariance over the footprint of what the bodies of one layer cover with the shares of
+/* The covariance over the footprint of what a layer covers of each of its parts with the shares of
  * another, below it. Zero where either was not looked at in parts. */
-STAGE void seen_covariance(const cells_seen *above, const cells_seen *below, vf out[CELLS_PARTS]) {
+STAGE void seen_covariance(const cells_grid *above, const vf *covered, const cells_seen *seen,
+                           vf out[CELLS_PARTS]) {
+  const cells_grid *below = &seen->grid;
   static const int32_t numbers[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
   vf zero = splat(0.0f), one = splat(1.0f), n[2], rate[2][2], sum = zero, each;
   vf alone[CELLS_PARTS], both[CELLS_PARTS];
@@ -66,10 +68,10 @@ STAGE void seen_covariance(const cells_seen *above, const cells_seen *below, vf 
       vi slot = upper + seen_slot(i, rate[0][0]), under = lower + seen_slot(i, rate[1][0]);
       slot = seli(there, slot, splati(0));
       under = seli(there, under, splati(0));
-      vf cover = sel(there, seen_pick(above->of[0], slot, own, same), zero);
+      vf cover = sel(there, seen_pick(covered, slot, own, same), zero);
       sum = sum + cover;
       for (int k = 0; k < CELLS_PARTS; k++) {
-        vf x = sel(there, seen_pick(below->of[k], under, own, same), zero);
+        vf x = sel(there, seen_pick(seen->of[k], under, own, same), zero);
         alone[k] = alone[k] + x;
         both[k] = both[k] + cover * x;
       }

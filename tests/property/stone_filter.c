@@ -129,8 +129,27 @@ static void against_1024_samples(void **state) {
         worst_mean, PLACES, fmax(far, 0));
 }
 
-/* Of granite's crystals under half a cover of moss the covariance is nobody's: the goal of 0.01 is
- * missed there by one, and this holds by how much. */
+/* Some places in five hundred are at corners of flakes, and errors there were of a quarter: few,
+ * but they were dark dots, and a fifth of the error of all. */
+static void corners_of_flakes(void **state) {
+  (void)state;
+  enum { MANY = 6000 };
+  static const double wide[] = {0.3, 0.5, 1};
+  for (int k = 0; k < 3; k++) {
+    sozai_texture *t;
+    points p = {0};
+    truth_errors e = {0};
+    assert_int_equal(textures->create(NULL, "stone", "inada", NULL, 0, &t), SOZAI_OK);
+    uniform_seed(62);
+    for (int i = 0; i < MANY; i++) one_place(&p, t, i % 4, wide[k], 0, 0, &e);
+    CHECK(truth_rms(&e) <= 0.0105,
+          "inada at %g mm, %d places: RMS %.4f (goal 0.01, held at 0.0105)\n", wide[k], MANY,
+          truth_rms(&e));
+    points_free(&p);
+    textures->destroy(t);
+  }
+}
+
 static void under_moss(void **state) {
   (void)state;
   static const struct {
@@ -148,9 +167,9 @@ static void under_moss(void **state) {
     row(mossy[k].preset, t, SOME, LEVEL, 0, &worst, &worst_mean);
     textures->destroy(t);
   }
-  CHECK(worst <= 0.012 && missed <= 1,
-        "under moss: worst RMS %.4f (goal 0.01, held at 0.012); %u of %u miss it (1)\n", worst,
-        missed, MOSSY * SIZES);
+  CHECK(worst <= 0.01 && missed == 0,
+        "under moss: worst RMS %.4f (goal 0.01); %u of %u miss the goal\n", worst, missed,
+        MOSSY * SIZES);
   CHECK(beyond <= 0,
         "worst mean %.4f; beyond 0.002 and three standard errors of %d places by %.4f at most\n",
         worst_mean, SOME, fmax(beyond, 0));
@@ -177,6 +196,7 @@ static void joints(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(against_1024_samples),
+                                     cmocka_unit_test(corners_of_flakes),
                                      cmocka_unit_test(under_moss), cmocka_unit_test(joints)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }
