@@ -183,6 +183,14 @@ INLINE vf eye_outline(vf square, vf side, vf r2, vf s2) {
   return mix(dark, splat(4.5f * WOOD_EYE_MEAN) * (r2 / wide) * left * left, filled);
 }
 
+/* How much each eye tells of what a footprint has of them, beside the mean: outlines are spread
+ * over it, so that it is several times as wide before neighbours matter. */
+#define EYES_TOLD 5.0f /* radii: up to half of that all, from twice on nothing */
+INLINE vf eyes_told(const wood_constants *w, vf footprint) {
+  if (!filter_touches(footprint, EYES_TOLD * w->eye_radius)) return splat(1.0f);
+  return filter_keep(footprint, EYES_TOLD * w->eye_radius);
+}
+
 /* One of the layers, each with as many of them: together they line up less. Seldom
  * is one alone. */
 INLINE void figure_eyes(const wood_constants *w, vu own, int layer, vf y, vf footprint,
@@ -235,7 +243,7 @@ INLINE void figure_eyes(const wood_constants *w, vu own, int layer, vf y, vf foo
   vf q = (a * a + b * b) / r2;
   /* one that would reach y = 0 is not there */
   vf centre = (bottom + height - shift) * splat(w->eye_cell);
-  vm there = and_(lt(q, one), gt(vabs(centre), radius * splat(WOOD_EYE_LONG)));
+  vm there = gt(vabs(centre), radius * splat(WOOD_EYE_LONG));
   noise_axis swarm_x = noise_split_cubic(to_float(column) * splat(0.31f), HASH_X);
   noise_axis swarm_y = noise_split_cubic(to_float(row) * splat(0.23f), HASH_Y);
   vf unused_x, unused_y,
@@ -244,6 +252,9 @@ INLINE void figure_eyes(const wood_constants *w, vu own, int layer, vf y, vf foo
   vf share = splat(EYE_SHARE) + splat(EYE_SWARM / HASH_ONE) * swarm;
   there = and_(there, lt(to_float((vi)(g >> 22)), share * splat(1024.0f)));
   there = and_(there, gt(radius, splat(1e-2f)));
+  /* a wide footprint sees it from further away */
+  vf s2 = footprint * footprint, reach = vmax(r2, r2 + splat(0.6667f) * s2);
+  there = and_(there, lt(q * r2, reach));
   if (!any(there)) return;
 
   /* it begins in the shell's inner quarter and ends in its outer */
@@ -268,8 +279,8 @@ INLINE void figure_eyes(const wood_constants *w, vu own, int layer, vf y, vf foo
                 splat(2.0f * WOOD_EYE_DARKS / 255.0f) * to_float((vi)(g >> 2 & splatu(255u)));
   vf per = inverse_root(r2);
   eye_shape shape = eye_shape_of(hash_mix(g ^ splatu(HASH_Y)), a * per, b * per);
-  vf dark = eye_outline(shape.square * r2, shape.side, r2, footprint * footprint);
-  dark = vmin(keep * dark * age * own_dark, one);
+  vf dark = eye_outline(shape.square * r2, shape.side, r2, s2);
+  dark = vmin(eyes_told(w, footprint) * dark * age * own_dark, one);
   p->eye = vmax(p->eye, sel(there, dark, zero));
   u->n = u->n - dent * age;
   u->nx = u->nx + (out_r * p->c - along * p->s);
@@ -284,10 +295,7 @@ INLINE void figure_add(const wood_constants *w, vu own, vf y, vf footprint, vf e
   if (w->has_quilt) figure_quilt(w, own, y, footprint, p, u);
   if (w->has_eyes) {
     for (int layer = 0; layer < EYE_LAYERS; layer++) figure_eyes(w, own, layer, y, footprint, p, u);
-    if (filter_touches(footprint, 2.0f * w->eye_radius)) {
-      vf gone = splat(1.0f) - filter_keep(footprint, 2.0f * w->eye_radius);
-      p->eye = p->eye + splat(w->eye_mean) * gone;
-    }
+    p->eye = p->eye + splat(w->eye_mean) * (splat(1.0f) - eyes_told(w, footprint));
   }
 }
 

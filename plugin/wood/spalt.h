@@ -208,7 +208,7 @@ static __attribute__((noinline)) spalt_place spalt_parts(const wood_constants *w
 
 INLINE spalt_place spalt_at(const wood_constants *w, vu own, spalt_eye *q) {
   /* sides in colonies up to which 1, 2, 4, 8 parts to a side do */
-  static const float most[4] = {0.018f, 0.06f, 0.3f, 5.0f};
+  static const float most[4] = {0.0125f, 0.06f, 0.3f, 5.0f};
   vf one = splat(1.0f), size = q->s * splat(w->spalt_frequency);
   spalt_place mean = {splat(w->spalt_line_mean), splat(w->spalt_bleach_mean),
                       splat(w->spalt_stain_mean)};

@@ -14,19 +14,20 @@ enum { PLACES = 200 };
 
 static void against_1024_samples(void **state) {
   (void)state;
-  static const double sizes[] = {0.002, 0.005, 0.01, 0.03, 0.1, 0.3, 1, 3, 10, 30, 100};
+  static const double sizes[] = {0.002, 0.005, 0.01, 0.03, 0.1, 0.3, 0.7, 1, 3, 5, 10, 30, 100};
+  enum { SIZES = sizeof sizes / sizeof *sizes };
   static const char *const cuts[] = {"flat", "quarter", "rift", "end"};
   double worst = 0, worst_mean = 0;
   points p = {0};
   print_message("RMS / mean error of albedo, by footprint in mm:\n%-18s", "");
-  for (unsigned f = 0; f < 11; f++) print_message("%16g", sizes[f]);
+  for (unsigned f = 0; f < SIZES; f++) print_message("%16g", sizes[f]);
   print_message("\n");
   for (unsigned k = 0; k < wood_presets(); k++) {
     if (strncmp(wood_preset(k), "knotty_", 7) == 0) continue; /* see knots.c */
     if (wood_is_panel(wood_preset(k))) continue;              /* see plies.c */
     print_message("%-18s", wood_preset(k));
     uniform_seed(51); /* so that a species' numbers do not depend on the others */
-    for (unsigned f = 0; f < 11; f++) {
+    for (unsigned f = 0; f < SIZES; f++) {
       truth_errors errors = {0};
       for (int c = 0; c < 4; c++) {
         char text[32];

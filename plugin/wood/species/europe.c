@@ -197,7 +197,7 @@ static const sozai_value values_sycamore[] = {
     NUMBER("fibre_brightness", 0.07),
     SRGB("earlywood_colour", 236, 214, 180),
     SRGB("latewood_colour", 212, 182, 142),
-    SRGB("vessel_colour", 222, 196, 158),
+    SRGB("vessel_colour", 224, 199, 162),
     SRGB("sapwood_earlywood_colour", 240, 220, 188),
     SRGB("sapwood_latewood_colour", 218, 190, 152),
     NUMBER("heartwood_years", 95.0),

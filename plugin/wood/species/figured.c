@@ -6,7 +6,7 @@
 #define MAPLE_TISSUE                                                                               \
   DIFFUSE_POROUS(40.0, 66.0, 0.2), NUMBER("fibre_brightness", 0.06),                               \
       SRGB("earlywood_colour", 230, 202, 164), SRGB("latewood_colour", 200, 163, 122),             \
-      SRGB("vessel_colour", 214, 184, 145), SRGB("sapwood_earlywood_colour", 236, 212, 178),       \
+      SRGB("vessel_colour", 217, 188, 149), SRGB("sapwood_earlywood_colour", 236, 212, 178),       \
       SRGB("sapwood_latewood_colour", 210, 178, 138), NUMBER("heartwood_years", 110.0),            \
       NUMBER("heartwood_edge", INDISTINCT), NUMBER("diffuse", 0.8), NUMBER("specular", 0.3),       \
       NUMBER("shininess", 14.0), RAYS(2.2, 0.6, 70.0, 28.0), SRGB("ray_colour", 219, 187, 148),    \

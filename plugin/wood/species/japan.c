@@ -158,7 +158,7 @@ static const sozai_value values_itayakaede[] = {
     NUMBER("fibre_brightness", 0.06),
     SRGB("earlywood_colour", 232, 202, 160),
     SRGB("latewood_colour", 198, 156, 110),
-    SRGB("vessel_colour", 214, 182, 140),
+    SRGB("vessel_colour", 218, 187, 147),
     SRGB("sapwood_earlywood_colour", 236, 214, 178),
     SRGB("sapwood_latewood_colour", 208, 174, 132),
     NUMBER("heartwood_years", 100.0),
