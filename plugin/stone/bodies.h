@@ -80,11 +80,9 @@ INLINE vf cells_flake(const cells_edge *e, vf half, const cells_parts *p, int pa
 }
 
 /* How many of the nearest cells tell what is there: a footprint at a body's corner has two of its
- * faces. A flake's outline is mostly its own, and small footprints at its corners are few. */
+ * faces. A flake's outline is mostly its own, and small footprints at its corners are few: of two
+ * cells larger looks ask a third. */
 INLINE int cells_asked(const stone_cells *c) { return c->shaped && c->thick >= 1.0f ? 3 : 2; }
-
-/* Whether larger ones ask a third cell that not all do. */
-INLINE int cells_may_third(const stone_cells *c) { return !c->shaped || c->thick < 1.0f; }
 
 /* What two cells' power distances differ by, and by how much it grows along each axis. */
 INLINE vf cells_differ(const cells_near *a, const cells_near *b, vf g[3]) {

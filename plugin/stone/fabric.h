@@ -66,9 +66,7 @@ INLINE void stage_view(const stone_cells *c, const block *k, cells_view *view, i
 STAGE void stage_moss(const stone_constants *w, int paved, block *k, cells_covered *seen) {
   laid_square square;
   stage_square(w, paved, k, &square);
-  vf told = paved ? k->laid.near : splat(1.0f);
-  field near = surface_near(w, paved, &k->laid);
-  k->moss = moss_over(w, paved, k->at, &square, near, told, k->s, seen);
+  k->moss = surface_moss(w, paved, &k->laid, k->at, &square, k->s, seen);
   k->mossed = 1;
 }
 
@@ -144,8 +142,8 @@ STAGE int stage_layer(const stone_constants *w, int n, block *blocks, int count)
 STAGE void stage_cells(const stone_constants *w, int paved, int mossy, block *blocks, int count) {
   int wide = 0;
   for (int b = 0; b < count; b++) {
-    blocks[b].hidden = blocks[b].mossed = 0;
-    for (int l = 0; l < STONE_COVERS; l++) blocks[b].mixed[l] = 0;
+    blocks[b].hidden = 0;
+    for (int l = 0; l < STONE_LAYERS; l++) blocks[b].mixed[l] = 0;
   }
   for (int n = STONE_LAYERS - 1; n >= 0; n--) {
     int l = fabric_order[n];

@@ -166,7 +166,7 @@ STAGE void looks_find_together(const stone_cells *c, int three, cells_look *look
 
 STAGE void looks_find(const stone_cells *c, cells_look *looks, int count) {
   int together = looks_together(looks), three[CELLS_EYES];
-  for (int l = 0; l < count; l++) three[l] = cells_may_third(c) && !eye_whole(c, looks[l].eye);
+  for (int l = 0; l < count; l++) three[l] = cells_asked(c) < 3 && !eye_whole(c, looks[l].eye);
 #ifdef SPREADS
   int threes = 0, empty = 0;
   for (int l = 0; l < count; l++) {
@@ -240,7 +240,7 @@ INLINE void add_shares(const stone_cells *c, int whole, cells_adding *a) {
   vm body[2];
   for (int n = 0; n < 2 && c->shaped; n++) body[n] = or_(a->kind[n].first, a->kind[n].second);
   if (!whole) third = splat(1.0f) - crystal_keep(wide, c->whole, 2.0f * c->whole);
-  int three = !whole && cells_may_third(c);
+  int three = !whole && cells_asked(c) < 3;
   cells_shares(c, o->near, body, o->part, &parts, three, third, a->share, a->core);
   a->second = any(gt(a->share[1], splat(0.0f)));
 }

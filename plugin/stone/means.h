@@ -24,11 +24,11 @@ static void measure_layer(const stone_cells *c, uint32_t count, double *fill, do
     vf q[3], share[3], inner[3];
     cells_near near[3];
     for (uint32_t a = 0; a < 3; a++) q[a] = measure_place(i, a, MEASURED_EXTENT);
-    cells_find(c, 0, cells_may_third(c), q, near);
+    cells_find(c, 0, 1, q, near);
     cells_shares(c, near, body, &point, &one_part, 0, zero, share, inner);
     measure_add(fill, share[0] + share[1]);
     measure_add(core, inner[0] + inner[1]);
-    cells_shares(c, near, body, &look, &quarters, cells_may_third(c), one, share, inner);
+    cells_shares(c, near, body, &look, &quarters, 1, one, share, inner);
     measure_add(seen, share[0] + share[1]);
   }
   *fill /= count;

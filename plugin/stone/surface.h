@@ -71,6 +71,13 @@ INLINE field surface_near(const stone_constants *w, int paved, const laid *q) {
   return laid_fall(q, w->paving.half, w->weather.moss_spread);
 }
 
+/* seen: see moss_over. */
+INLINE moss_shares surface_moss(const stone_constants *w, int paved, const laid *q, const vf p[3],
+                                const laid_square *square, vf s, cells_covered *seen) {
+  vf told = paved ? q->near : splat(1.0f);
+  return moss_over(w, paved, p, square, surface_near(w, paved, q), told, s, seen);
+}
+
 /* p: object space; bed: that in the block's bed space. relief: the finish's, in
  * object space. moss: its shares, or NULL for none known yet. */
 INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, const vf p[3],
@@ -133,8 +140,7 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
   }
   vf exposed = near.v; /* of what is bare */
   if (air->moss > 0.0f) {
-    vf told = paved ? q->near : one;
-    moss_shares shares = moss ? *moss : moss_over(w, paved, p, square, near, told, s, NULL);
+    moss_shares shares = moss ? *moss : surface_moss(w, paved, q, p, square, s, NULL);
     moss_growth growth = moss_grown(air, p, square, s);
     field cover = shares.all;
     out->moss = cover.v;

@@ -165,6 +165,9 @@ INLINE eye_shape eye_shape_of(vu h, vf x, vf y) {
   return e;
 }
 
+/* Its radius' square as a footprint widens it. */
+INLINE vf eye_widened(vf r2, vf s2) { return r2 + splat(0.6667f) * s2; }
+
 /* How dark an eye is, 0 to 1: an outline, half a radius off, and a pin in the middle. square: of
  * the distance from the middle; side: of the outline, a factor, mean 1; r2: the radius'; s2: the
  * footprint's side's. A small footprint widens the outline, a wide one fills it: a disc of the
@@ -172,7 +175,7 @@ INLINE eye_shape eye_shape_of(vu h, vf x, vf y) {
  * has in all stays. */
 INLINE vf eye_outline(vf square, vf side, vf r2, vf s2) {
   vf one = splat(1.0f), zero = splat(0.0f);
-  vf wide = r2 + splat(0.6667f) * s2, q = square / wide;
+  vf wide = eye_widened(r2, s2), q = square / wide;
   vf t = vmin(q + q, one), ring = splat(4.0f) * t * (one - t);
   vf pin = splat(WOOD_EYE_PIN) * vmax(one - splat(10.0f) * q, zero);
   vf dark = (ring * ring * side + pin) * (r2 / wide);
@@ -253,8 +256,8 @@ INLINE void figure_eyes(const wood_constants *w, vu own, int layer, vf y, vf foo
   there = and_(there, lt(to_float((vi)(g >> 22)), share * splat(1024.0f)));
   there = and_(there, gt(radius, splat(1e-2f)));
   /* a wide footprint sees it from further away */
-  vf s2 = footprint * footprint, reach = vmax(r2, r2 + splat(0.6667f) * s2);
-  there = and_(there, lt(q * r2, reach));
+  vf s2 = footprint * footprint;
+  there = and_(there, lt(q * r2, eye_widened(r2, s2)));
   if (!any(there)) return;
 
   /* it begins in the shell's inner quarter and ends in its outer */

@@ -135,19 +135,19 @@ static void corners_of_flakes(void **state) {
   (void)state;
   enum { MANY = 6000 };
   static const double wide[] = {0.3, 0.5, 1};
+  points p = {0};
+  sozai_texture *t;
+  assert_int_equal(textures->create(NULL, "stone", "inada", NULL, 0, &t), SOZAI_OK);
   for (int k = 0; k < 3; k++) {
-    sozai_texture *t;
-    points p = {0};
     truth_errors e = {0};
-    assert_int_equal(textures->create(NULL, "stone", "inada", NULL, 0, &t), SOZAI_OK);
     uniform_seed(62);
     for (int i = 0; i < MANY; i++) one_place(&p, t, i % 4, wide[k], 0, 0, &e);
     CHECK(truth_rms(&e) <= 0.0105,
           "inada at %g mm, %d places: RMS %.4f (goal 0.01, held at 0.0105)\n", wide[k], MANY,
           truth_rms(&e));
-    points_free(&p);
-    textures->destroy(t);
   }
+  points_free(&p);
+  textures->destroy(t);
 }
 
 static void under_moss(void **state) {
