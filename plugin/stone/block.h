@@ -44,7 +44,8 @@ typedef struct {
   vf with[STONE_PAIRS][CELLS_PARTS]; /* where it does: its covariances with their shares */
   int mossed;                        /* its shares are known, */
   moss_shares moss;                  /* and here; */
-  vf moss_hides[3];                  /* the covariance of its share with the stone's colour */
+  vf moss_hides[3];                  /* the covariance of its share with the stone's colour, */
+  vf moss_hides_specks;              /* and with what shows specks */
   int square;                        /* the footprint is square to a normal that was given */
   laid laid;                         /* where there is a paving */
   field relief;                      /* mm, with its slope; */

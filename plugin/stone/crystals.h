@@ -52,7 +52,7 @@ INLINE int crystal_textured(const stone_cells *c) {
 /* 1 up to low, 0 from high on. */
 INLINE vf crystal_keep(vf wide, float low, float high) {
   vf t = clamp01((splat(high) - wide) * splat(1.0f / (high - low)));
-  return t * t * (splat(3.0f) - t - t);
+  return vmin(t * t * (splat(3.0f) - t - t), splat(1.0f));
 }
 
 /* q: cells, before their faces are bent. wide: the square's longer side. */

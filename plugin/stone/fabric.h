@@ -75,7 +75,13 @@ INLINE void stage_mixed(block *k, int above, int below, const cells_grid *grid, 
                         const cells_seen *seen) {
   if (!any(gt(grid->weight * seen->grid.weight, splat(0.0f)))) return;
   k->mixed[above] |= 1 << below;
-  seen_covariance(grid, covered, seen, k->with[pair_of(above, below)]);
+  vf *with = k->with[pair_of(above, below)];
+  seen_covariance(grid, covered, seen, with);
+  if (above >= STONE_LAYERS) return;
+  /* where it covers all it goes with nothing, to the bit: where it does to all lanes, what is below
+   * is not looked at */
+  vm part = lt(k->cover[above].of[0], splat(1.0f));
+  for (int p = 0; p < CELLS_PARTS; p++) with[p] = sel(part, with[p], splat(0.0f));
 }
 
 /* The layers, a bit to each, of which a footprint takes more than a look. mossy: who asks for the
@@ -186,6 +192,15 @@ INLINE void fabric_with(const stone_constants *w, const fabric_stack *o, const b
   }
 }
 
+/* The same of what shows specks: what lies between hides of it what it hides of them. */
+INLINE vf fabric_with_specks(const fabric_stack *o, const block *k, int layer) {
+  if (!(k->mixed[layer] >> LAYER_SPECKS & 1)) return splat(0.0f);
+  vf out = k->with[pair_of(layer, LAYER_SPECKS)][0];
+  for (int n = 0; n < o->count; n++)
+    if (o->layer[n] != LAYER_SPECKS) out = out * (splat(1.0f) - o->cover[n]);
+  return out;
+}
+
 INLINE void fabric_add(fabric_stack *o, int layer, int first, int second, vf cover,
                        const vf under[3]) {
   if (!o->mixes) return;
@@ -206,7 +221,7 @@ INLINE vf lay_over(const stone_constants *w, int layer, int first, int second, f
   const vf opacity = splat(w->layer[layer].opacity);
   int mixed = k->mixed[layer];
   vf cover = vmin(q->of[0], one), hides = cover * opacity;
-  vf own[2] = {q->of[1] * opacity, q->of[2] * opacity};
+  vf own[2] = {q->of[1] * opacity, q->of[2] * opacity}, specks = fabric_with_specks(o, k, layer);
   if (mixed) fabric_with(w, o, k, layer, with);
   fabric_add(o, layer, first, second, hides, k->albedo);
   for (int c = 0; c < 3; c++) {
@@ -216,8 +231,7 @@ INLINE vf lay_over(const stone_constants *w, int layer, int first, int second, f
     if (mixed) k->albedo[c] = vmax(k->albedo[c] - with[c] * opacity, vmin(k->albedo[c], zero));
   }
   k->speck = k->speck * (one - hides);
-  if (mixed >> LAYER_SPECKS & 1)
-    k->speck = vmax(k->speck - k->with[pair_of(layer, LAYER_SPECKS)][0] * opacity, zero);
+  if (mixed >> LAYER_SPECKS & 1) k->speck = vmax(k->speck - specks * opacity, zero);
   return cover;
 }
 
@@ -246,13 +260,15 @@ STAGE void stage_fabric(const stone_constants *w, block *k) {
     }
     k->albedo[c] = base * shift;
   }
-  if (w->layer[LAYER_SPECKS].on)
+  if (w->layer[LAYER_SPECKS].on) {
     k->speck = lay_over(w, LAYER_SPECKS, COLOUR_BLACK, COLOUR_WHITE, &over, k);
+    k->speck = vmax(k->speck, zero); /* a mean is a difference, and rounds to less than nothing */
+  }
   if (w->layer[LAYER_INCLUSIONS].on)
     k->inclusion =
         lay_over(w, LAYER_INCLUSIONS, COLOUR_INCLUSION, COLOUR_INCLUSION_SECOND, &over, k);
   if (w->has_veins && veins) {
-    vf v = vein_share(w, k->p, k->nrm, k->t1, k->t2, k->s);
+    vf v = vmin(vein_share(w, k->p, k->nrm, k->t1, k->t2, k->s), one);
     fabric_add(&over, OVER_VEINS, COLOUR_VEIN, COLOUR_VEIN, v, k->albedo);
     for (int c = 0; c < 3; c++)
       k->albedo[c] = mix(k->albedo[c], splat(w->colour[COLOUR_VEIN][c]), v);
@@ -261,6 +277,7 @@ STAGE void stage_fabric(const stone_constants *w, block *k) {
   if (w->layer[LAYER_HOLES].on)
     k->hole = lay_over(w, LAYER_HOLES, COLOUR_HOLE, COLOUR_HOLE, &over, k);
   if (k->mixed[OVER_MOSS]) fabric_with(w, &over, k, OVER_MOSS, k->moss_hides);
+  k->moss_hides_specks = fabric_with_specks(&over, k, OVER_MOSS);
 }
 
 #endif

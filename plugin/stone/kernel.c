@@ -219,10 +219,8 @@ INLINE void stage_cover(const stone_constants *w, int paved, block *k) {
     k->albedo[c] = a;
   }
   k->speck = k->speck * stone;
-  if (hides >> LAYER_SPECKS & 1) {
-    vf more = k->with[pair_of(OVER_MOSS, LAYER_SPECKS)][0] * (one - joint);
-    k->speck = vmax(k->speck - more, splat(0.0f));
-  }
+  if (hides >> LAYER_SPECKS & 1)
+    k->speck = vmax(k->speck - k->moss_hides_specks * (one - joint), splat(0.0f));
 }
 
 INLINE void stage_light(const stone_constants *w, int paved, const stone_io *io, block *k,

@@ -807,7 +807,8 @@ INLINE void stage_cells(const wood_constants *w, int boards, block *k) {
   k->ray_cells = splat(0.0f);
   if (w->has_rays && !k->rays_gone && any(gt(k->ray, splat(0.0f)))) {
     ray_place p = ray_place_here(boards, k);
-    k->ray_cells = cells_ray(w, &p, &k->ray_on, &k->ray_in, &face);
+    vf far, fade = rays_fade(w, &p, &far); /* what is expected of rays has no cells */
+    k->ray_cells = (splat(1.0f) - fade) * cells_ray(w, &p, &k->ray_on, &k->ray_in, &face);
   }
   if (!any(gt(k->cover, splat(0.0f)))) return;
   vu own = own_of(boards, k);

@@ -196,13 +196,12 @@ INLINE ray_body ray_body_of(const wood_constants *w, const ray_place *p, const r
       clamp01((q->within - starts) * splat(16.0f)) * clamp01((ends - q->within) * splat(16.0f));
   r.thick = thick * taper;
   r.a = q->at - place * q->arc;
-  if (w->ray_uneven > 0.0f) {
-    vf most = r.thick * splat(1.0f + w->ray_uneven) + q->reach;
-    if (any(lt(vabs(r.a), most))) r.thick = r.thick * ray_unevenness(w, p, seat->root);
-  }
-  if (any(lt(p->along, splat(2.0f * RAY_ROW)))) {
-    vf most = r.thick * splat(1.0f + w->ray_ragged) + q->reach;
-    if (any(lt(vabs(r.a), most))) r.thick = r.thick * ray_raggedness(w, p, h);
+  /* what neither of the two can make thick enough is not asked for them; what one of them
+   * can, is asked for both, or it would depend on the lanes beside it whether it is */
+  vf most = r.thick * splat((1.0f + w->ray_uneven) * (1.0f + w->ray_ragged)) + q->reach;
+  if (any(lt(vabs(r.a), most))) {
+    if (w->ray_uneven > 0.0f) r.thick = r.thick * ray_unevenness(w, p, seat->root);
+    if (any(lt(p->along, splat(2.0f * RAY_ROW)))) r.thick = r.thick * ray_raggedness(w, p, h);
   }
   r.inverse_tall = one / tall;
   r.at = (y - centre) * r.inverse_tall;
