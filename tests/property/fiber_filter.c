@@ -95,8 +95,8 @@ static void against_1024_samples(void **state) {
   }
   /* The goals are missed where a footprint holds some strands: docs/fiber-texture.md.
    * What is held is that this gets no worse. */
-  static const double held[KINDS] = {0.1, 0.13, 0.1}, held_mean[KINDS] = {0.002, 0.002, 0.002};
-  static const unsigned held_missed[KINDS] = {150, 168, 52};
+  static const double held[KINDS] = {0.055, 0.13, 0.085}, held_mean[KINDS] = {0.002, 0.002, 0.002};
+  static const unsigned held_missed[KINDS] = {135, 160, 52};
   for (int kind = 0; kind < KINDS; kind++) {
     assert_true(worst[kind] <= held[kind] && worst_mean[kind] <= held_mean[kind]);
     assert_true(missed[kind] <= held_missed[kind]);

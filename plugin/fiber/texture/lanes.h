@@ -88,21 +88,26 @@ typedef struct {
 typedef struct {
   vf s, inverse_box, half; /* of the box that stands for the footprint */
   vf inverse_end;
-  vf wide; /* 0 where nearness is a strand's, 1 where it is the mean's */
 } lane_filter;
 
 INLINE lane_filter lane_filter_of(float radius, vf s) {
   vf box = vmax(s, splat(0.02f * radius));
-  /* what lies bare within a footprint of some strands is near them on the average */
   return (lane_filter){s, splat(1.0f) / box, box * splat(0.5f),
-                       splat(1.0f) / vmax(s, splat(2.0f * radius)),
-                       smooth_step(splat(1.2f * radius), splat(5.0f * radius), s)};
+                       splat(1.0f) / vmax(s, splat(2.0f * radius))};
+}
+
+/* What of a footprint the two lanes that are looked at stand for: the middle of a wide one. */
+INLINE lane_filter lane_seen(const fibertex_layer *c, const lane_filter *t) {
+  lane_filter r = *t;
+  r.half = vmin(r.half, splat(c->seen));
+  r.inverse_box = vmax(r.inverse_box, splat(c->seen_inverse));
+  return r;
 }
 
 /* From lanes, 0, to their bundle's mean, 1. */
 INLINE vf lane_far(const fibertex_layer *c, vf s) {
   vf t = clamp01((s - splat(c->vague)) * splat(c->vague_inverse));
-  return t * t * (splat(3.0f) - splat(2.0f) * t);
+  return vmin(t * t * (splat(3.0f) - splat(2.0f) * t), splat(1.0f));
 }
 
 /* What a layer shows: coverage, and of the strand that covers most the rest. */
@@ -112,8 +117,8 @@ typedef struct {
   vf slope;  /* of the centreline, the bundle's and its own */
   vf across; /* place across the strand, -2 to 2 */
   vf bright;
-  vf soft; /* how near a strand is, 0 to 1, less the layer's mean: it takes light from what is
-            * below */
+  vf soft; /* how near strands are to what they leave bare, 0 to 1, less the layer's mean: they
+            * take light from what is below */
   vu id;
 } lane_hit;
 
@@ -188,13 +193,22 @@ INLINE void lane_cover(int ends, const lane_place *p, const lane_filter *t, vf r
   q->cover = cover;
 }
 
-/* How near a strand is that may not cover: 1 on it. */
-INLINE vf lane_near(const fibertex_layer *c, int ends, vf ramp, const lane_strand *q) {
-  const vf half = splat(0.5f);
-  /* of a thickness between that and its shadow's: then its mean hardly changes with the slant */
-  vf near = (splat(1.1f) * q->thick + half * (q->r - vabs(q->off))) * splat(c->inverse_radius);
-  near = clamp01(near);
-  if (ends) near = near * clamp01((splat(LANE_ENDS) - q->from) * ramp + half);
+/* How near a strand is falls from its rim on to nothing at 2.2 times its thickness: the integral
+ * from the rim to x beyond it. */
+INLINE vf lane_nearness(const fibertex_layer *c, vf thick, vf x) {
+  vf u = clamp(x, splat(0.0f), splat(2.2f) * thick);
+  return u * (splat(1.1f) * thick - splat(0.25f) * u) * splat(c->inverse_radius);
+}
+
+/* Of a footprint, what the strand leaves bare of it times how near it is to that. Of a thickness
+ * seen squarely from its shadow's rim on: then its mean hardly changes with the slant. */
+INLINE vf lane_near(const fibertex_layer *c, int ends, const lane_filter *t, vf ramp,
+                    const lane_strand *q) {
+  vf right = q->off + t->half - q->r, left = t->half - q->off - q->r, box = t->half + t->half;
+  vf near = lane_nearness(c, q->thick, right) - lane_nearness(c, q->thick, right - box);
+  near = near + (lane_nearness(c, q->thick, left) - lane_nearness(c, q->thick, left - box));
+  near = near * t->inverse_box;
+  if (ends) near = near * clamp01((splat(LANE_ENDS) - q->from) * ramp + splat(0.5f));
   return near;
 }
 
@@ -211,42 +225,53 @@ INLINE vf lane_expected(const fibertex_layer *c, int ends, const lane_place *p) 
   return vmin(wide, one);
 }
 
-/* Of the two that which covers more. What nothing covers is anything, but a number. */
-INLINE void lane_choose(const fibertex_layer *c, int ends, int close, const lane_filter *t,
-                        const lane_place *p, const lane_strand both[2], lane_hit *q) {
-  const vf zero = splat(0.0f), one = splat(1.0f);
-  const lane_strand *m = &both[0], *n = &both[1];
-  q->cover = vmin(m->cover + n->cover, one);
-  if (close) {
-    vf ramp = p->chord * t->inverse_end;
-    vf near = vmax(lane_near(c, ends, ramp, m), lane_near(c, ends, ramp, n));
-    q->soft = (near - splat(c->soft)) * (one - t->wide);
+/* How bright it is, over the part of the footprint that is covered: in the middle more, 1 at the
+ * mean. inverse: 1 over its radius, as it is seen; across: where on it that part lies. */
+INLINE vf lane_bright(const fibertex_constants *w, const fibertex_layer *c, int ends,
+                      const lane_strand *q, vf inverse, vf *across) {
+  const vf one = splat(1.0f);
+  const float rim = 1.0f / (1.0f - LANE_RIM / 3.0f), dive = 1.0f / (1.0f - LANE_DIVE / 3.0f);
+  vf lo = q->lo * inverse, hi = q->hi * inverse, sum = *across = lo + hi;
+  vf bright = splat(c->lift * rim) - splat(c->lift * rim * LANE_RIM / 3.0f) * (sum * sum - lo * hi);
+  if (ends) {
+    vf v = vmin(q->from, splat(LANE_ENDS));
+    bright = bright * (splat(dive) - splat(dive * LANE_DIVE / (LANE_ENDS * LANE_ENDS)) * (v * v));
   }
+  /* the mean of tones is 1 */
+  return bright * (one + splat(FIELD(1.0f) * w->variation) * field_of(q->id, 3));
+}
+
+/* Both, and the rest of that which covers more. What nothing covers is anything, but a number. */
+INLINE void lane_choose(const fibertex_constants *w, const fibertex_layer *c, int ends,
+                        const lane_filter *t, const lane_place *p, const lane_strand both[2],
+                        lane_hit *q) {
+  const vf one = splat(1.0f);
+  const lane_strand *m = &both[0], *n = &both[1];
+  vf sum = m->cover + n->cover, ramp = p->chord * t->inverse_end, across[2];
+  q->cover = vmin(sum, one);
+  /* one division serves two: of what is covered, and of what is bare */
+  vf covered = vmax(sum, splat(1e-6f)), bare = vmax(one - sum, splat(0.02f));
+  vf inverse = one / (covered * bare), thick = one / (m->r * n->r);
+  vf near = lane_near(c, ends, t, ramp, m) + lane_near(c, ends, t, ramp, n);
+  vf wide = (t->half + t->half) * splat(c->seen_inverse);
+  vf mean = splat(c->soft) + splat(c->soft_wide) * (wide * (splat(2.0f) - wide));
+  q->soft = vmin(near * (inverse * covered), one) - mean;
+  vf bright = m->cover * lane_bright(w, c, ends, m, thick * n->r, &across[0]);
+  bright = bright + n->cover * lane_bright(w, c, ends, n, thick * m->r, &across[1]);
+  q->bright = bright * (inverse * bare);
   vm other = lt(m->cover, n->cover);
   q->id = selu(other, n->id, m->id);
   q->slope = sel(other, n->slope, m->slope);
-  /* over the part of the footprint that is covered */
-  vf inverse = one / sel(other, n->r, m->r);
-  vf lo = sel(other, n->lo, m->lo) * inverse, hi = sel(other, n->hi, m->hi) * inverse;
-  vf sum = q->across = lo + hi;
-  /* what is brighter in the middle: 1 at the mean */
-  const float rim = 1.0f / (1.0f - LANE_RIM / 3.0f), dive = 1.0f / (1.0f - LANE_DIVE / 3.0f);
-  vf bright = splat(c->lift * rim) - splat(c->lift * rim * LANE_RIM / 3.0f) * (sum * sum - lo * hi);
-  if (ends) {
-    vf v = vmin(sel(other, n->from, m->from), splat(LANE_ENDS));
-    bright = bright * (splat(dive) - splat(dive * LANE_DIVE / (LANE_ENDS * LANE_ENDS)) * (v * v));
-  }
-  q->bright = bright;
-  q->mean = zero;
+  q->across = sel(other, across[1], across[0]);
+  q->mean = splat(0.0f);
 }
 
 /* Between the two: a layer shows a part by its strands and a part by their mean. */
-INLINE void lane_blend(const fibertex_layer *c, int ends, int close, const lane_place *p, vf s,
-                       lane_hit *q) {
+INLINE void lane_blend(const fibertex_layer *c, int ends, const lane_place *p, vf s, lane_hit *q) {
   vf far = lane_far(c, s), near = splat(1.0f) - far;
   q->cover = near * q->cover;
   q->mean = far * lane_expected(c, ends, p);
-  if (close) q->soft = q->soft * near;
+  q->soft = q->soft * near;
 }
 
 #endif

@@ -16,9 +16,7 @@ INLINE void compose(const fibertex_constants *w, const fibertex_layer *c, block 
   const vf zero = splat(0.0f);
   vf strand = sum->left * q->cover, rest = sum->left * q->mean, share = strand + rest;
   sum->left = sum->left - share;
-  /* the mean of strands is 1 bright, and so is that of their tones */
-  vf tone = splat(1.0f) + splat(FIELD(1.0f) * w->variation) * field_of(q->id, 3);
-  vf bright = strand * q->bright * tone;
+  vf bright = strand * q->bright; /* 1 is their mean */
   if (close) {
     bright = bright * k->shade;
     rest = rest * k->shade;
@@ -91,24 +89,24 @@ typedef struct {
 typedef layer_work layers_work[LAYERS_TOGETHER][BLOCKS_TOGETHER];
 #define EACH_LAYER EACH(l, layers) EACH(b, blocks)
 
-/* Of all blocks; close: whether any is so narrow that it sees how near strands are. */
+/* Of all blocks; close: whether any is so narrow that it sees strands, and how near they are. */
 typedef struct {
   float least, most;
   int close;
 } footprints;
 
-INLINE footprints footprints_of(const block *k, uint32_t blocks) {
-  vf low = splat(1e30f), high = splat(0.0f), wide = splat(1.0f);
+INLINE footprints footprints_of(const fibertex_constants *w, const block *k, uint32_t blocks) {
+  vf low = splat(1e30f), high = splat(0.0f);
   EACH(b, blocks) {
     low = vmin(k[b].s, low);
     high = vmax(k[b].s, high);
-    wide = vmin(k[b].filter.wide, wide);
   }
-  footprints r = {lane(low, 0), lane(high, 0), any(lt(wide, splat(1.0f)))};
+  footprints r = {lane(low, 0), lane(high, 0), 0};
   for (uint32_t i = 1; i < LANES; i++) {
     r.least = lane(low, i) < r.least ? lane(low, i) : r.least;
     r.most = lane(high, i) > r.most ? lane(high, i) : r.most;
   }
+  r.close = r.least < w->vaguest;
   return r;
 }
 
@@ -129,19 +127,21 @@ INLINE void stages_of_lanes(const fibertex_constants *w, const fibertex_layer *c
     }
     EACH_LAYER {
       layer_work *q = &of[l][b];
-      vf ramp = q->p.chord * k[b].filter.inverse_end;
-      lane_cover(ends, &q->p, &k[b].filter, ramp, &q->both[0]);
-      lane_cover(ends, &q->p, &k[b].filter, ramp, &q->both[1]);
+      lane_filter seen = lane_seen(&c[l], &k[b].filter);
+      vf ramp = q->p.chord * seen.inverse_end;
+      lane_cover(ends, &q->p, &seen, ramp, &q->both[0]);
+      lane_cover(ends, &q->p, &seen, ramp, &q->both[1]);
     }
     EACH_LAYER {
       layer_work *q = &of[l][b];
-      lane_choose(&c[l], ends, s->close, &k[b].filter, &q->p, q->both, &q->hit);
+      lane_filter seen = lane_seen(&c[l], &k[b].filter);
+      lane_choose(w, &c[l], ends, &seen, &q->p, q->both, &q->hit);
     }
   } else {
     EACH_LAYER of[l][b].hit = (lane_hit){zero, zero, zero, zero, zero, zero, splatu(0)};
   }
   if (!means) return;
-  EACH_LAYER lane_blend(&c[l], ends, s->close, &of[l][b].p, k[b].s, &of[l][b].hit);
+  EACH_LAYER lane_blend(&c[l], ends, &of[l][b].p, k[b].s, &of[l][b].hit);
 }
 
 INLINE void stages_of_hull(const fibertex_constants *w, const fibertex_layer *c, uint32_t layers,
@@ -200,7 +200,7 @@ INLINE void enter_yarns(block *k) {
 /* Down through the shell. */
 INLINE void stage_layers(const fibertex_constants *w, int woven, block *k, uint32_t blocks,
                          int level, int light) {
-  const footprints s = footprints_of(k, blocks);
+  const footprints s = footprints_of(w, k, blocks);
   if (s.least >= w->far[1]) return; /* nothing near is left of them */
   /* of a cloth what stands off it first */
   uint32_t all = (uint32_t)w->layers, first = woven ? (uint32_t)w->layer[0].ends : 0, layers;

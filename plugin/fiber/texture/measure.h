@@ -71,18 +71,22 @@ INLINE void measure_cells(const fibertex_layer *c, uint32_t i, vf at[3]) {
   }
 }
 
-/* What a layer shows at as many points as blocks have, from the i-th on. */
-STAGE void measure_blocks(const fibertex_constants *w, const fibertex_layer *c, uint32_t i,
+/* What a layer shows of as many footprints of s mm as blocks have points, from the i-th on. */
+STAGE void measure_blocks(const fibertex_constants *w, const fibertex_layer *c, float s, uint32_t i,
                           block *k, layers_work of) {
-  const footprints points = {0.0f, 0.0f, 1};
+  const footprints all = {s, s, 1};
   vf at[BLOCKS_TOGETHER][3];
+  EACH(b, BLOCKS_TOGETHER) {
+    k[b].s = splat(s);
+    k[b].filter = lane_filter_of(w->layer[0].radius, k[b].s);
+  }
   EACH(b, BLOCKS_TOGETHER) measure_cells(c, i + b * LANES, at[b]);
   if (c->ends) {
     EACH(b, BLOCKS_TOGETHER) lattice_of(&k[b].f, at[b], 1, k[b].g);
-    stages_of_hull(w, c, 1, k, BLOCKS_TOGETHER, 1, &points, of);
+    stages_of_hull(w, c, 1, k, BLOCKS_TOGETHER, 1, &all, of);
   } else {
     EACH(b, BLOCKS_TOGETHER) yarn_place(c, at[b], splatu(0), &of[0][b].p);
-    stages_of_lanes(w, c, 1, 0, k, BLOCKS_TOGETHER, &points, of);
+    stages_of_lanes(w, c, 1, 0, k, BLOCKS_TOGETHER, &all, of);
   }
 }
 
@@ -95,12 +99,10 @@ static void measured_blocks(const fibertex_constants *w, block *k) {
     for (int a = 0; a < 3; a++) f->n[a] = splat(0.57735027f);
     frame_axes(w, axis, f);
     f->lean2[0] = f->lean2[1] = f->step[0] = f->step[1] = f->step[2] = zero;
-    k[b].filter = lane_filter_of(w->layer[0].radius, zero);
-    k[b].s = zero;
   }
 }
 
-static void measure(const fibertex_constants *w, uint32_t count, fibertex_means *out) {
+static void measure(const fibertex_constants *w, uint32_t count, float lanes, fibertex_means *out) {
   const vf one = splat(1.0f);
   block k[BLOCKS_TOGETHER];
   measured_blocks(w, k);
@@ -109,7 +111,7 @@ static void measure(const fibertex_constants *w, uint32_t count, fibertex_means 
     const fibertex_layer *c = &w->layer[l];
     for (uint32_t i = 0; i < count; i += BLOCKS_TOGETHER * LANES) {
       layers_work of;
-      measure_blocks(w, c, i, k, of);
+      measure_blocks(w, c, lanes * c->spacing, i, k, of);
       EACH(b, BLOCKS_TOGETHER) {
         const lane_hit *q = &of[0][b].hit;
         measure_add(&out->point[l], q->cover);

@@ -126,7 +126,7 @@ static void measure_strands(const fibertex_constants *w, uint32_t count, fiberte
   measured_blocks(w, k);
   for (uint32_t i = 0; i < count; i += BLOCKS_TOGETHER * LANES) {
     layers_work of;
-    measure_blocks(w, c, i, k, of);
+    measure_blocks(w, c, 0.0f, i, k, of);
     EACH(b, BLOCKS_TOGETHER) {
       const vf zero = splat(0.0f);
       strand_parts p, all = {zero, zero, zero, zero};

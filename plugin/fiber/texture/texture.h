@@ -8,7 +8,7 @@
  *   bundles     each layer is divided into cells of space, in which strands
  *               lie side by side in one direction
  *   lanes       the strands of a bundle, each with a centreline, ends, a
- *               radius and a tone of its own; three are looked at
+ *               radius and a tone of its own; two are looked at
  *   yarns       of a cloth: the bundles lie along yarns instead
  * Under a footprint wider than a lane, strands give way to their bundle's
  * mean, and bundles to the layer's: a density with directions.
@@ -42,13 +42,15 @@ typedef struct {
   float tilt;        /* how far it drifts per mm, over 2^31 */
   float vague, vague_inverse; /* footprint from which lanes give way to a mean; 1 over how far on
                                nothing is left of them */
+  float seen, seen_inverse;   /* footprint that its two lanes stand for, half; 1 over all of it */
   float widen_most;           /* how much broader a strand may look at a slant */
   float depth, depth_cells;   /* of the layer below the hull; in cells of the lattice */
   float chord_least;
   float ambient;   /* of the light that comes from around, what reaches it */
   float mean;      /* share that its strands cover, seen squarely */
   float formula;   /* a bundle's mean, at its middle */
-  float soft;      /* mean nearness of strands where they do not cover */
+  float soft;      /* mean nearness of strands where they do not cover, */
+  float soft_wide; /* and by how much more of it a footprint finds that its lanes stand for */
   float lift;      /* 1 over the mean brightness of its strands, which is to be 1 */
   float slope2;    /* variance of the strands' slope within their bundle */
   float twist[2];  /* on a yarn: cosine and sine of the strands' angle */
@@ -99,6 +101,7 @@ typedef struct {
   float radius_spread;
   float contact;         /* how much of the light strands take from what is close below */
   float step, step_more; /* optical depth of the first layer; and what each next has more */
+  float vaguest;         /* footprint from which no layer shows strands */
   float far[2];          /* footprints between which bundles give way to the mean */
   float deep, deep_ambient, deep_above, deep_depth; /* what is below the last layer */
 
@@ -155,17 +158,18 @@ enum {
   FIBERTEX_COMPONENTS = 17
 };
 
-/* Means over `count` points: of each layer's coverage at a point, of its bundles'
- * formula, of what covers its brightness, and of its strands' nearness where they do not cover; and
- * of a cloth what share its warp and its weft show, those in the shade of furrows, the same by how
- * level they lie, and sums of the
- * squares and fourth powers of the sines of its face's lean to the side and of its slope. */
+/* Means over `count` footprints as wide as so many lanes, 0 for points: of each layer's coverage at
+ * a point, of its bundles' formula, of what covers its brightness, and of its strands' nearness
+ * where they do not cover; and of a cloth what share its warp and its weft show, those in the shade
+ * of furrows, the same by how level they lie, and sums of the squares and fourth powers of the
+ * sines of its face's lean to the side and of its slope. */
 typedef struct {
   double point[FIBERTEX_LAYERS], formula[FIBERTEX_LAYERS], soft[FIBERTEX_LAYERS],
       bright[FIBERTEX_LAYERS];
   double yarn[2], shaded[2], level[2], lean2[2], lean4[2], slope2[2], slope4[2];
 } fibertex_means;
-typedef void fibertex_measure(const fibertex_constants *w, uint32_t count, fibertex_means *out);
+typedef void fibertex_measure(const fibertex_constants *w, uint32_t count, float lanes,
+                              fibertex_means *out);
 
 /* Over `count` places, lights and views, as the places themselves have it and as looks that stand
  * for all have: of a cloth what comes back of what is scattered often, of warp and weft; of an
