@@ -66,6 +66,7 @@ static bool print_ground(FILE *to, const bake_job *job, failure *why) {
   const recipe_surface *asked = &job->recipe->surface;
   fprintf(to, "surface: %d, %.17g x %.17g mm", asked->shape, shape->size[0], shape->size[1]);
   fprintf(to, ", thickness %.17g, wrap %d\n", asked->size[2], job->recipe->image.wrap);
+  if (shape->samples > 1) fprintf(to, "samples: %u\n", shape->samples);
   uint64_t sum = 0;
   if (!job->ground->atlas) return true;
   if (!checksum_file(asked->mesh, &sum))

@@ -7,9 +7,10 @@
 #include "cancel.h"
 #include "evaluate.h"
 #include "parallel.h"
+#include "texel_parts.h"
 
 #define CHUNK 4096u /* texels that a thread takes at a time, more or less */
-#define INPUTS 7    /* point, normal, footprint */
+#define INPUTS 13   /* point, normal, across, down, footprint */
 
 /* A run of columns of a unit, all of its rows. */
 typedef struct chunk {
@@ -53,6 +54,8 @@ static bool allocate(bench *b, const job *j, size_t texels) {
   float *next = b->memory;
   for (int k = 0; k < 3; k++, next += texels) b->room.point[k] = next;
   for (int k = 0; k < 3; k++, next += texels) b->room.normal[k] = next;
+  for (int k = 0; k < 3; k++, next += texels) b->room.across[k] = next;
+  for (int k = 0; k < 3; k++, next += texels) b->room.down[k] = next;
   b->room.footprint = next, next += texels;
   b->colours = next, next += 3 * texels;
   for (uint32_t k = 0; k < j->info->component_count; k++)
@@ -83,6 +86,8 @@ static void gather(bench *b, uint32_t texels) {
     for (int k = 0; k < 3; k++) {
       b->room.point[k][to] = b->room.point[k][i];
       b->room.normal[k][to] = b->room.normal[k][i];
+      b->room.across[k][to] = b->room.across[k][i];
+      b->room.down[k][to] = b->room.down[k][i];
     }
     b->room.footprint[to] = b->room.footprint[i];
   }
@@ -107,11 +112,17 @@ static bool answer_mesh(const job *j, bench *b, const bake_unit *u, const chunk 
                        .footprint = b->room.footprint,
                        .out = b->out,
                        .out_count = j->info->component_count};
+  texel_parts parts = {.side = surface_shape_of(g->surface)->samples};
   for (int k = 0; k < 3; k++) {
     batch.point[k] = b->room.point[k];
     batch.normal[k] = b->room.normal[k];
+    parts.across[k] = b->room.across[k];
+    parts.down[k] = b->room.down[k];
   }
-  if (s->textures->evaluate(s->texture, &batch) == SOZAI_OK) return true;
+  surface_material material = {s->textures, s->texture};
+  int32_t result = parts.side > 1 ? texel_parts_evaluate(&parts, &material, &batch)
+                                  : s->textures->evaluate(s->texture, &batch);
+  if (result == SOZAI_OK) return true;
   return fail(why, EXIT_FAILURE, "evaluate: %s", s->textures->last_error());
 }
 

@@ -25,8 +25,11 @@
 #define FIBER_FOOTPRINT(mm) FIBER("footprint_" #mm ".batch1024", 1024, NULL, .footprint = (float)(mm))
 #define FIBER_OF(id) {.name = "fiber." id ".batch1024", .batch = 1024, .wood = {.fiber = id}}
 #define READ(called, of, which, given, mm, outputs, apart) \
-  {.name = "oiio." called, .kind = ENTRY_TILE, .tile = {of, which, given, mm, outputs, apart}}
+  {.name = "oiio." called, .kind = ENTRY_TILE, .tile = {of, which, given, mm, outputs, apart, 0}}
 #define TILE(called, ...) READ("tile." called, __VA_ARGS__, "albedo", false)
+/* in so many parts across a texel, and down */
+#define PARTS(called, of, which, mm, side) \
+  {.name = "oiio.tile." called, .kind = ENTRY_TILE, .tile = {of, which, NULL, mm, "albedo", false, side}}
 /* what the shaders of hosts/osl and the nodes of hosts/blender read: a normal where there is relief */
 #define WOOD "albedo,fiber"
 #define RELIEF "albedo,fiber,normal"
@@ -167,6 +170,9 @@ const entry entries[] = {
     TILE("carrara", "stone", "carrara", NULL, 0.25),
     TILE("travertino", "stone", "travertino", NULL, 0.25),
     TILE("terrazzo", "stone", "terrazzo", NULL, 0.0625),
+    TILE("felt", "fiber", "felt", NULL, 0.0625),
+    TILE("denim", "fiber", "denim", NULL, 0.125),
+    PARTS("denim_samples_4", "fiber", "denim", 0.125, 4),
     LOOK("keyaki", "wood", WOOD, "keyaki", "cut: flat", 0.0625),
     LOOK("keyaki_0.5mm", "wood", WOOD, "keyaki", "cut: flat", 0.5),
     LOOK("mizunara", "wood", WOOD, "mizunara", "cut: flat", 0.0625),

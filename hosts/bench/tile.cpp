@@ -60,11 +60,13 @@ bool open_input(std::unique_ptr<OIIO::ImageInput> &in, const std::string &path, 
 
 bool write_text(const tile_kind *kind, const std::string &path, failure *why) {
   std::FILE *file = std::fopen(path.c_str(), "w");
-  bool ok = file && std::fprintf(file,
-                                 "material: %s\npreset: %s\nparams: {%s}\nimage: {resolution: %d, "
-                                 "size: %.9g, format: half, outputs: [%s], subimages: single}\n",
-                                 kind->material, kind->preset, kind->params ? kind->params : "",
-                                 side, side * kind->texel, kind->outputs) > 0;
+  bool ok = file &&
+            std::fprintf(file,
+                         "material: %s\npreset: %s\nparams: {%s}\nimage: {resolution: %d, "
+                         "size: %.9g, format: half, outputs: [%s], subimages: single, "
+                         "samples: %d}\n",
+                         kind->material, kind->preset, kind->params ? kind->params : "", side,
+                         side * kind->texel, kind->outputs, kind->samples ? kind->samples : 1) > 0;
   if (file && std::fclose(file) != 0) ok = false;
   return ok || fail(why, EXIT_FAILURE, "cannot write %s", path.c_str());
 }

@@ -20,6 +20,7 @@ typedef struct tile_kind {
   double texel;        /* mm */
   const char *outputs; /* with commas between */
   bool apart;          /* baked to a file for each */
+  int samples;         /* parts across a texel; 0: 1 */
 } tile_kind;
 
 #define TILE_SIDE 64u

@@ -14,7 +14,7 @@
 /* What was asked for, as text where it needs more than a number. */
 typedef struct request {
   session_options shared;
-  const char *output, *outputs, *shape, *size, *resolution, *space, *shard, *udim;
+  const char *output, *outputs, *shape, *size, *resolution, *samples, *space, *shard, *udim;
   double scale;
   uint32_t bits, tile;
   bool mip, resume, merge;
@@ -54,12 +54,15 @@ static bool set_size(recipe *r, const char *text, failure *why) {
   return true;
 }
 
+static bool set_image(recipe *r, const char *key, const char *text, failure *why) {
+  return !text || recipe_image_set(&r->image, recipe_image_key(key), text, why);
+}
+
 static bool set_surface(recipe *r, const request *q, failure *why) {
   if (q->shape && !set_shape(r, q->shape, why)) return false;
   if (q->size && !set_size(r, q->size, why)) return false;
   if (q->scale > 0) r->surface.scale = q->scale;
-  return !q->resolution ||
-         recipe_image_set(&r->image, recipe_image_key("resolution"), q->resolution, why);
+  return set_image(r, "resolution", q->resolution, why) && set_image(r, "samples", q->samples, why);
 }
 
 /* ---- the job ------------------------------------------------------------------ */
@@ -185,6 +188,8 @@ int run_bake(int argc, char **argv) {
       {"scale", 0, OPTION_NUMBER, &q.scale, "MM", "mm per unit of a mesh (default: 1)", 1e-6, 1e6},
       {"res", 0, OPTION_TEXT, &q.resolution, "N or WxH", "pixels (default: 4096 the longer side)",
        0, 0},
+      {"samples", 0, OPTION_TEXT, &q.samples, "N",
+       "parts of a texel across and down, 1, 2, 4 or 8 (default: 1)", 0, 0},
       {"udim", 0, OPTION_TEXT, &q.udim, "1001,1002", "tiles of a mesh (default: all it has)", 0, 0},
       {"mip", 0, OPTION_FLAG, &q.mip, NULL, "all levels of a mipmap, in an EXR", 0, 0},
       {"tile", 0, OPTION_COUNT, &q.tile, "N",

@@ -6,11 +6,11 @@
 #include "numbers.h"
 
 const char recipe_image_keys[] =
-    "resolution, size, format, wrap, outputs, normals, udim, subimages";
+    "resolution, size, format, wrap, outputs, normals, udim, subimages, samples";
 
-#define KEYS 8
-static const char *const names[KEYS] = {"resolution", "size",    "format", "wrap",
-                                        "outputs",    "normals", "udim",   "subimages"};
+#define KEYS 9
+static const char *const names[KEYS] = {"resolution", "size", "format",    "wrap",   "outputs",
+                                        "normals",    "udim", "subimages", "samples"};
 
 int recipe_image_key(const char *name) {
   for (int key = 0; key < KEYS; key++)
@@ -91,6 +91,13 @@ static bool set_udim(recipe_image *image, const char *text, failure *why) {
   return true;
 }
 
+static bool set_samples(recipe_image *image, const char *text, failure *why) {
+  int chosen;
+  if (!set_choice(&chosen, "samples", text, "1, 2, 4, 8", why)) return false;
+  image->samples = 1 << chosen;
+  return true;
+}
+
 bool recipe_image_set(recipe_image *image, int key, const char *text, failure *why) {
   switch (key) {
   case 0:
@@ -107,8 +114,10 @@ bool recipe_image_set(recipe_image *image, int key, const char *text, failure *w
     return set_choice(&image->normals, "normals", text, "object, tangent", why);
   case 6:
     return set_udim(image, text, why);
-  default:
+  case 7:
     return set_choice(&image->subimages, "subimages", text, "separate, single", why);
+  default:
+    return set_samples(image, text, why);
   }
 }
 

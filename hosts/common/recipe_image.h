@@ -31,6 +31,7 @@ typedef struct recipe_image {
   int wrap;             /* RECIPE_WRAP_* */
   int normals;          /* RECIPE_NORMALS_* */
   int subimages;        /* RECIPE_SUBIMAGES_* */
+  int samples;          /* each texel is the mean of so many by so many parts; 0: not said, 1 */
   int udim;             /* of a mesh: 1001 and on; 0: its first */
   char *outputs;        /* channels' ids with commas between; NULL: all */
 } recipe_image;

@@ -49,6 +49,7 @@ void add_metadata(ImageSpec &spec, const picture_about *about, const subimage *s
   if (*about->preset) spec.attribute("sozai:preset", about->preset);
   if (colour && *about->working) spec.attribute("sozai:ColorSpace", about->working);
   if (about->shape.udim) spec.attribute("sozai:udim", about->shape.udim);
+  if (about->shape.samples > 1) spec.attribute("sozai:samples", int(about->shape.samples));
   if (encoded) spec.attribute("sozai:normals", "tangent");
 }
 

@@ -73,19 +73,26 @@ static vec3 normal_at(const patch *p, const mesh *m, double x, double y) {
   return l > 0 ? scaled(1 / l, n) : (vec3){0, 0, 1};
 }
 
-static void put(const surface_room *out, size_t i, vec3 point, vec3 normal, double footprint,
+static void put_vec(float *const to[3], size_t i, vec3 v) {
+  if (!to[0]) return;
+  to[0][i] = (float)v.x, to[1][i] = (float)v.y, to[2][i] = (float)v.z;
+}
+
+/* p: NULL far from all of them. */
+static void put(const surface_room *out, size_t i, vec3 point, vec3 normal, const patch *p,
                 uint8_t covered) {
-  out->point[0][i] = (float)point.x, out->point[1][i] = (float)point.y;
-  out->point[2][i] = (float)point.z;
-  out->normal[0][i] = (float)normal.x, out->normal[1][i] = (float)normal.y;
-  out->normal[2][i] = (float)normal.z;
-  out->footprint[i] = (float)fmin(footprint, (double)FAR_FOOTPRINT);
+  const vec3 none = {0, 0, 0};
+  put_vec(out->point, i, point);
+  put_vec(out->normal, i, normal);
+  put_vec(out->across, i, p ? p->across : none);
+  put_vec(out->down, i, p ? p->down : none);
+  out->footprint[i] = p ? (float)fmin(p->footprint, (double)FAR_FOOTPRINT) : FAR_FOOTPRINT;
   out->covered[i] = covered;
 }
 
 static void put_inside(const atlas *a, const patch *p, double x, double y, const surface_room *out,
                        size_t i) {
-  put(out, i, point_at(p, x, y), normal_at(p, &a->mesh, x, y), p->footprint, 1);
+  put(out, i, point_at(p, x, y), normal_at(p, &a->mesh, x, y), p, 1);
 }
 
 /* Past the border of a triangle: at[] is its nearest point. */
@@ -99,13 +106,12 @@ static void put_beside(const atlas *a, const patch *p, double x, double y, const
   double limit = MOST_STRETCH * BEYOND * p->footprint, moved = length(move);
   if (moved > limit) move = scaled(limit / moved, move);
   uint8_t covered = distance < 1e-6 ? 1 : 2; /* between two triangles, by rounding */
-  put(out, i, add(border, move), normal_at(p, &a->mesh, found->at[0], found->at[1]), p->footprint,
-      covered);
+  put(out, i, add(border, move), normal_at(p, &a->mesh, found->at[0], found->at[1]), p, covered);
 }
 
 static void put_far(const atlas *a, const surface_room *out, size_t i) {
   vec3 middle = {(double)a->middle[0], (double)a->middle[1], (double)a->middle[2]};
-  put(out, i, middle, (vec3){0, 0, 1}, (double)FAR_FOOTPRINT, 0);
+  put(out, i, middle, (vec3){0, 0, 1}, NULL, 0);
 }
 
 /* ---- texels --------------------------------------------------------------- */

@@ -5,6 +5,7 @@
 #include <string.h>
 #include "blend.h"
 #include "patches.h"
+#include "texel_parts.h"
 
 /* A plane's normal, the same at every texel. */
 #define FOUR_OF(x) x, x, x, x
@@ -25,17 +26,33 @@ static void repeat_first(float *const *out, uint32_t out_count, size_t count) {
     for (size_t i = 1; out[k] && i < count; i++) out[k][i] = out[k][0];
 }
 
+static int32_t evaluate(const surface_shape *shape, const surface_material *m,
+                        const sozai_batch *batch, const surface_room *texels) {
+  const periodic *repeat = shape->seamless ? &shape->repeat : NULL;
+  texel_parts parts = {.side = shape->samples, .repeat = repeat};
+  for (int c = 0; c < 3; c++) {
+    parts.across[c] = texels->across[c];
+    parts.down[c] = texels->down[c];
+  }
+  if (parts.side > 1) return texel_parts_evaluate(&parts, m, batch);
+  return repeat ? blend_evaluate(repeat, m, batch) : m->textures->evaluate(m->texture, batch);
+}
+
 bool surface_evaluate(const surface *s, const surface_material *m, uint32_t level, uint32_t x,
                       uint32_t y, uint32_t z, uint32_t w, uint32_t h, float *const *out,
                       uint32_t out_count, uint8_t *covered, failure *why) {
-  _Alignas(64) float input[7][SURFACE_BLOCK];
+  _Alignas(64) float input[13][SURFACE_BLOCK];
   uint8_t own_covered[SURFACE_BLOCK];
   const surface_shape *shape = surface_shape_of(s);
   bool flat = shape->kind == SURFACE_PLANE, mesh = shape->kind == SURFACE_MESH;
   surface_room texels = {.point = {input[0], input[1], input[2]},
                          .footprint = input[6],
                          .covered = covered || !mesh ? covered : own_covered};
-  for (int c = 0; c < 3; c++) texels.normal[c] = mesh ? input[3 + c] : NULL;
+  for (int c = 0; c < 3; c++) {
+    texels.normal[c] = mesh ? input[3 + c] : NULL;
+    texels.across[c] = shape->samples > 1 ? input[7 + c] : NULL;
+    texels.down[c] = shape->samples > 1 ? input[10 + c] : NULL;
+  }
   size_t count = (size_t)w * h;
   if (count > SURFACE_BLOCK || !surface_texels(s, level, x, y, z, w, h, &texels))
     return fail(why, EXIT_FAILURE, "no such texels");
@@ -52,8 +69,7 @@ bool surface_evaluate(const surface *s, const surface_material *m, uint32_t leve
     batch.point[c] = texels.point[c];
     batch.normal[c] = flat ? upwards[c] : texels.normal[c];
   }
-  int32_t result = shape->seamless ? blend_evaluate(&shape->repeat, m, &batch)
-                                   : m->textures->evaluate(m->texture, &batch);
+  int32_t result = evaluate(shape, m, &batch, &texels);
   if (result != SOZAI_OK) return fail(why, EXIT_FAILURE, "%s", m->textures->last_error());
   for (uint32_t k = 0; !mesh && k < out_count; k++)
     if (out[k]) rows_of_patches(out[k], w, h);

@@ -120,6 +120,8 @@ static bool check(const surface *s, const recipe *r, failure *why) {
   if (kind == SURFACE_VOLUME && r->surface.shape == RECIPE_MESH)
     return refuse(r, why, "image: three numbers make a volume, which a mesh is not");
   if (kind != SURFACE_MESH && i->udim) return refuse(r, why, "image: udim is for a mesh alone");
+  if (kind == SURFACE_VOLUME && i->samples > 1)
+    return refuse(r, why, "image: samples is not for a volume");
   if (i->wrap != RECIPE_WRAP_PERIODIC) return true;
   if (kind != SURFACE_PLANE || r->surface.shape == RECIPE_BOARD)
     return refuse(r, why, "image: wrap: periodic is for a plane alone");
@@ -157,6 +159,7 @@ bool surface_open(surface **out, const recipe *r, failure *why) {
   s->shape.seamless = r->image.wrap == RECIPE_WRAP_PERIODIC;
   if (s->shape.seamless) s->shape.repeat = periodic_make(s->shape.size);
   s->shape.levels = count_levels(&s->shape);
+  s->shape.samples = r->image.samples > 1 ? (uint32_t)r->image.samples : 1;
   *out = s;
   return true;
 }
@@ -206,6 +209,10 @@ static void grid_texels(const surface *s, const uint32_t pixels[3], uint32_t x, 
   double wide = size[0] / pixels[0], high = size[1] / pixels[1];
   double footprint = volume ? cbrt(wide * high * size[2] / pixels[2]) : sqrt(wide * high);
   fill(out->footprint, count, (float)footprint);
+  for (int c = 0; c < 3; c++) {
+    fill(out->across[c], count, c == 0 ? (float)wide : 0.0f);
+    fill(out->down[c], count, c == 1 ? (float)(volume ? high : -high) : 0.0f);
+  }
   if (out->covered) memset(out->covered, 1, count);
 }
 

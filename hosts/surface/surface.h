@@ -33,6 +33,7 @@ typedef struct surface_shape {
   uint32_t pixels[3]; /* of level 0; the third is 1 but for a volume */
   double size[3];     /* mm; 0 for a mesh */
   int udim;           /* of a mesh */
+  uint32_t samples;   /* each texel is the mean of so many by so many parts */
   bool seamless;      /* a plane that fits itself: */
   periodic repeat;
 } surface_shape;
@@ -54,7 +55,7 @@ void surface_level(const surface *s, uint32_t level, uint32_t pixels[3]);
 
 /* The texels x to x+w, y to y+h of slice z of a level. false: they are not
  * within it, and out is untouched. The members of out may be NULL where not
- * wanted (a mesh wants all), and a volume has no normals. A texel's values
+ * wanted (a mesh wants all but across and down), and a volume has no normals. A texel's values
  * depend on its place alone, not on the rectangle. Allocates nothing.
  * [thread-safe] */
 bool surface_texels(const surface *s, uint32_t level, uint32_t x, uint32_t y, uint32_t z,

@@ -27,7 +27,9 @@ cat >stone.sozai <<'YAML'
 material: stone
 image: {resolution: 128, size: [200, 200], wrap: periodic}
 YAML
-for name in mesh floor stone; do
+sed 's/udim: 1003/udim: 1003, samples: 2/' mesh.sozai >parts.sozai
+sed 's/wrap: periodic/wrap: periodic, samples: 4/' stone.sozai >round.sozai
+for name in mesh floor stone parts round; do
   works bake $name.sozai -o $name.exr --mip --outputs albedo
   for level in 0 1 3; do
     oiiotool $name.exr --selectmip $level -d half -o baked.exr

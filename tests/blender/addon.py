@@ -138,6 +138,10 @@ def solid():
     bpy.ops.sozai.update()
     check("the mesh is in mm", "v 100 100 0" in read("carrara.obj"), read("carrara.obj"))
     check("the recipe names it", 'mesh: "carrara.obj"' in read("carrara.sozai"))
+    check("one part to a pixel", "samples" not in read("carrara.sozai"))
+    material.sozai.samples = "4"
+    bpy.ops.sozai.update()
+    check("four parts to a pixel", "samples: 4" in read("carrara.sozai"), read("carrara.sozai"))
     for corner in obj.data.uv_layers[0].data:
         corner.uv[0] *= 2
     bpy.ops.sozai.update()

@@ -156,6 +156,9 @@ void queries(void **) {
   refuse(good + "grain=%ff%fe", {"grain"});
   refuse(good + "udim=1001", {"udim"});
   refuse(good + "subimages=", {"subimages", "separate, single"});
+  refuse(good + "samples=3", {"samples", "'3'", "1, 2, 4, 8"});
+  refuse(good + "samples=1e30", {"samples", "'1e30'"});
+  refuse(good + "resolution=8,8,8&samples=2", {"samples", "volume"});
   refuse(good + "subimages=Single", {"subimages", "'Single'"});
   refuse(good + "subimages=single,single", {"subimages", "single,single"});
   refuse(good + "subimages=1e30", {"subimages", "'1e30'"});

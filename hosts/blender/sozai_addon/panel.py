@@ -52,6 +52,7 @@ class SOZAI_PT_material(Place, bpy.types.Panel):
             column.prop(s, "size")
             column.prop(s, "texel")
             column.prop(s, "most_pixels")
+        column.prop(s, "samples")
         column.prop(s, "displace")
         column.prop(s, "automatic")
         row = column.row()

@@ -14,6 +14,7 @@ MODES = (
 ALONG = (("X", "X", "The object's x becomes sozai's +y"),
          ("Y", "Y", "The object's axes are sozai's"),
          ("Z", "Z", "The object's z becomes sozai's +y"))
+SAMPLES = tuple((n, n, "%s x %s parts of each pixel" % (n, n)) for n in ("1", "2", "4", "8"))
 
 
 def settings_class(described, changed):
@@ -41,6 +42,11 @@ def settings_class(described, changed):
         "mesh_pixels": IntProperty(
             name="Pixels", default=2048, min=16, max=65536, update=changed,
             description="A side of the unwrapped mesh's picture, each UDIM tile's"),
+        "samples": EnumProperty(
+            name="Samples", items=SAMPLES, default="1", update=changed,
+            description="Of how many parts across, and down, a pixel is the mean. Cloth and felt "
+                        "whose strands or yarns are a pixel or less want 4, which takes some "
+                        "twenty times as long; wood and stone want 1"),
         "uv_mm": FloatProperty(
             name="UV unit (mm)", default=1000.0, min=0.001, max=1e6, update=changed,
             description="How many mm one unit of the UV map is"),

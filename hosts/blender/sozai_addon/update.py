@@ -143,6 +143,8 @@ def write_recipes(material, described, group, scene, extent):
     else:
         image["size"] = [float(s) for s in extent]
         image["resolution"] = resolution_of(settings, extent, scene)
+    if settings.samples != "1":
+        image["samples"] = int(settings.samples)
     preset = "" if group.preset == parameters.NONE else group.preset
     params = params_of(described, group)
     base = os.path.join(where, name + ".sozai")
