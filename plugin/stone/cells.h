@@ -292,7 +292,9 @@ typedef struct {
   vf n[2], g[2][3], grows[2][3][3];
 } cells_bends;
 
-INLINE void bends_none(cells_bends *b) { b->known[0] = b->known[1] = 0; }
+INLINE void bends_none(cells_bends *b) {
+  for (int o = 0; o < 2; o++) b->known[o] = b->grown[o] = 0;
+}
 
 #define CELLS_MOVE (0.45f / VALUE_SD_CUBIC / HASH_ONE)
 
