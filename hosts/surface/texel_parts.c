@@ -57,7 +57,7 @@ static int32_t evaluate_whole(task *t, const sozai_batch *b) {
   return evaluate(t, &whole);
 }
 
-/* One part of each of the batch's texels, its middle k parts along each side. */
+/* Of each of the batch's texels the part k[0] across and k[1] down. */
 static int32_t evaluate_parts(task *t, const sozai_batch *b, uint32_t first, const uint32_t k[2]) {
   const texel_parts *s = t->parts;
   float point[3][SURFACE_BLOCK], footprint[SURFACE_BLOCK], *out[SURFACE_COMPONENTS];
