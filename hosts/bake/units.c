@@ -10,7 +10,8 @@
 #include "texel_parts.h"
 
 #define CHUNK 4096u /* texels that a thread takes at a time, more or less */
-#define INPUTS 13   /* point, normal, across, down, footprint */
+#define INPUTS 7    /* point, normal, footprint */
+#define SIDES 6     /* of texels in parts: across, down */
 
 /* A run of columns of a unit, all of its rows. */
 typedef struct chunk {
@@ -46,7 +47,9 @@ typedef struct bench {
 
 static bool allocate(bench *b, const job *j, size_t texels) {
   memset(b, 0, sizeof *b);
-  b->memory = malloc((INPUTS + 3 + j->wanted_count) * texels * sizeof *b->memory);
+  bool parts = surface_shape_of(j->source->ground->surface)->samples > 1;
+  size_t inputs = INPUTS + (parts ? SIDES : 0);
+  b->memory = malloc((inputs + 3 + j->wanted_count) * texels * sizeof *b->memory);
   b->room.covered = malloc(texels);
   b->place = malloc(texels * sizeof *b->place);
   b->out = calloc(j->info->component_count + 1, sizeof *b->out);
@@ -54,8 +57,8 @@ static bool allocate(bench *b, const job *j, size_t texels) {
   float *next = b->memory;
   for (int k = 0; k < 3; k++, next += texels) b->room.point[k] = next;
   for (int k = 0; k < 3; k++, next += texels) b->room.normal[k] = next;
-  for (int k = 0; k < 3; k++, next += texels) b->room.across[k] = next;
-  for (int k = 0; k < 3; k++, next += texels) b->room.down[k] = next;
+  for (int k = 0; k < 3 && parts; k++, next += texels) b->room.across[k] = next;
+  for (int k = 0; k < 3 && parts; k++, next += texels) b->room.down[k] = next;
   b->room.footprint = next, next += texels;
   b->colours = next, next += 3 * texels;
   for (uint32_t k = 0; k < j->info->component_count; k++)
@@ -86,6 +89,7 @@ static void gather(bench *b, uint32_t texels) {
     for (int k = 0; k < 3; k++) {
       b->room.point[k][to] = b->room.point[k][i];
       b->room.normal[k][to] = b->room.normal[k][i];
+      if (!b->room.across[k]) continue;
       b->room.across[k][to] = b->room.across[k][i];
       b->room.down[k][to] = b->room.down[k][i];
     }

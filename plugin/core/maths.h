@@ -136,11 +136,10 @@ INLINE vf fade_slope(vf t) {
   vf u = t * (splat(1.0f) - t);
   return splat(30.0f) * u * u;
 }
-/* 0 below a, 1 above b, with a smooth rise between; a < b. To the bit no more than 1, which
- * rounding would make of it: what is left of 1 is asked for its sign. */
-INLINE vf smooth_step(vf a, vf b, vf x) {
-  vf t = clamp01((x - a) / (b - a));
-  return vmin(t * t * (splat(3.0f) - splat(2.0f) * t), splat(1.0f));
-}
+/* t^2 (3 - 2 t) for 0 <= t <= 1: to the bit no more than 1, which rounding would make of it, for
+ * what is left of 1 is asked for its sign. */
+INLINE vf smooth_of(vf t) { return vmin(t * t * (splat(3.0f) - splat(2.0f) * t), splat(1.0f)); }
+/* 0 below a, 1 above b, with a smooth rise between; a < b. */
+INLINE vf smooth_step(vf a, vf b, vf x) { return smooth_of(clamp01((x - a) / (b - a))); }
 
 #endif

@@ -106,8 +106,7 @@ INLINE lane_filter lane_seen(const fibertex_layer *c, const lane_filter *t) {
 
 /* From lanes, 0, to their bundle's mean, 1. */
 INLINE vf lane_far(const fibertex_layer *c, vf s) {
-  vf t = clamp01((s - splat(c->vague)) * splat(c->vague_inverse));
-  return vmin(t * t * (splat(3.0f) - splat(2.0f) * t), splat(1.0f));
+  return smooth_of(clamp01((s - splat(c->vague)) * splat(c->vague_inverse)));
 }
 
 /* What a layer shows: coverage, and of the strand that covers most the rest. */
