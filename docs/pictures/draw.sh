@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # draw.sh [FOLDER] [PICTURE...]: pictures of these pages, by the command. FOLDER: the script's
 # own, unless given. PICTURE: stones, log, and of a whole gallery gallery, figured, plies,
-# knots and layouts; none: all. SOZAI: the program, unless build/bin/sozai.
+# knots, layouts and trees; none: all. SOZAI: the program, unless build/bin/sozai.
 # Blender's: hosts/blender/examples/draw.sh.
 set -euo pipefail
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
@@ -68,13 +68,13 @@ draw_sheet() {
 }
 
 names=("$@")
-(($#)) || names=(stones log gallery figured plies knots layouts)
+(($#)) || names=(stones log gallery figured plies knots layouts trees)
 for name in "${names[@]}"; do
   case $name in
     stones | log) "draw_$name" ;;
-    gallery | figured | plies | knots | layouts) draw_sheet "$name" ;;
+    gallery | figured | plies | knots | layouts | trees) draw_sheet "$name" ;;
     *)
-      echo "no picture $name: stones, log, gallery, figured, plies, knots or layouts" >&2
+      echo "no picture $name: stones, log, gallery, figured, plies, knots, layouts or trees" >&2
       exit 1
       ;;
   esac

@@ -22,7 +22,7 @@
 static const sozai_generator_info *describe(void) {
   static sozai_generator_info info = {
       .size = sizeof(sozai_generator_info),
-      .revision = 3,
+      .revision = 4,
       .id = "tree",
       .label = "Tree",
       .doc = "A tree grown year by year, or measured: stem, branches, shoots and leaves, and the "
@@ -92,8 +92,11 @@ static shoot_room total_of(const shoot_crew *w) {
   return sum;
 }
 
-/* Counts what there is room for: every leaf, or shoots clothed as one, or fewer
- * and larger leaves. */
+#define LONG_NEEDLE 0.2f /* of the longest shoot: seen one by one, not as the shoot's clothing */
+#define THIN_NEEDLES 8.0f
+
+/* Counts what there is room for: every leaf, or fewer and larger ones; short
+ * needles, or more than a few times too many, as shoots clothed as one. */
 static int32_t count_shoots(shoot_crew *w) {
   const tree_plan *p = &w->tree->plan;
   int needles = p->leaf == LEAF_NEEDLE;
@@ -102,11 +105,10 @@ static int32_t count_shoots(shoot_crew *w) {
   int32_t r = run_crew(w, 0, 0.0, 0.1);
   double organs = (double)total_of(w).organs;
   if (r || p->foliage != FOLIAGE_AUTO || organs <= p->leaves_most) return r;
-  if (needles) {
-    w->sprigs = 1;
-  } else {
-    w->thin = (float)((int)(organs / p->leaves_most) + 1);
-  }
+  float thin = (float)((int)(organs / p->leaves_most) + 1);
+  int is_long = p->side[0].length > LONG_NEEDLE * p->side[3].length;
+  w->sprigs = needles && !(is_long && thin <= THIN_NEEDLES);
+  if (!w->sprigs) w->thin = thin;
   return run_crew(w, 0, 0.1, 0.2);
 }
 

@@ -169,7 +169,10 @@ static void leaves_on(shoot_pen *pen, const stalk *s, float zone) {
   if (!n) return;
   axis_walk w;
   axis_begin(&w, s->nodes, s->count);
+  /* fewer and larger, of the same area; needles mostly wider, lest tufts grow */
   float size = __builtin_sqrtf(pen->thin), inverse = 1.0f / s->length;
+  float longer = p->leaf == LEAF_NEEDLE ? __builtin_sqrtf(size) : size;
+  float wider = p->leaf == LEAF_NEEDLE ? size * longer : size;
   for (uint32_t i = 0; i < n; i++) {
     float at = from + (float)(i + 1) * spacing, point[3];
     axis_to(&w, at, point);
@@ -178,21 +181,31 @@ static void leaves_on(shoot_pen *pen, const stalk *s, float zone) {
       continue;
     }
     uint32_t hash = hash1(s->key + 0x85ebca6bu * (i + 1));
-    float length = side.length * size * leaf_taper(&side, 1.0f - at * inverse);
+    float length = side.length * longer * leaf_taper(&side, 1.0f - at * inverse);
     float vary = p->leaf == LEAF_NEEDLE ? 1.0f : 0.75f + 0.5f * tree_unit(hash1(~hash));
     for (int k = 0; k < p->leaf_site; k++) {
-      write_leaf(pen, &w, point, i, k, hash, length * vary, p->leaf_width * size * vary, s->branch);
+      write_leaf(pen, &w, point, i, k, hash, length * vary, p->leaf_width * wider * vary,
+                 s->branch);
     }
   }
 }
 
 /* ---- shoots ----------------------------------------------------------- */
 
-/* How many nodes a shoot has. */
-static uint32_t nodes_of(const tree_side *side, int order) {
+#define SECOND_NODES 4u
+#define SECOND_MOST 10u
+#define SECOND_EACH 250.0f /* mm: one more node in so many */
+
+static uint32_t nodes_of(const tree_side *side, int order, float length) {
   if (side->bend == 0.0f && side->jitter == 0.0f) return 2;
-  return order == 2 ? 4 : 3;
+  if (order > 2) return 3;
+  float more = length * (1.0f / SECOND_EACH);
+  return more < (float)(SECOND_MOST - SECOND_NODES) ? SECOND_NODES + (uint32_t)more : SECOND_MOST;
 }
+
+/* sqrt((SECOND_NODES - 1) / parts) */
+static const float root_of_parts[SECOND_MOST] = {
+    1.0f, 1.0f, 1.0f, 1.0f, 0.8660254f, 0.7745967f, 0.7071068f, 0.6546537f, 0.6123724f, 0.5773503f};
 
 static void write_shoot(shoot_pen *pen, const tree_side *side, stalk *child, const float base[3],
                         const float direction[3], float radius, float at) {
@@ -202,6 +215,8 @@ static void write_shoot(shoot_pen *pen, const tree_side *side, stalk *child, con
   float d[3] = {direction[0], direction[1], direction[2]}, p[3] = {base[0], base[1], base[2]};
   uint32_t segments = child->count - 1;
   float step = child->length / (float)segments, bend = side->bend / (float)segments;
+  /* as crooked in the whole, however many parts it is in */
+  float aside = 0.5f * side->jitter * (child->order == 2 ? root_of_parts[segments] : 1.0f);
   for (uint32_t i = 0; i <= segments; i++) {
     float share = (float)i / (float)segments;
     for (int c = 0; c < 3; c++) nodes[i].p[c] = p[c];
@@ -214,7 +229,7 @@ static void write_shoot(shoot_pen *pen, const tree_side *side, stalk *child, con
     if (side->jitter > 0.0f) {
       uint32_t h = hash1(child->key ^ (0x27d4eb2fu * (i + 1)));
       for (int c = 0; c < 3; c++) {
-        d[c] += 0.5f * side->jitter * (tree_unit(h) - 0.5f);
+        d[c] += aside * (tree_unit(h) - 0.5f);
         h = hash1(h);
       }
     }
@@ -268,7 +283,7 @@ static void shoots_of(shoot_pen *pen, const stalk *parent) {
       at -= 0.9f * side->jitter * side->spacing * tree_unit(hash1(h));
     }
     if (!(length >= LEAST_SHOOT)) continue;
-    stalk child = {.count = nodes_of(side, order),
+    stalk child = {.count = nodes_of(side, order, length),
                    .branch = parent->branch,
                    .key = key,
                    .order = order,

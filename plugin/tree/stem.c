@@ -9,7 +9,9 @@
 #define RADIANS (3.14159265358979323846 / 180.0)
 #define STEM_LEAST 8u
 #define STEM_MOST 96u
-#define BRANCH_MOST 14u
+#define TURNS_MOST 13u
+#define TURN_PARTS 3u /* segments in which a turn of the way is taken */
+#define KEPT 0.8      /* of what the way has turned aside, from turn to turn: light calls it back */
 
 void stem_step(float p[3], double l, double theta, double phi) {
   double level = l * scalar_cos(phi * RADIANS);
@@ -57,18 +59,66 @@ static void grow_stem(tree *t) {
   t->node_count = n;
 }
 
+/* How often a branch turns aside along its length. */
+static uint32_t branch_turns(double length, double wander) {
+  double n = 3.0 + length / (wander > 12.0 ? 180.0 : 300.0);
+  return n > TURNS_MOST ? TURNS_MOST : (uint32_t)n;
+}
+
 static uint32_t branch_nodes(double length, double wander) {
-  double n = 4.0 + length / (wander > 12.0 ? 180.0 : 300.0);
-  return n > BRANCH_MOST ? BRANCH_MOST : (uint32_t)n;
+  return branch_turns(length, wander) * TURN_PARTS + 1u;
+}
+
+/* How far a branch's way is turned aside, degrees, after its i-th turn. */
+typedef struct {
+  double azimuth, elevation;
+} way;
+
+static way turn_aside(way before, const tree_plan *p, uint32_t key, uint32_t i) {
+  uint32_t h = hash1(key + 0x632be59bu * i);
+  return (way){KEPT * before.azimuth + 2.0 * p->wander * ((double)tree_unit(h) - 0.5),
+               KEPT * before.elevation + 1.4 * p->wander * ((double)tree_unit(hash1(h)) - 0.5)};
 }
 
 /* Down along the first half and up again towards the tip, by the sine of the
  * way along; longer branches bend further. */
+static double bent(const tree_plan *p, double length, double share) {
+  double bend = length / p->droop_length;
+  if (bend > 1.5) bend = 1.5;
+  return bend * (p->upturn * share * share - p->droop * scalar_sin(3.14159265 * share));
+}
+
+static void lay_branch(const tree_plan *p, const tree_branch *o, const float base[3],
+                       tree_node *nodes) {
+  float at[3] = {base[0], base[1], base[2]};
+  uint32_t segments = o->nodes - 1;
+  double length = (double)o->length, radius = (double)o->radius, step = length / segments;
+  way from = {0.0, 0.0}, to = {0.0, 0.0}; /* it leaves the stem as its knot does */
+  for (uint32_t i = 0; i <= segments; i++) {
+    double share = (double)i / segments;
+    for (int c = 0; c < 3; c++) nodes[i].p[c] = at[c];
+    /* a cone, a little fuller than straight */
+    nodes[i].r = (float)(radius * (1.0 - 0.85 * share) + 0.15 * radius * share * (1.0 - share));
+    if (nodes[i].r < 0.3f) nodes[i].r = 0.3f;
+    uint32_t part = i % TURN_PARTS;
+    if (i > 0 && part == 0) {
+      from = to;
+      to = turn_aside(from, p, o->key, i / TURN_PARTS);
+    }
+    double middle = share + 0.5 / segments, turned = (part + 0.5) / TURN_PARTS;
+    double phi = (double)o->elevation + bent(p, length, middle < 1.0 ? middle : 1.0) +
+                 from.elevation + turned * (to.elevation - from.elevation);
+    if (phi > 86.0) phi = 86.0;
+    if (phi < -86.0) phi = -86.0;
+    stem_step(at, step, (double)o->azimuth + from.azimuth + turned * (to.azimuth - from.azimuth),
+              phi);
+  }
+}
+
 static void grow_branch(tree *t, const tree_bud *b, const float base[3], double stem_radius) {
   const tree_plan *p = &t->plan;
-  uint64_t index = t->branch_count++;
-  tree_branch *o = &t->branches[index];
-  double length = life_length(p, b, p->age), elevation = life_elevation(p, b);
+  tree_branch *o = &t->branches[t->branch_count++];
+  double length = life_length(p, b, p->age);
   *o = (tree_branch){.first = t->node_count,
                      .nodes = branch_nodes(length, p->wander),
                      .order = 1,
@@ -76,39 +126,17 @@ static void grow_branch(tree *t, const tree_bud *b, const float base[3], double 
                      .at = (float)b->z,
                      .length = (float)length,
                      .azimuth = (float)b->azimuth,
-                     .elevation = (float)elevation,
+                     .elevation = (float)life_elevation(p, b),
                      .birth = (float)b->birth,
                      .death = (float)b->death,
                      .shed = (float)b->shed};
   double radius = life_radius(p, b, p->age), most = p->thickest * stem_radius;
-  if (radius > most) radius = most;
-  o->radius = (float)radius;
+  o->radius = (float)(radius < most ? radius : most);
   if (b->shed >= 0.0) {
     o->nodes = 0;
     return;
   }
-  float at[3] = {base[0], base[1], base[2]};
-  uint32_t segments = o->nodes - 1;
-  double step = length / segments, bend = length / p->droop_length;
-  if (bend > 1.5) bend = 1.5;
-  double azimuth = b->azimuth, off = 0.0;
-  tree_node *nodes = &t->nodes[o->first];
-  for (uint32_t i = 0; i <= segments; i++) {
-    double share = (double)i / segments;
-    for (int c = 0; c < 3; c++) nodes[i].p[c] = at[c];
-    /* a cone, a little fuller than straight */
-    nodes[i].r = (float)(radius * (1.0 - 0.85 * share) + 0.15 * radius * share * (1.0 - share));
-    if (nodes[i].r < 0.3f) nodes[i].r = 0.3f;
-    double middle = share + 0.5 / segments, phi = elevation + off;
-    phi -= p->droop * bend * scalar_sin(3.14159265 * (middle < 1.0 ? middle : 1.0));
-    phi += p->upturn * bend * middle * middle;
-    if (phi > 86.0) phi = 86.0;
-    if (phi < -86.0) phi = -86.0;
-    stem_step(at, step, azimuth, phi);
-    uint32_t h = hash1(b->key + 0x632be59bu * (i + 1));
-    azimuth += 2.0 * p->wander * ((double)tree_unit(h) - 0.5);
-    off += 1.4 * p->wander * ((double)tree_unit(hash1(h)) - 0.5);
-  }
+  lay_branch(p, o, base, &t->nodes[o->first]);
   t->node_count += o->nodes;
 }
 

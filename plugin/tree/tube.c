@@ -43,13 +43,55 @@ typedef struct {
   float p[3], r;
 } ring;
 
-static void between(const tree_node *a, const tree_node *b, float share, float radius, ring *out) {
+static void between(const ring *a, const ring *b, float share, float wider, ring *out) {
   for (int c = 0; c < 3; c++) out->p[c] = a->p[c] + share * (b->p[c] - a->p[c]);
-  out->r = radius;
+  out->r = wider * (a->r + share * (b->r - a->r));
 }
 
-/* The rings' middles and radii. With a collar: where the branch leaves the
- * parent it is wider, as branches are. */
+static float apart(const ring *a, const ring *b) {
+  float sum = 0.0f;
+  for (int c = 0; c < 3; c++) sum += (b->p[c] - a->p[c]) * (b->p[c] - a->p[c]);
+  return __builtin_sqrtf(sum);
+}
+
+/* Of the parent where the branch leaves it. */
+static float parent_radius(const tree *t, const tree_branch *b) {
+  const tree_branch *stem = &t->branches[b->parent];
+  for (uint32_t k = 0; k + 1 < stem->nodes; k++) {
+    const tree_node *lower = &t->nodes[stem->first + k];
+    if (lower[1].p[1] >= b->at || k + 2 >= stem->nodes) return lower->r;
+  }
+  return b->radius / (float)t->plan.thickest; /* the base is that at most */
+}
+
+/* Two rings more: where the branch leaves the parent it is wider, as branches
+ * are, and a diameter on no longer. */
+static uint32_t add_collar(ring *rings, uint32_t n, float parent, float radius) {
+  float whole = 0.0f, at[2] = {parent, parent + 2.0f * radius};
+  for (uint32_t i = 0; i + 1 < n; i++) whole += apart(&rings[i], &rings[i + 1]);
+  if (at[1] > 0.8f * whole) {
+    at[1] = 0.8f * whole;
+    if (at[0] > 0.4f * whole) at[0] = 0.4f * whole;
+  }
+  for (uint32_t k = 2; k-- > 0;) {
+    uint32_t i = 0;
+    float begin = 0.0f, length = apart(&rings[0], &rings[1]);
+    while (i + 2 < n && begin + length < at[k]) {
+      begin += length;
+      i++;
+      length = apart(&rings[i], &rings[i + 1]);
+    }
+    float share = length > 0.0f ? (at[k] - begin) / length : 0.0f;
+    ring more;
+    between(&rings[i], &rings[i + 1], share < 1.0f ? share : 1.0f, k ? 1.0f : 1.3f, &more);
+    for (uint32_t m = n; m > i + 1; m--) rings[m] = rings[m - 1];
+    rings[i + 1] = more;
+    n++;
+  }
+  return n;
+}
+
+/* The rings' middles and radii. */
 static uint32_t lay_rings(const tree *t, const tree_branch *b, const tube_shape *s, ring *out) {
   const tree_node *nodes = &t->nodes[b->first];
   uint32_t n = 0;
@@ -57,27 +99,8 @@ static uint32_t lay_rings(const tree *t, const tree_branch *b, const tube_shape 
        i = i + 1 < b->nodes && i + s->stride >= b->nodes ? b->nodes - 1 : i + s->stride) {
     for (int c = 0; c < 3; c++) out[n].p[c] = nodes[i].p[c];
     out[n++].r = nodes[i].r;
-    if (i > 0 || !s->collar) continue;
-    /* the parent's radius is the most that the base may be, over thickest */
-    float parent = b->radius / (float)t->plan.thickest, first = 0.0f;
-    for (int c = 0; c < 3; c++) {
-      float d = nodes[1].p[c] - nodes[0].p[c];
-      first += d * d;
-    }
-    const tree_branch *stem = &t->branches[b->parent];
-    for (uint32_t k = 0; k + 1 < stem->nodes; k++) {
-      const tree_node *lower = &t->nodes[stem->first + k];
-      if (lower[1].p[1] < b->at && k + 2 < stem->nodes) continue;
-      parent = lower->r;
-      break;
-    }
-    first = __builtin_sqrtf(first);
-    float out_at = parent / first, end = (parent + 2.0f * b->radius) / first;
-    if (end > 0.8f) end = 0.8f, out_at = out_at < 0.4f ? out_at : 0.4f;
-    between(&nodes[0], &nodes[1], out_at, 1.3f * nodes[0].r, &out[n++]);
-    between(&nodes[0], &nodes[1], end, nodes[0].r + end * (nodes[1].r - nodes[0].r), &out[n++]);
   }
-  return n;
+  return s->collar ? add_collar(out, n, parent_radius(t, b), b->radius) : n;
 }
 
 static void direction(const ring *rings, uint32_t count, uint32_t i, float out[3]) {
