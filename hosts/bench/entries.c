@@ -23,6 +23,8 @@
   {.name = "fiber." label, .batch = size, .wood = {.cpu = set, .fiber = "felt"}, __VA_ARGS__}
 #define FIBER_ON(set) FIBER("full.batch1024@" set, 1024, set), FIBER("full.batch1@" set, 1, set)
 #define FIBER_FOOTPRINT(mm) FIBER("footprint_" #mm ".batch1024", 1024, NULL, .footprint = (float)(mm))
+#define CLOTH(id, mm) \
+  {.name = "fiber." id "_" #mm ".batch1024", .batch = 1024, .footprint = (float)(mm), .wood = {.fiber = id}}
 #define FIBER_OF(id) {.name = "fiber." id ".batch1024", .batch = 1024, .wood = {.fiber = id}}
 #define READ(called, of, which, given, mm, outputs, apart) \
   {.name = "oiio." called, .kind = ENTRY_TILE, .tile = {of, which, given, mm, outputs, apart, 0}}
@@ -144,6 +146,9 @@ const entry entries[] = {
     FIBER_OF("cotton"),
     FIBER_OF("denim"),
     FIBER_OF("fleece"),
+    /* yarns in 2 x 2 parts, and in 3 x 3 */
+    CLOTH("denim", 0.2),
+    CLOTH("denim", 1),
     {.name = "fiber.albedo.batch1024",
      .batch = 1024,
      .channel = "albedo",

@@ -45,6 +45,7 @@ typedef struct {
   face_light face;
   vf place[2];            /* along and round the yarn, mm */
   vf level, solid, whole; /* solid: there; whole: the mean */
+  vf own[2];              /* cloth: what warp and weft show there, over their mean */
   vu h;
 } ground;
 

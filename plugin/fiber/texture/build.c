@@ -329,6 +329,9 @@ static void look_at_yarns(fibertex_constants *w, const fibertex_kernel *kernel, 
   }
   w->gaps = (float)(gap > 0.0 ? (1.0 - least(all, 1.0)) / gap : 0.0);
   w->warp_share = (float)(m.yarn[0] / all);
+  for (int i = 0; i < 2; i++) {
+    w->parts.inverse_mean[i] = m.shaded[i] > 0.0 ? (float)(all / m.shaded[i]) : 0.0f;
+  }
   w->lean_rms = (float)scalar_root((m.lean2[0] + m.lean2[1]) / all);
   w->slope_rms = (float)scalar_root((m.slope2[0] + m.slope2[1]) / all);
   w->looks = FIBERTEX_LOOKS;
@@ -426,6 +429,22 @@ static void level_looks(fibertex_constants *w, const fibertex_kernel *kernel) {
   }
 }
 
+/* In which a cloth's yarns are seen by what is in the middle, by parts, and by the mean: of the
+ * narrower spacing, fitted to the contrast that the catalogue's cloths have. */
+static void set_footprints(fibertex_constants *w) {
+  fibertex_parts *p = &w->parts;
+  float warp = w->yarn[0].spacing, weft = w->yarn[1].spacing, narrow = warp < weft ? warp : weft;
+  w->far[0] = 0.3f * warp;
+  w->far[1] = 1.2f * warp;
+  p->near[0] = 0.32f * narrow;
+  p->near[1] = 0.5f * narrow;
+  p->finer[0] = 0.8f * narrow;
+  p->finer[1] = 1.2f * narrow;
+  p->far[0] = 2.0f * narrow;
+  p->far[1] = 4.0f * narrow;
+  if (p->far[1] < w->far[1]) p->far[1] = w->far[1];
+}
+
 int32_t fibertex_build(fibertex_constants *w, const sozai_host *host, const settings *s,
                        const float (*colours)[3], const fibertex_kernel *kernel) {
   w->seed = seed_of(s);
@@ -448,8 +467,7 @@ int32_t fibertex_build(fibertex_constants *w, const sozai_host *host, const sett
   double lean2 = 1.0 + (double)w->lean * (double)w->lean;
   w->scatter_up = (float)angle2((double)w->rise2 / (lean2 * lean2));
   if (w->structure == STRUCTURE_WOVEN) {
-    w->far[0] = 0.3f * w->yarn[0].spacing;
-    w->far[1] = 1.2f * w->yarn[0].spacing;
+    set_footprints(w);
     look_at_yarns(w, kernel, number_at(s, P_TWIST) * RADIANS);
   } else {
     build_directions(w, s);

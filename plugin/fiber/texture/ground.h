@@ -5,7 +5,7 @@
 #ifndef SOZAI_FIBERTEX_GROUND_H
 #define SOZAI_FIBERTEX_GROUND_H
 
-#include "block.h"
+#include "cloth_parts.h"
 
 #define RELIEF 0.5f       /* how much more or less a yarn's flank is lit or seen, at most */
 #define FLOWN_WIDEST 2.6f /* how much broader strands that stand off look at a slant, at most */
@@ -96,6 +96,8 @@ STAGE void ground_cloth(const fibertex_constants *w, block *k) {
   g->ambient = g->ambient * tone;
   g->straight = g->straight * tone;
   g->h = q.h;
+  g->own[0] = g->own[1] = one;
+  ground_parts(w, wide, k);
 }
 
 #endif

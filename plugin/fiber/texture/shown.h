@@ -19,14 +19,19 @@ INLINE void show_far(const fibertex_constants *w, int woven, const block *k, con
   o->cover = splat(1.0f) - s->left;
   o->depth = s->depth;
   o->white = s->bare * (q->white[0] + q->white[1]);
-  vf often[2];
-  for (int i = 0; i < 2; i++) often[i] = splat(w->multiple) * q->around[i];
-  o->albedo[COLOUR_FIRST] = s->albedo[0] * q->albedo[0];
-  o->albedo[COLOUR_WEFT] = s->albedo[0] * q->albedo[1];
-  o->albedo[COLOUR_SECOND] = s->albedo[1] * (q->albedo[0] + q->albedo[1]);
-  o->glow[COLOUR_FIRST] = s->direct[0] * q->glow[0];
-  o->glow[COLOUR_WEFT] = s->direct[0] * q->glow[1];
-  o->glow[COLOUR_SECOND] = s->direct[1] * (q->glow[0] + q->glow[1]);
+  vf often[2], albedo[2], glow[2];
+  for (int i = 0; i < 2; i++) {
+    vf own = woven ? k->ground.own[i] : splat(1.0f);
+    often[i] = splat(w->multiple) * q->around[i] * own;
+    albedo[i] = q->albedo[i] * own;
+    glow[i] = q->glow[i] * own;
+  }
+  o->albedo[COLOUR_FIRST] = s->albedo[0] * albedo[0];
+  o->albedo[COLOUR_WEFT] = s->albedo[0] * albedo[1];
+  o->albedo[COLOUR_SECOND] = s->albedo[1] * (albedo[0] + albedo[1]);
+  o->glow[COLOUR_FIRST] = s->direct[0] * glow[0];
+  o->glow[COLOUR_WEFT] = s->direct[0] * glow[1];
+  o->glow[COLOUR_SECOND] = s->direct[1] * (glow[0] + glow[1]);
   o->bulk[COLOUR_FIRST] = s->albedo[0] * often[0];
   o->bulk[COLOUR_WEFT] = s->albedo[0] * often[1];
   o->bulk[COLOUR_SECOND] = s->albedo[1] * (often[0] + often[1]);

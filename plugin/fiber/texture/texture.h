@@ -82,6 +82,14 @@ typedef struct {
   float tone;                     /* from yarn to yarn, over a field's 2^31 */
 } fibertex_yarn;
 
+/* Footprints, mm, between which parts of them are looked at in place of the middle, more parts, and
+ * the mean of all cloth in place of parts; and 1 over what is seen of warp and weft in the mean, in
+ * its shade, of what is yarn. */
+typedef struct {
+  float near[2], finer[2], far[2];
+  float inverse_mean[2];
+} fibertex_parts;
+
 typedef struct {
   int32_t structure, layers, looks;
   float offset[3];
@@ -107,6 +115,7 @@ typedef struct {
 
   /* cloth */
   fibertex_yarn yarn[2]; /* warp, weft */
+  fibertex_parts parts;
   int32_t over, pair, shift;
   float repeat, inverse_repeat;
   float hollow, low, inverse_range; /* shade of furrows; their depth, and 1 over it */
