@@ -28,6 +28,11 @@ static double year_of(double (*f)(const tree_plan *, double), const tree_plan *p
   return end;
 }
 
+/* Years that it stays when dead. */
+static double years_dead(const tree_plan *p, const tree_bud *b) {
+  return p->shedding * (0.5 + (double)tree_unit(hash1(b->key ^ 0x2c1b3c6du)));
+}
+
 static void live(const tree_plan *p, tree_bud *b) {
   double early = 0.85 + 0.3 * (double)tree_unit(hash1(b->key ^ 0x51ed270bu));
   b->birth = year_of(plan_height, p, b->z, 0.0, p->age);
@@ -38,7 +43,7 @@ static void live(const tree_plan *p, tree_bud *b) {
   if (death < b->birth + 1.0) death = b->birth + 1.0;
   if (death >= p->age) return;
   b->death = death;
-  double stays = p->shedding * (0.5 + (double)tree_unit(hash1(b->key ^ 0x2c1b3c6du)));
+  double stays = years_dead(p, b);
   if (death + stays < p->age) b->shed = death + stays;
 }
 
@@ -116,4 +121,11 @@ double life_elevation(const tree_plan *p, const tree_bud *b) {
   if (up < 0.0) up = 0.0;
   double jitter = ((double)tree_unit(hash1(b->key ^ 0x1f83d9abu)) - 0.5) * 0.5 * p->wander;
   return p->angle_low + (p->angle_top - p->angle_low) * up + jitter;
+}
+
+double life_left(const tree_plan *p, const tree_bud *b) {
+  if (b->death < 0.0) return 1.0;
+  double stays = years_dead(p, b), dead = p->age - b->death;
+  double gone = dead < stays ? dead / stays : 1.0;
+  return 1.0 - gone * (0.5 + 0.4 * (double)tree_unit(hash1(b->key ^ 0x7f4a7c15u)));
 }

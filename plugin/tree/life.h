@@ -28,6 +28,9 @@ int32_t life_make(const tree_plan *p, const sozai_host *host, tree_bud **out, ui
 double life_length(const tree_plan *p, const tree_bud *b, double t);
 double life_radius(const tree_plan *p, const tree_bud *b, double t);
 
+/* What share of that length is there still: dead branches break off from their tips. */
+double life_left(const tree_plan *p, const tree_bud *b);
+
 /* Degrees above the horizontal in which the branch leaves the stem. */
 double life_elevation(const tree_plan *p, const tree_bud *b);
 

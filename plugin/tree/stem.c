@@ -65,8 +65,15 @@ static uint32_t branch_turns(double length, double wander) {
   return n > TURNS_MOST ? TURNS_MOST : (uint32_t)n;
 }
 
-static uint32_t branch_nodes(double length, double wander) {
-  return branch_turns(length, wander) * TURN_PARTS + 1u;
+/* Segments of the whole branch, and nodes of what is left of it. */
+static uint32_t branch_segments(double length, double wander) {
+  return branch_turns(length, wander) * TURN_PARTS;
+}
+
+static uint32_t branch_nodes(const tree_plan *p, const tree_bud *b) {
+  uint32_t all = branch_segments(life_length(p, b, p->age), p->wander);
+  uint32_t n = (uint32_t)(life_left(p, b) * all + 0.5);
+  return 1u + (n < 2 ? 2 : n);
 }
 
 /* How far a branch's way is turned aside, degrees, after its i-th turn. */
@@ -91,10 +98,10 @@ static double bent(const tree_plan *p, double length, double share) {
 static void lay_branch(const tree_plan *p, const tree_branch *o, const float base[3],
                        tree_node *nodes) {
   float at[3] = {base[0], base[1], base[2]};
-  uint32_t segments = o->nodes - 1;
+  uint32_t segments = branch_segments((double)o->length, p->wander);
   double length = (double)o->length, radius = (double)o->radius, step = length / segments;
   way from = {0.0, 0.0}, to = {0.0, 0.0}; /* it leaves the stem as its knot does */
-  for (uint32_t i = 0; i <= segments; i++) {
+  for (uint32_t i = 0; i < o->nodes; i++) {
     double share = (double)i / segments;
     for (int c = 0; c < 3; c++) nodes[i].p[c] = at[c];
     /* a cone, a little fuller than straight */
@@ -120,7 +127,7 @@ static void grow_branch(tree *t, const tree_bud *b, const float base[3], double 
   tree_branch *o = &t->branches[t->branch_count++];
   double length = life_length(p, b, p->age);
   *o = (tree_branch){.first = t->node_count,
-                     .nodes = branch_nodes(length, p->wander),
+                     .nodes = branch_nodes(p, b),
                      .order = 1,
                      .key = b->key,
                      .at = (float)b->z,
@@ -145,7 +152,7 @@ int32_t stem_grow(tree *t, const sozai_host *host, const tree_bud *buds, uint32_
   uint32_t grown = p->orders > 0 ? count : 0;
   uint64_t nodes = stem_nodes(plan_height(p, p->age));
   for (uint32_t i = 0; i < grown; i++) {
-    if (buds[i].shed < 0.0) nodes += branch_nodes(life_length(p, &buds[i], p->age), p->wander);
+    if (buds[i].shed < 0.0) nodes += branch_nodes(p, &buds[i]);
   }
   t->branch_room = 1u + grown;
   t->node_room = nodes;

@@ -12,7 +12,7 @@ static const sozai_column branches_columns[] = {
     {"shed", "years", "-1: still there."},
     {"azimuth", "deg", "From north (-z) clockwise seen from above."},
     {"elevation", "deg", "Above the horizontal, at the base."},
-    {"length", "mm", "Along its axis."},
+    {"length", "mm", "Along its axis, as it grew; a dead one has broken off since."},
     {"diameter", "mm", "At the base."}};
 TABLE(branches, "branches",
       "The stem and first-order branches, or all that was measured: curves of the same number.");
