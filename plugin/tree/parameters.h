@@ -55,7 +55,7 @@
  N(DROOP, "droop", "Droop", "branches", "deg", -120, 120, -30, 60, 25, "How far it bends down along its first half, when as long as droop_length.") \
  N(DROOP_LENGTH, "droop_length", "Length of droop", "branches", "mm", 10, 50000, 500, 8000, 1500, "Shorter branches bend less in proportion.") \
  N(UPTURN, "upturn", "Upturn", "branches", "deg", -120, 160, 0, 80, 45, "How far it turns up again towards the tip.") \
- N(WANDER, "wander", "Wander", "branches", "deg", 0, 90, 0, 40, 6, "How crooked: change of direction from node to node.") \
+ N(WANDER, "wander", "Wander", "branches", "deg", 0, 90, 0, 40, 6, "How crooked: how far it may turn aside every 180 or 300 mm, of which it keeps four fifths each time.") \
  N(SLENDER, "slenderness", "Slenderness", "branches", "", 0.001, 0.2, 0.005, 0.04, 0.013, "Diameter at the base over length, where the parent is thick enough.") \
  N(THICKEST, "thickest", "Thickest", "branches", "", 0.05, 0.95, 0.2, 0.9, 0.5, "Radius at the base over the parent's there, at most; what a missing thickness is.") \
  N(SPACING_2, "spacing_2", "Spacing, 2nd order", "second order", "mm", 2, 5000, 10, 500, 50, "Along the branch.") \
