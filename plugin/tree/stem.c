@@ -95,11 +95,11 @@ static double bent(const tree_plan *p, double length, double share) {
   return bend * (p->upturn * share * share - p->droop * scalar_sin(3.14159265 * share));
 }
 
-static void lay_branch(const tree_plan *p, const tree_branch *o, const float base[3],
+static void lay_branch(const tree_plan *p, const tree_branch *o, double length, const float base[3],
                        tree_node *nodes) {
   float at[3] = {base[0], base[1], base[2]};
-  uint32_t segments = branch_segments((double)o->length, p->wander);
-  double length = (double)o->length, radius = (double)o->radius, step = length / segments;
+  uint32_t segments = branch_segments(length, p->wander);
+  double radius = (double)o->radius, step = length / segments;
   way from = {0.0, 0.0}, to = {0.0, 0.0}; /* it leaves the stem as its knot does */
   for (uint32_t i = 0; i < o->nodes; i++) {
     double share = (double)i / segments;
@@ -143,7 +143,7 @@ static void grow_branch(tree *t, const tree_bud *b, const float base[3], double 
     o->nodes = 0;
     return;
   }
-  lay_branch(p, o, base, &t->nodes[o->first]);
+  lay_branch(p, o, length, base, &t->nodes[o->first]);
   t->node_count += o->nodes;
 }
 
