@@ -161,12 +161,7 @@ void tube_write(mesh_pen *pen, const tree *t, uint32_t branch, const tube_shape 
       for (int c = 0; c < 3; c++) back[c] = -along[c];
       base = pen_point(pen, rings[0].p, back, 0.5f, 0.0f, branch);
     } else {
-      float d = 0.0f;
-      for (int c = 0; c < 3; c++) {
-        float x = rings[i].p[c] - rings[i - 1].p[c];
-        d += x * x;
-      }
-      v += 0.01f * __builtin_sqrtf(d);
+      v += 0.01f * apart(&rings[i - 1], &rings[i]);
     }
     for (uint32_t k = 0; k <= s->sides; k++) {
       const float *round = t->plan.round[k % s->sides * 1024u / s->sides];

@@ -152,6 +152,16 @@ INLINE void cloth_at(const fibertex_constants *w, vf u, vf v, vf s, const vf bro
   q->ambient = one - splat(w->hollow) * (one - level);
 }
 
+/* How bright that yarn is among the others: 1 in the mean. */
+INLINE vf cloth_tone(const fibertex_constants *w, vu h) {
+  return splat(1.0f) + splat(w->yarn[0].tone) * field_of(h, 2);
+}
+
+/* How deep a face of that height lies below the highest, mm. */
+INLINE vf cloth_depth(const fibertex_constants *w, vf top) {
+  return splat(w->low) + splat(1.0f) / splat(w->inverse_range) - top;
+}
+
 /* The yarn's axes in the hull's frame: along, across, out of it. */
 INLINE void cloth_frame(const fibertex_constants *w, const cloth_hit *q, vf along[3], vf across[3],
                         vf up[3]) {

@@ -18,9 +18,9 @@ typedef struct {
 
 /* The parts' middles, in parts; n: to a side. How the footprint lies is not said: it is taken as
  * halfway between square with the yarns and diagonal. */
-INLINE void parts_add(const fibertex_constants *w, int n, const vf wide[2], const block *k,
-                      yarn_shows *o) {
-  const vf zero = splat(0.0f), one = splat(1.0f);
+INLINE void parts_mean(const fibertex_constants *w, int n, const vf wide[2], const block *k,
+                       yarn_shows *o) {
+  const vf zero = splat(0.0f);
   const float co = 0.92387953f, si = 0.38268343f, middle = 0.5f * (float)(n - 1);
   const vf s = k->s * splat(1.0f / (float)n);
   yarn_shows sum = {{zero, zero}, zero, zero, zero, zero, zero};
@@ -29,7 +29,7 @@ INLINE void parts_add(const fibertex_constants *w, int n, const vf wide[2], cons
     cloth_hit q;
     cloth_at(w, k->cloth.u + s * splat(co * x - si * y), k->cloth.v + s * splat(si * x + co * y), s,
              wide, &q);
-    vf tone = one + splat(w->yarn[0].tone) * field_of(q.h, 2), lit = q.ambient * tone;
+    vf tone = cloth_tone(w, q.h), lit = q.ambient * tone;
     vf weft = lit * q.share;
     sum.ambient = sum.ambient + lit;
     sum.weft = sum.weft + weft;
@@ -48,10 +48,9 @@ INLINE void parts_add(const fibertex_constants *w, int n, const vf wide[2], cons
   o->top = sum.top * each;
 }
 
-/* a where share is 0, b where it is 1. */
+/* b itself where share is 1: then a may not have been looked at. */
 INLINE vf part_mix(vf share, vf a, vf b) {
-  vf mixed = a + share * (b - a);
-  return sel(gt(share, splat(0.0f)), sel(lt(share, splat(1.0f)), mixed, b), a);
+  return sel(lt(share, splat(1.0f)), mix(a, b, share), b);
 }
 
 /* 2 x 2 parts, or 3 x 3 where the footprint holds whole yarns. */
@@ -62,9 +61,9 @@ INLINE void parts_of(const fibertex_constants *w, vm inside, const vf wide[2], c
   yarn_shows more = {{zero, zero}, zero, zero, zero, zero, zero};
   *o = more;
   vf finer = smooth_step(splat(p->finer[0]), splat(p->finer[1]), k->s);
-  if (any(and_(inside, lt(finer, one)))) parts_add(w, 2, wide, k, o);
+  if (any(and_(inside, lt(finer, one)))) parts_mean(w, 2, wide, k, o);
   if (!any(and_(inside, gt(finer, zero)))) return;
-  parts_add(w, 3, wide, k, &more);
+  parts_mean(w, 3, wide, k, &more);
   for (int i = 0; i < 2; i++) o->seen[i] = part_mix(finer, o->seen[i], more.seen[i]);
   o->ambient = part_mix(finer, o->ambient, more.ambient);
   o->weft = part_mix(finer, o->weft, more.weft);
@@ -88,7 +87,7 @@ STAGE void ground_parts(const fibertex_constants *w, const vf wide[2], block *k)
   PART_(g->ambient, q.ambient);
   PART_(g->straight, q.straight);
   PART_(g->solid, q.solid);
-  PART_(g->level, splat(w->low) + one / splat(w->inverse_range) - q.top);
+  PART_(g->level, cloth_depth(w, q.top));
 #undef PART_
   /* over the mean of what that direction's yarns show: from afar all that is told of it */
   vf told = share * (one - smooth_step(splat(p->far[0]), splat(p->far[1]), k->s));

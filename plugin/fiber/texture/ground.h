@@ -90,9 +90,9 @@ STAGE void ground_cloth(const fibertex_constants *w, block *k) {
   g->place[0] = q.along;
   /* the way round an ellipse from its crest: nearly */
   g->place[1] = q.half * q.across * (one + splat(0.3f) * q.across * q.across);
-  g->level = splat(w->low) + one / splat(w->inverse_range) - q.top;
+  g->level = cloth_depth(w, q.top);
   g->solid = q.solid;
-  vf tone = one + splat(w->yarn[0].tone) * field_of(q.h, 2);
+  vf tone = cloth_tone(w, q.h);
   g->ambient = g->ambient * tone;
   g->straight = g->straight * tone;
   g->h = q.h;
