@@ -8,6 +8,7 @@
 #include "../../core/lanes.h"
 #include "bundle.h"
 #include "cloth.h"
+#include "lanes_counted.h"
 
 /* Work of several blocks goes through a stage side by side: a stage waits for its own
  * results most of the time, and does not for another block's. */

@@ -89,15 +89,14 @@ static void let_stray(fibertex_constants *w, fibertex_layer *c, double waver) {
   c->shift = (float)(0.3 * stray / FIELD);
   c->sway = (float)(WAVE * (c->ends ? 0.4 : 0.6) * stray);
   c->tilt = (float)(c->ends ? 0.3 * stray * 2.0 / (double)c->size / FIELD : 0.0);
-  /* A wide footprint's middle tells more of it than a mean does, up to some lanes. Not of a cloth,
-   * of which one strand's light would stand for too many. */
+  /* Of more than two lanes' width strands are counted. Of a cloth sooner, since one strand's light
+   * would stand for too many. */
   int woven = w->structure == STRUCTURE_WOVEN;
-  double from = woven ? 0.6 : 1.5, to = woven ? 1.8 : 4.0, seen = LANES_SEEN * spacing;
+  double from = woven ? 0.6 : 1.7, to = woven ? 1.8 : 2.3, seen = LANES_SEEN * spacing;
   c->seen = (float)(0.5 * seen);
   c->seen_inverse = (float)(1.0 / seen);
   c->vague = (float)(from * spacing);
   c->vague_inverse = (float)(1.0 / ((to - from) * spacing));
-  w->vaguest = (float)most((double)w->vaguest, to * spacing);
   double swing = (double)c->sway / WAVE * (double)w->own_frequency, tilt = FIELD * (double)c->tilt;
   c->slope2 = (float)(swing * swing * WAVE_SLOPE2 * 1.053 + tilt * tilt / 3.0);
 }
@@ -122,30 +121,39 @@ static void measure_layers(fibertex_constants *w, const settings *s, const fiber
   fibertex_means full, m;
   for (int l = 0; l < w->layers; l++) {
     w->layer[l].presence = FULL;
-    w->layer[l].lift = 1.0f;
+    w->layer[l].lift = w->layer[l].pale = 1.0f;
+    w->layer[l].counted = w->layer[l].counted_lift = 1.0f;
   }
   set_formulas(w);
-  kernel->measure(w, MEASURED, 0.0f, &full);
+  kernel->measure(w, MEASURED, 0.0f, 1, &full);
   for (int l = 0; l < w->layers; l++) {
     fibertex_layer *c = &w->layer[l];
     if (full.bright[l] > 0.1) c->lift = (float)(1.0 / full.bright[l]);
+    if (full.pale[l] > 0.1) c->pale = (float)(1.0 / full.pale[l]);
+    if (full.counted[l].cover > 1e-3) {
+      c->counted = (float)(full.point[l] / full.counted[l].cover);
+      c->counted_lift = (float)(1.0 / full.counted[l].bright);
+    }
     if (full.point[l] > 1e-9) c->presence = (float)least(FULL * wanted[l] / full.point[l], FULL);
   }
   set_formulas(w);
-  kernel->measure(w, MEASURED, 0.0f, &m);
+  for (int l = 0; l < w->layers; l++) {
+    if (full.formula[l] > 0.0) w->layer[l].formula *= (float)(full.point[l] / full.formula[l]);
+  }
+  kernel->measure(w, MEASURED, 0.0f, 1, &m);
   for (int l = 0; l < w->layers; l++) {
     /* few strands are met too seldom to be counted, but do not lie over one another */
     double share = (double)w->layer[l].presence / FULL;
     if (share > FEW) continue;
     m.point[l] = share * full.point[l];
-    m.formula[l] = share * full.formula[l];
+    m.formula[l] = share * full.point[l];
     m.soft[l] = m.soft[l] > 0.0 ? m.soft[l] : 0.0;
   }
   /* between two strands both are near, and what comes of that ends at 1: of a footprint for its
    * mean alone, so that it finds more. Few strands are seldom two. */
   const double x = LANES_SOFT / LANES_SEEN, parabola = x * (2.0 - x);
   for (int l = 0; l < w->layers; l++) w->layer[l].soft = (float)m.soft[l];
-  kernel->measure(w, MEASURED, (float)LANES_SOFT, &full);
+  kernel->measure(w, MEASURED, (float)LANES_SOFT, 0, &full);
   for (int l = 0; l < w->layers; l++) {
     int few = (double)w->layer[l].presence / FULL <= FEW;
     w->layer[l].soft_wide = few ? 0.0f : (float)((full.soft[l] - m.soft[l]) / parabola);
@@ -155,6 +163,11 @@ static void measure_layers(fibertex_constants *w, const settings *s, const fiber
     fibertex_layer *c = &w->layer[l];
     c->mean = (float)m.point[l];
     if (m.formula[l] > 1e-9) c->formula *= (float)(m.point[l] / m.formula[l]);
+    const fibertex_counted *n = &m.counted[l];
+    c->counted_near = (float)n->near[1];
+    c->beyond_near = (float)n->beyond_near;
+    if (n->luck > 0.0) c->counted_luck = (float)((n->near[1] - n->near[0]) / n->luck);
+    for (int k = 0; k < 2; k++) c->beyond[k] = (float)(m.point[l] * n->beyond[k]);
     c->ambient = (float)(1.0 - darkening * (1.0 - scalar_exp(-1.3 * above)));
     above -= scalar_log(1.0 - least(m.point[l], 0.99));
   }
@@ -220,11 +233,10 @@ static double build_shell(fibertex_constants *w, const settings *s, const fibert
   double rest = woven ? 40.0 : most(total - (double)w->deep_above, 0.0);
   w->deep = (float)(1.0 - scalar_exp(-rest));
   w->deep_above += (float)(0.5 * least(rest, 1.0));
-  /* how many strands happen to be there is most of what one bundle differs by from the next, and
-   * of that a bundle's mean knows nothing */
+  /* one bundle stands for as much as it is wide */
   const fibertex_layer *last = &w->layer[w->layers - 1];
-  w->far[0] = last->spacing + 0.02f * last->size;
-  w->far[1] = 4.0f * last->spacing + 0.15f * last->size;
+  w->far[0] = last->spacing + 0.1f * last->size;
+  w->far[1] = 4.0f * last->spacing + 0.6f * last->size;
   return woven ? rest : total;
 }
 
@@ -320,7 +332,7 @@ static two_places places_of(double second, double fourth) {
 /* Two faces stand for a yarn's, as its ellipse has them, and two directions for what stands off. */
 static void look_at_yarns(fibertex_constants *w, const fibertex_kernel *kernel, double twist) {
   fibertex_means m;
-  kernel->measure(w, MEASURED, 0.0f, &m);
+  kernel->measure(w, MEASURED, 0.0f, 0, &m);
   double all = most(m.yarn[0] + m.yarn[1], 1e-9), co = scalar_cos(twist), si = scalar_sin(twist);
   w->solid = (float)all;
   double gap = 1.0;

@@ -104,6 +104,14 @@ INLINE void bundle_find(const fibertex_layer *c, bundle_cell *q) {
   q->h = hash_mix(h);
 }
 
+/* How far it lies from the nearest face of the cell, mm: of six squares and eight hexagons. */
+INLINE vf bundle_edge(const fibertex_layer *c, const bundle_cell *q) {
+  vf x = vabs(q->from[0]), y = vabs(q->from[1]), z = vabs(q->from[2]);
+  vf square = splat(0.5f) - vmax(vmax(x, y), z);
+  vf hexagon = (splat(0.75f) - (x + y + z)) * splat(0.57735027f);
+  return vmin(square, hexagon) * splat(c->size);
+}
+
 /* Where it lies about its bundle's middle, on the surface and above. */
 INLINE void bundle_middle(const fibertex_constants *w, const fibertex_layer *c,
                           const hull_frame *hull, const lattice_frame *frames, int level,

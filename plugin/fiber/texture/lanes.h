@@ -104,22 +104,25 @@ INLINE lane_filter lane_seen(const fibertex_layer *c, const lane_filter *t) {
   return r;
 }
 
-/* From lanes, 0, to their bundle's mean, 1. */
-INLINE vf lane_far(const fibertex_layer *c, vf s) {
-  return smooth_of(clamp01((s - splat(c->vague)) * splat(c->vague_inverse)));
-}
-
 /* What a layer shows: coverage, and of the strand that covers most the rest. */
 typedef struct {
   vf cover;  /* by its strands, */
-  vf mean;   /* and by what is no more than a mean of them */
+  vf mean;   /* and by what is no more than counted, or a mean of them; */
+  vf dim[2]; /* that times its brightness, of both colours and of the second */
   vf slope;  /* of the centreline, the bundle's and its own */
   vf across; /* place across the strand, -2 to 2 */
-  vf bright;
-  vf soft; /* how near strands are to what they leave bare, 0 to 1, less the layer's mean: they
-            * take light from what is below */
+  vf bright; /* of what its strands cover */
+  vf soft;   /* how near strands are to what they leave bare, 0 to 1, less the layer's mean: they
+              * take light from what is below */
   vu id;
 } lane_hit;
+
+/* Nothing of it: one by one, which is faster than what a compiler makes of all at once. */
+INLINE void lane_none(lane_hit *q) {
+  q->cover = q->mean = q->dim[0] = q->dim[1] = q->slope = q->across = q->bright = q->soft =
+      splat(0.0f);
+  q->id = splatu(0);
+}
 
 /* One lane's strand at the point. */
 typedef struct {
@@ -138,23 +141,36 @@ INLINE vm lane_first(const fibertex_constants *w, vu id) {
   return lti(splati(bound), (vi)id);
 }
 
-/* What chance gives a strand: two things share a field where nobody sees that they go together. */
-INLINE void lane_draw(const fibertex_constants *w, const fibertex_layer *c, int ends,
-                      const lane_place *p, vu id, vf off, vf shift, vf part, lane_strand *q) {
-  /* the place's hash is a good one: a round is enough */
+/* A lane's chance: the place's hash is a good one, and a round is enough. */
+INLINE vu lane_chance(vu id) {
   id ^= id >> 15;
   id *= splatu(0x7feb352du);
-  id ^= id >> 13;
-  q->id = id;
+  return id ^ id >> 13;
+}
+
+/* Whether it has a strand. A product's upper half is good. */
+INLINE vm lane_there(const lane_place *p, vu id) {
+  return lti((vi)(id * splatu(0x846ca68bu)), p->full);
+}
+
+/* How far along it, over half of the bundle's extent, a strand's middle is. */
+INLINE vf lane_from(const lane_place *p, vu id) {
+  const float stray = 1.0f - LANE_ENDS;
+  return vabs((p->part + splat(3.0f * stray)) - splat(2.0f * stray) * phase_of(id));
+}
+
+/* What chance gives a strand: two things share a field where nobody sees that they go together. */
+INLINE void lane_draw(const fibertex_constants *w, const fibertex_layer *c, int ends,
+                      const lane_place *p, vu id, vf off, vf shift, lane_strand *q) {
+  q->id = id = lane_chance(id);
   vf aside = field_of(id, 0), thick = field_of(id, 2), phase = phase_of(id);
   q->frequency = splat(w->own_frequency) + splat(w->own_vary) * thick;
   q->turns = p->x * q->frequency + phase;
   q->slope = p->bend + splat(c->tilt) * aside;
   q->thick = splat(c->radius) + splat(c->radius_vary) * thick;
-  if (ends) q->from = vabs(part - splat(2.0f * (1.0f - LANE_ENDS)) * phase);
-  /* where there is none it is far away; a product's upper half is good */
-  vm there = lti((vi)(id * splatu(0x846ca68bu)), p->full);
-  q->off = sel(there, off - shift * aside, splat(LANE_NOWHERE));
+  if (ends) q->from = lane_from(p, id);
+  /* where there is none it is far away */
+  q->off = sel(lane_there(p, id), off - shift * aside, splat(LANE_NOWHERE));
 }
 
 /* Its centreline. */
@@ -171,9 +187,8 @@ INLINE void lane_pair(const fibertex_constants *w, const fibertex_layer *c, int 
   vf off = (at - low) * splat(c->spacing);
   vu key = p->h + (vu)bits_of(low + splat(LANE_WHOLE)) * splatu(HASH_X);
   vf shift = splat(c->shift) + splat(c->tilt) * p->x;
-  vf part = ends ? p->part + splat(3.0f * (1.0f - LANE_ENDS)) : p->x;
-  lane_draw(w, c, ends, p, key, off, shift, part, &both[0]);
-  lane_draw(w, c, ends, p, key + splatu(HASH_X), off - splat(c->spacing), shift, part, &both[1]);
+  lane_draw(w, c, ends, p, key, off, shift, &both[0]);
+  lane_draw(w, c, ends, p, key + splatu(HASH_X), off - splat(c->spacing), shift, &both[1]);
 }
 
 /* What of it a footprint has. */
@@ -209,19 +224,6 @@ INLINE vf lane_near(const fibertex_layer *c, int ends, const lane_filter *t, vf 
   near = near * t->inverse_box;
   if (ends) near = near * clamp01((splat(LANE_ENDS) - q->from) * ramp + splat(0.5f));
   return near;
-}
-
-/* Coverage expected of a place in a bundle, whatever its lanes hold. */
-INLINE vf lane_expected(const fibertex_layer *c, int ends, const lane_place *p) {
-  const vf one = splat(1.0f);
-  vf steep = vmin(p->bend * p->bend, splat(1.6f));
-  vf wide = splat(c->formula) + splat(c->formula * FIELD(LANE_MANY)) * p->many;
-  wide = wide * p->widen * (one + splat(0.43f) * steep);
-  if (ends) {
-    const float k = 1.0f / (2.0f - 2.0f * LANE_ENDS);
-    wide = wide * clamp01(splat(k) - vabs(p->part) * splat(k));
-  }
-  return vmin(wide, one);
 }
 
 /* How bright it is, over the part of the footprint that is covered: in the middle more, 1 at the
@@ -262,15 +264,7 @@ INLINE void lane_choose(const fibertex_constants *w, const fibertex_layer *c, in
   q->id = selu(other, n->id, m->id);
   q->slope = sel(other, n->slope, m->slope);
   q->across = sel(other, across[1], across[0]);
-  q->mean = splat(0.0f);
-}
-
-/* Between the two: a layer shows a part by its strands and a part by their mean. */
-INLINE void lane_blend(const fibertex_layer *c, int ends, const lane_place *p, vf s, lane_hit *q) {
-  vf far = lane_far(c, s), near = splat(1.0f) - far;
-  q->cover = near * q->cover;
-  q->mean = far * lane_expected(c, ends, p);
-  q->soft = q->soft * near;
+  q->mean = q->dim[0] = q->dim[1] = splat(0.0f);
 }
 
 #endif

@@ -11,23 +11,20 @@
  * colours the first has all of it until the layers are through (stage_deep). */
 INLINE void compose(const fibertex_constants *w, const fibertex_layer *c, block *k,
                     const lane_hit *q, vf bend, const vf direction[2], vf level, int woven,
-                    int close, int light) {
+                    int light) {
   sums *sum = &k->sum;
   const vf zero = splat(0.0f);
-  vf strand = sum->left * q->cover, rest = sum->left * q->mean, share = strand + rest;
+  vf strand = sum->left * q->cover, share = strand + sum->left * q->mean;
+  vf shaded = sum->left * k->shade;
+  vf bright = shaded * (q->cover * q->bright); /* 1 is their mean */
   sum->left = sum->left - share;
-  vf bright = strand * q->bright; /* 1 is their mean */
-  if (close) {
-    bright = bright * k->shade;
-    rest = rest * k->shade;
-  }
-  vf all = bright + rest, ambient = splat(c->ambient), lit = k->lit;
+  vf all = bright + shaded * q->dim[0], ambient = splat(c->ambient), lit = k->lit;
   sum->albedo[0] = sum->albedo[0] + all * ambient;
   sum->depth = sum->depth + share * level;
   vm more = gt(share, k->most);
   if (w->second_chance) {
     vf of = sel(lane_first(w, q->id), zero, bright);
-    vf second = of + rest * splat(w->second_share);
+    vf second = of + shaded * q->dim[1];
     sum->albedo[1] = sum->albedo[1] + second * ambient;
     if (light) sum->direct[1] = sum->direct[1] + second * lit;
   }
@@ -49,7 +46,7 @@ INLINE void compose(const fibertex_constants *w, const fibertex_layer *c, block 
   k->best.across = sel(more, q->across, k->best.across);
   k->best.strand = sel(more, strand, k->best.strand);
   if (woven) k->best.flown = sel(more, splat(c->ends ? 1.0f : 0.0f), k->best.flown);
-  if (close) k->shade = k->shade - k->shade * (splat(w->contact) * q->soft);
+  k->shade = k->shade - k->shade * (splat(w->contact) * q->soft);
 }
 
 /* What of it is only known when all layers have been: of what covers most, how much is a strand's
@@ -81,6 +78,7 @@ typedef struct {
   vf direction[2];
   lane_strand both[2];
   lane_hit hit;
+  lane_counted counted;
 } layer_work;
 
 /* Of several blocks one layer goes through the stages at a time, of a point alone several:
@@ -89,31 +87,28 @@ typedef struct {
 typedef layer_work layers_work[LAYERS_TOGETHER][BLOCKS_TOGETHER];
 #define EACH_LAYER EACH(l, layers) EACH(b, blocks)
 
-/* Of all blocks; close: whether any is so narrow that it sees strands, and how near they are. */
+/* Of all blocks. */
 typedef struct {
   float least, most;
-  int close;
 } footprints;
 
-INLINE footprints footprints_of(const fibertex_constants *w, const block *k, uint32_t blocks) {
+INLINE footprints footprints_of(const block *k, uint32_t blocks) {
   vf low = splat(1e30f), high = splat(0.0f);
   EACH(b, blocks) {
     low = vmin(k[b].s, low);
     high = vmax(k[b].s, high);
   }
-  footprints r = {lane(low, 0), lane(high, 0), 0};
+  footprints r = {lane(low, 0), lane(high, 0)};
   for (uint32_t i = 1; i < LANES; i++) {
     r.least = lane(low, i) < r.least ? lane(low, i) : r.least;
     r.most = lane(high, i) > r.most ? lane(high, i) : r.most;
   }
-  r.close = r.least < w->vaguest;
   return r;
 }
 
 INLINE void stages_of_lanes(const fibertex_constants *w, const fibertex_layer *c, uint32_t layers,
                             int ends, const block *k, uint32_t blocks, const footprints *s,
                             layers_work of) {
-  const vf zero = splat(0.0f);
   int strands = 0, means = 0;
   EACH(l, layers) {
     strands |= (s->least - c[l].vague) * c[l].vague_inverse < 1.0f;
@@ -138,10 +133,23 @@ INLINE void stages_of_lanes(const fibertex_constants *w, const fibertex_layer *c
       lane_choose(w, &c[l], ends, &seen, &q->p, q->both, &q->hit);
     }
   } else {
-    EACH_LAYER of[l][b].hit = (lane_hit){zero, zero, zero, zero, zero, zero, splatu(0)};
+    EACH_LAYER lane_none(&of[l][b].hit);
   }
   if (!means) return;
-  EACH_LAYER lane_blend(&c[l], ends, &of[l][b].p, k[b].s, &of[l][b].hit);
+  if (!ends) {
+    EACH_LAYER lane_blend_yarn(w, &c[l], &of[l][b].p, &k[b].filter, &of[l][b].hit);
+    return;
+  }
+  EACH_LAYER {
+    layer_work *q = &of[l][b];
+    int some = s->least < 2.0f * LANES_TOLD * c[l].spacing;
+    lane_count(w, &c[l], some, &q->p, &k[b].filter, &q->counted);
+  }
+  EACH_LAYER {
+    layer_work *q = &of[l][b];
+    vf edge = bundle_edge(&c[l], &q->cell);
+    lane_blend(w, &c[l], &q->p, edge, &k[b].filter, &q->counted, &q->hit);
+  }
 }
 
 INLINE void stages_of_hull(const fibertex_constants *w, const fibertex_layer *c, uint32_t layers,
@@ -164,8 +172,7 @@ STAGE void layers_of_hull(const fibertex_constants *w, const fibertex_layer *c, 
   stages_of_hull(w, c, layers, k, blocks, level, s, of);
   EACH_LAYER {
     const layer_work *q = &of[l][b];
-    compose(w, &c[l], &k[b], &q->hit, q->p.bend, q->direction, splat(c[l].depth), woven, s->close,
-            light);
+    compose(w, &c[l], &k[b], &q->hit, q->p.bend, q->direction, splat(c[l].depth), woven, light);
   }
 }
 
@@ -177,8 +184,7 @@ STAGE void layers_of_yarn(const fibertex_constants *w, const fibertex_layer *c, 
   EACH_LAYER {
     const vf d[2] = {splat(c[l].twist[0]), splat(c[l].twist[1])};
     const lane_hit *hit = &of[l][b].hit;
-    compose(w, &c[l], &k[b], hit, splat(0.0f), d, splat(c[l].depth) + k[b].ground.level, 1,
-            s->close, light);
+    compose(w, &c[l], &k[b], hit, splat(0.0f), d, splat(c[l].depth) + k[b].ground.level, 1, light);
   }
 }
 
@@ -200,7 +206,7 @@ INLINE void enter_yarns(block *k) {
 /* Down through the shell. */
 INLINE void stage_layers(const fibertex_constants *w, int woven, block *k, uint32_t blocks,
                          int level, int light) {
-  const footprints s = footprints_of(w, k, blocks);
+  const footprints s = footprints_of(k, blocks);
   if (s.least >= w->far[1]) return; /* nothing near is left of them */
   /* of a cloth what stands off it first */
   uint32_t all = (uint32_t)w->layers, first = woven ? (uint32_t)w->layer[0].ends : 0, layers;

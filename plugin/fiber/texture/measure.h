@@ -74,7 +74,7 @@ INLINE void measure_cells(const fibertex_layer *c, uint32_t i, vf at[3]) {
 /* What a layer shows of as many footprints of s mm as blocks have points, from the i-th on. */
 STAGE void measure_blocks(const fibertex_constants *w, const fibertex_layer *c, float s, uint32_t i,
                           block *k, layers_work of) {
-  const footprints all = {s, s, 1};
+  const footprints all = {s, s};
   vf at[BLOCKS_TOGETHER][3];
   EACH(b, BLOCKS_TOGETHER) {
     k[b].s = splat(s);
@@ -102,13 +102,72 @@ static void measured_blocks(const fibertex_constants *w, block *k) {
   }
 }
 
-static void measure(const fibertex_constants *w, uint32_t count, float lanes, fibertex_means *out) {
+#define LANES_FEW 3.0f  /* all are counted, */
+#define LANES_MANY 6.0f /* or their mean is taken: footprints for the means of what is counted */
+
+/* Sums over a layer's places, of few lanes and of many: of what is counted, also by how much of it
+ * lies beyond the bundle; and of how bright the formula's strands are. */
+typedef struct {
+  double cover[2], dim[2], near[2], bare[2], luck, pale, beyond, beyond_of[2], beyond_near,
+      beyond_bare;
+} measured_counts;
+
+STAGE void measure_counts(const fibertex_constants *w, const fibertex_layer *c,
+                          const layers_work of, measured_counts *sum) {
+  for (int many = 0; many < 2; many++) {
+    const lane_filter t =
+        lane_filter_of(c->radius, splat((many ? LANES_MANY : LANES_FEW) * c->spacing));
+    EACH(b, BLOCKS_TOGETHER) {
+      const layer_work *q = &of[0][b];
+      lane_counted n;
+      lane_count(w, c, !many, &q->p, &t, &n);
+      lane_overlap(&q->p, &n);
+      vf beyond = splat(1.0f) - lane_within(bundle_edge(c, &q->cell), &t);
+      vf share = splat(1.0f) - n.cover;
+      measure_add(&sum->cover[many], n.cover);
+      measure_add(&sum->dim[many], n.dim[0]);
+      measure_add(&sum->near[many], n.near * share);
+      measure_add(&sum->bare[many], share);
+      if (many) {
+        measure_add(&sum->beyond, beyond);
+        measure_add(&sum->beyond_of[0], n.cover * beyond);
+        measure_add(&sum->beyond_of[1], n.dim[0] * beyond);
+        measure_add(&sum->beyond_near, n.near * share * beyond);
+        measure_add(&sum->beyond_bare, share * beyond);
+        vf pale = lane_expected(c, 1, &q->p) * lane_expected_bright(c, &q->p);
+        measure_add(&sum->pale, pale);
+      } else {
+        measure_add(&sum->luck, n.luck);
+      }
+    }
+  }
+}
+
+static void measured_means(const measured_counts *sum, uint32_t count, double formula, int l,
+                           fibertex_means *out) {
+  fibertex_counted *q = &out->counted[l];
+  if (formula > 0.0) out->pale[l] = sum->pale / formula;
+  for (int many = 0; many < 2; many++) {
+    if (sum->bare[many] > 0.0) q->near[many] = sum->near[many] / sum->bare[many];
+  }
+  if (sum->beyond_bare > 0.0) q->beyond_near = sum->beyond_near / sum->beyond_bare;
+  q->luck = sum->luck / count;
+  q->cover = sum->cover[0] / count;
+  if (sum->cover[0] > 0.0) q->bright = sum->dim[0] / sum->cover[0];
+  if (!(sum->cover[1] > 0.0 && sum->dim[1] > 0.0 && sum->beyond > 0.0)) return;
+  q->beyond[0] = sum->beyond_of[0] / sum->cover[1] * count / sum->beyond;
+  q->beyond[1] = sum->beyond_of[1] / sum->dim[1] * count / sum->beyond;
+}
+
+static void measure(const fibertex_constants *w, uint32_t count, float lanes, int counted,
+                    fibertex_means *out) {
   const vf one = splat(1.0f);
   block k[BLOCKS_TOGETHER];
   measured_blocks(w, k);
   memset(out, 0, sizeof *out);
   for (int l = 0; l < w->layers; l++) {
     const fibertex_layer *c = &w->layer[l];
+    measured_counts sum = {0};
     for (uint32_t i = 0; i < count; i += BLOCKS_TOGETHER * LANES) {
       layers_work of;
       measure_blocks(w, c, lanes * c->spacing, i, k, of);
@@ -119,9 +178,11 @@ static void measure(const fibertex_constants *w, uint32_t count, float lanes, fi
         measure_add(&out->bright[l], q->cover * q->bright);
         measure_add(&out->formula[l], lane_expected(c, c->ends, &of[0][b].p));
       }
+      if (c->ends && counted) measure_counts(w, c, of, &sum);
     }
     out->soft[l] /= count - out->point[l];
     if (out->point[l] > 0.0) out->bright[l] /= out->point[l];
+    if (c->ends && counted) measured_means(&sum, count, out->formula[l], l, out);
     out->point[l] /= count;
     out->formula[l] /= count;
   }

@@ -46,9 +46,17 @@ typedef struct {
   float widen_most;           /* how much broader a strand may look at a slant */
   float depth, depth_cells;   /* of the layer below the hull; in cells of the lattice */
   float chord_least;
-  float ambient;   /* of the light that comes from around, what reaches it */
-  float mean;      /* share that its strands cover, seen squarely */
-  float formula;   /* a bundle's mean, at its middle */
+  float ambient;               /* of the light that comes from around, what reaches it */
+  float mean;                  /* share that its strands cover, seen squarely */
+  float formula;               /* a bundle's mean, at its middle; */
+  float pale;                  /* how bright, if strands did not dive */
+  float counted, counted_lift; /* of strands that are counted: what slopes add to their width; 1
+                                * over their mean brightness */
+  float counted_near, counted_luck; /* mean nearness of what they leave bare; and how much less it
+                                     * is of one lane */
+  float beyond_near;
+  float beyond[2]; /* what of a footprint lies beyond the bundle: share that is covered; that times
+                    * brightness */
   float soft;      /* mean nearness of strands where they do not cover, */
   float soft_wide; /* and by how much more of it a footprint finds that its lanes stand for */
   float lift;      /* 1 over the mean brightness of its strands, which is to be 1 */
@@ -109,7 +117,6 @@ typedef struct {
   float radius_spread;
   float contact;         /* how much of the light strands take from what is close below */
   float step, step_more; /* optical depth of the first layer; and what each next has more */
-  float vaguest;         /* footprint from which no layer shows strands */
   float far[2];          /* footprints between which bundles give way to the mean */
   float deep, deep_ambient, deep_above, deep_depth; /* what is below the last layer */
 
@@ -167,17 +174,26 @@ enum {
   FIBERTEX_COMPONENTS = 17
 };
 
+/* Means of what is counted of a layer: coverage, over it brightness, nearness of what is bare, of
+ * few lanes and of so many that there is no chance in it; and of coverage and of that times
+ * brightness how much of the mean is beyond the bundle's edge. */
+typedef struct {
+  double cover, bright, near[2], luck, beyond[2], beyond_near;
+} fibertex_counted;
+
 /* Means over `count` footprints as wide as so many lanes, 0 for points: of each layer's coverage at
  * a point, of its bundles' formula, of what covers its brightness, and of its strands' nearness
- * where they do not cover; and of a cloth what share its warp and its weft show, those in the shade
+ * where they do not cover; if strands are to be counted, also of those, and of how bright the
+ * formula's strands are; and of a cloth what share its warp and its weft show, those in the shade
  * of furrows, the same by how level they lie, and sums of the squares and fourth powers of the
  * sines of its face's lean to the side and of its slope. */
 typedef struct {
   double point[FIBERTEX_LAYERS], formula[FIBERTEX_LAYERS], soft[FIBERTEX_LAYERS],
-      bright[FIBERTEX_LAYERS];
+      bright[FIBERTEX_LAYERS], pale[FIBERTEX_LAYERS];
+  fibertex_counted counted[FIBERTEX_LAYERS];
   double yarn[2], shaded[2], level[2], lean2[2], lean4[2], slope2[2], slope4[2];
 } fibertex_means;
-typedef void fibertex_measure(const fibertex_constants *w, uint32_t count, float lanes,
+typedef void fibertex_measure(const fibertex_constants *w, uint32_t count, float lanes, int counted,
                               fibertex_means *out);
 
 /* Over `count` places, lights and views, as the places themselves have it and as looks that stand
