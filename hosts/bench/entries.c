@@ -191,5 +191,6 @@ const entry entries[] = {
     LOOK("travertino", "stone", STONES, "travertino", NULL, 0.25),
     LOOK("terrazzo", "stone", STONES, "terrazzo", NULL, 0.0625),
     {.name = "wood.load", .kind = ENTRY_LOAD},
+    {.name = "wood.load_alone", .kind = ENTRY_LOAD_ALONE},
 };
 const size_t entry_count = sizeof entries / sizeof entries[0];

@@ -13,13 +13,14 @@
 #define ENTRY_THREADS 1 /* the same on two threads */
 #define ENTRY_CREATE 2
 #define ENTRY_LOAD 3
-#define ENTRY_TILE 4           /* through OpenImageIO, beside the baked tile */
-#define ENTRY_TREE 5           /* growing one: beside 50 ms */
-#define ENTRY_TREE_MESH 6      /* growing it and making its mesh: beside 50 ms */
-#define ENTRY_TREE_BRANCHES 7  /* growing one, a branch: beside 34 thousand a second */
-#define ENTRY_FIBER_PLACE 8    /* a hull measured and filled: beside 0.3 s of one core */
-#define ENTRY_FIBER_FIT 9      /* and every strand fitted: beside 0.3 s of one core */
-#define ENTRY_FIBER_THREADS 10 /* the same on two cores: beside 0.15 s */
+#define ENTRY_LOAD_ALONE 4     /* without the services that stand beside the plugin */
+#define ENTRY_TILE 5           /* through OpenImageIO, beside the baked tile */
+#define ENTRY_TREE 6           /* growing one: beside 50 ms */
+#define ENTRY_TREE_MESH 7      /* growing it and making its mesh: beside 50 ms */
+#define ENTRY_TREE_BRANCHES 8  /* growing one, a branch: beside 34 thousand a second */
+#define ENTRY_FIBER_PLACE 9    /* a hull measured and filled: beside 0.3 s of one core */
+#define ENTRY_FIBER_FIT 10     /* and every strand fitted: beside 0.3 s of one core */
+#define ENTRY_FIBER_THREADS 11 /* the same on two cores: beside 0.15 s */
 
 typedef struct entry {
   const char *name;

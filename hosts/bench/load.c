@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#define _POSIX_C_SOURCE 200809L
+#define _XOPEN_SOURCE 700 /* realpath */
 #include "load.h"
 
 #include <errno.h>
+#include <limits.h>
 #include <spawn.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -10,6 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 #include "numbers.h"
+#include "scratch.h"
 
 extern char **environ;
 
@@ -51,5 +53,18 @@ bool load_once(const char *plugin_path, double *ns, failure *why) {
     ok = number_read(text, ns) || fail(why, EXIT_FAILURE, "loading in a fresh process failed");
   }
   close(ends[0]);
+  return ok;
+}
+
+bool load_alone(const char *plugin_path, double *ns, failure *why) {
+  scratch s = {0};
+  char whole[PATH_MAX];
+  if (!realpath(plugin_path, whole))
+    return fail(why, EXIT_FAILURE, "%s: %s", plugin_path, strerror(errno));
+  if (!scratch_open(&s, "sozai.so", why)) return false;
+  bool ok = symlink(whole, s.file) == 0 ||
+            fail(why, EXIT_FAILURE, "no link in %s: %s", s.folder, strerror(errno));
+  ok = ok && load_once(s.file, ns, why);
+  scratch_close(&s);
   return ok;
 }

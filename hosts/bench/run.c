@@ -94,7 +94,8 @@ static bool run_create(void *context, double *ns, failure *why) {
 
 static bool run_load(void *context, double *ns, failure *why) {
   const job *j = context;
-  return load_once(j->bench->plugin.path, ns, why);
+  return j->entry->kind == ENTRY_LOAD ? load_once(j->bench->plugin.path, ns, why)
+                                      : load_alone(j->bench->plugin.path, ns, why);
 }
 
 /* ---- the arithmetic-bound limit --------------------------------------- */
@@ -178,7 +179,7 @@ static bool run_on_threads(job *j, result *out, failure *why) {
 }
 
 static bool run_alone(job *j, result *out, failure *why) {
-  contestant who = {j->entry->kind == ENTRY_LOAD ? run_load : run_create, j};
+  contestant who = {j->entry->kind == ENTRY_CREATE ? run_create : run_load, j};
   timing t;
   if (!measure(&who, 1, j->bench->repetitions, &t, why)) return false;
   out->ns = t.median;

@@ -103,13 +103,14 @@ static void measured_blocks(const fibertex_constants *w, block *k) {
 }
 
 #define LANES_FEW 3.0f  /* all are counted, */
-#define LANES_MANY 6.0f /* or their mean is taken: footprints for the means of what is counted */
+#define LANES_MANY 6.0f /* or their mean is taken: footprints for the means of what is counted, */
+#define COUNTED_EACH 4  /* at one of so many places, as counting takes twice as long as the rest */
 
 /* Sums over a layer's places, of few lanes and of many: of what is counted, also by how much of it
  * lies beyond the bundle; and of how bright the formula's strands are. */
 typedef struct {
-  double cover[2], dim[2], near[2], bare[2], luck, pale, beyond, beyond_of[2], beyond_near,
-      beyond_bare;
+  double count, cover[2], dim[2], near[2], bare[2], luck, formula, pale, beyond, beyond_of[2],
+      beyond_near, beyond_bare;
 } measured_counts;
 
 STAGE void measure_counts(const fibertex_constants *w, const fibertex_layer *c,
@@ -129,13 +130,15 @@ STAGE void measure_counts(const fibertex_constants *w, const fibertex_layer *c,
       measure_add(&sum->near[many], n.near * share);
       measure_add(&sum->bare[many], share);
       if (many) {
+        sum->count += LANES;
         measure_add(&sum->beyond, beyond);
         measure_add(&sum->beyond_of[0], n.cover * beyond);
         measure_add(&sum->beyond_of[1], n.dim[0] * beyond);
         measure_add(&sum->beyond_near, n.near * share * beyond);
         measure_add(&sum->beyond_bare, share * beyond);
-        vf pale = lane_expected(c, 1, &q->p) * lane_expected_bright(c, &q->p);
-        measure_add(&sum->pale, pale);
+        vf formula = lane_expected(c, 1, &q->p);
+        measure_add(&sum->formula, formula);
+        measure_add(&sum->pale, formula * lane_expected_bright(c, &q->p));
       } else {
         measure_add(&sum->luck, n.luck);
       }
@@ -143,10 +146,10 @@ STAGE void measure_counts(const fibertex_constants *w, const fibertex_layer *c,
   }
 }
 
-static void measured_means(const measured_counts *sum, uint32_t count, double formula, int l,
-                           fibertex_means *out) {
+static void measured_means(const measured_counts *sum, int l, fibertex_means *out) {
   fibertex_counted *q = &out->counted[l];
-  if (formula > 0.0) out->pale[l] = sum->pale / formula;
+  const double count = sum->count;
+  if (sum->formula > 0.0) out->pale[l] = sum->pale / sum->formula;
   for (int many = 0; many < 2; many++) {
     if (sum->bare[many] > 0.0) q->near[many] = sum->near[many] / sum->bare[many];
   }
@@ -178,11 +181,11 @@ static void measure(const fibertex_constants *w, uint32_t count, float lanes, in
         measure_add(&out->bright[l], q->cover * q->bright);
         measure_add(&out->formula[l], lane_expected(c, c->ends, &of[0][b].p));
       }
-      if (c->ends && counted) measure_counts(w, c, of, &sum);
+      if (counted && c->ends && i / 64 % COUNTED_EACH == 0) measure_counts(w, c, of, &sum);
     }
     out->soft[l] /= count - out->point[l];
     if (out->point[l] > 0.0) out->bright[l] /= out->point[l];
-    if (c->ends && counted) measured_means(&sum, count, out->formula[l], l, out);
+    if (c->ends && counted) measured_means(&sum, l, out);
     out->point[l] /= count;
     out->formula[l] /= count;
   }
