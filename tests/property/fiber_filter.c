@@ -132,12 +132,14 @@ static void same_pattern(points *p, const stays *s) {
 }
 
 /* The weave is there as long as the truth has it: green of denim, whose weft is white and warp
- * blue, under footprints of 0.75 to 2.5 of its warp's spacings. */
+ * blue, under footprints of 0.75 to 2.5 of its warp's spacings. And strands on their yarns, under
+ * some of their lanes. */
 static void the_weave_stays(void **state) {
   (void)state;
-  static const stays weave[] = {{"denim", ALBEDO + 1, 0.3, 0.02, 0.96},
-                                {"denim", ALBEDO + 1, 0.6, 0.018, 0.93},
-                                {"denim", ALBEDO + 1, 1.0, 0.018, 0.78}};
+  static const stays weave[] = {
+      {"denim", ALBEDO + 1, 0.3, 0.02, 0.96},    {"denim", ALBEDO + 1, 0.6, 0.018, 0.93},
+      {"denim", ALBEDO + 1, 1.0, 0.018, 0.78},   {"tweed", ALBEDO + 1, 0.2, 0.016, 0.8},
+      {"flannel", ALBEDO + 1, 0.1, 0.018, 0.85}, {"burlap", ALBEDO + 1, 0.3, 0.022, 0.94}};
   points p = {0};
   uniform_seed(72);
   for (size_t i = 0; i < sizeof weave / sizeof *weave; i++) same_pattern(&p, &weave[i]);

@@ -92,7 +92,7 @@ static void let_stray(fibertex_constants *w, fibertex_layer *c, double waver) {
   /* Of more than two lanes' width strands are counted. Of a cloth sooner, since one strand's light
    * would stand for too many. */
   int woven = w->structure == STRUCTURE_WOVEN;
-  double from = woven ? 0.6 : 1.7, to = woven ? 1.8 : 2.3, seen = LANES_SEEN * spacing;
+  double from = woven ? 0.9 : 1.7, to = woven ? 1.8 : 2.3, seen = LANES_SEEN * spacing;
   c->seen = (float)(0.5 * seen);
   c->seen_inverse = (float)(1.0 / seen);
   c->vague = (float)(from * spacing);

@@ -62,18 +62,19 @@ typedef struct {
 
 /* Sums over the lanes about the middle of a footprint, of what it has of them that reaches so far,
  * in lanes, to either side: half of the strands' thickness; that times brightness. */
-INLINE void lane_sums(const fibertex_constants *w, const fibertex_layer *c, const lane_place *p,
-                      vf ramp, vf reach, lane_counted *q) {
+INLINE void lane_sums(const fibertex_constants *w, const fibertex_layer *c, int ends,
+                      const lane_place *p, vf ramp, vf reach, lane_counted *q) {
   const vf zero = splat(0.0f), half = splat(0.5f), one = splat(1.0f);
   const float first = (float)(LANES_COUNTED / 2 - 1);
-  const float bright = c->counted_lift, dive = bright * LANE_DIVE / (LANE_ENDS * LANE_ENDS);
+  const float bright = c->counted_lift,
+              dive = !ends ? 0.0f : bright * LANE_DIVE / (LANE_ENDS * LANE_ENDS);
   vf at = p->y * splat(c->inverse_spacing), low = whole_of(at), off = (at - low) + splat(first);
   vu key = p->h + (vu)bits_of(low - splat(first) + splat(LANE_WHOLE)) * splatu(HASH_X);
   for (int k = 0; k < LANES_COUNTED; k++) {
     vu id = lane_chance(key);
-    vf from = lane_from(p, id), v = vmin(from, splat(LANE_ENDS));
+    vf from = ends ? lane_from(p, id) : splat(0.0f), v = vmin(from, splat(LANE_ENDS));
     vf share = vmax(vmin(reach - vabs(off), one), zero);
-    share = share * clamp01((splat(LANE_ENDS) - from) * ramp + half);
+    if (ends) share = share * clamp01((splat(LANE_ENDS) - from) * ramp + half);
     share = share * (splat(c->radius) + splat(c->radius_vary) * field_of(id, 2));
     share = sel(lane_there(p, id), share, zero);
     vf shown = share * (splat(bright) - splat(dive) * (v * v));
@@ -87,7 +88,7 @@ INLINE void lane_sums(const fibertex_constants *w, const fibertex_layer *c, cons
 }
 
 /* Seen squarely, as if nothing lay over one another. some: whether lanes are counted at all. */
-INLINE void lane_count(const fibertex_constants *w, const fibertex_layer *c, int some,
+INLINE void lane_count(const fibertex_constants *w, const fibertex_layer *c, int ends, int some,
                        const lane_place *p, const lane_filter *t, lane_counted *q) {
   const vf zero = splat(0.0f), half = splat(0.5f), one = splat(1.0f);
   const vf most = splat(0.5f * (LANES_COUNTED - 1));
@@ -95,15 +96,15 @@ INLINE void lane_count(const fibertex_constants *w, const fibertex_layer *c, int
   vf reach = vmin(wide, most), known = zero;
   q->cover = q->dim[0] = q->dim[1] = q->luck = zero;
   if (some) {
-    lane_sums(w, c, p, p->chord * t->inverse_end, reach + half, q);
+    lane_sums(w, c, ends, p, p->chord * t->inverse_end, reach + half, q);
     vf keep = clamp01(splat(2.0f) - wide * splat(2.0f / LANES_TOLD));
     known = reach * inverse * keep;
     inverse = inverse * keep;
     q->luck = known * inverse;
   }
   /* what is wider than that has more of the same, of which the mean is known */
-  vf rest = (one - known) * lane_expected_squarely(c, 1, p);
-  vf pale = rest * lane_expected_bright(c, p);
+  vf rest = (one - known) * lane_expected_squarely(c, ends, p);
+  vf pale = ends ? rest * lane_expected_bright(c, p) : rest;
   vf lanes = lane_steep(p) * inverse * splat(c->counted * c->inverse_spacing);
   q->cover = q->cover * lanes + rest;
   q->dim[0] = q->dim[0] * lanes + pale;
@@ -141,16 +142,6 @@ INLINE void lane_blend(const fibertex_constants *w, const fibertex_layer *c, con
   q->mean = far * mix(splat(c->beyond[0]) * p->widen, n->cover, in);
   q->dim[0] = far * mix(dim, n->dim[0], in);
   q->dim[1] = far * mix(dim * splat(w->second_share), n->dim[1], in);
-}
-
-/* Of a yarn, to their mean. */
-INLINE void lane_blend_yarn(const fibertex_constants *w, const fibertex_layer *c,
-                            const lane_place *p, const lane_filter *t, lane_hit *q) {
-  vf far = lane_far(c, t->s), near = splat(1.0f) - far;
-  q->cover = near * q->cover;
-  q->soft = near * q->soft;
-  q->mean = q->dim[0] = far * lane_expected(c, 0, p);
-  q->dim[1] = q->mean * splat(w->second_share);
 }
 
 #endif

@@ -136,18 +136,14 @@ INLINE void stages_of_lanes(const fibertex_constants *w, const fibertex_layer *c
     EACH_LAYER lane_none(&of[l][b].hit);
   }
   if (!means) return;
-  if (!ends) {
-    EACH_LAYER lane_blend_yarn(w, &c[l], &of[l][b].p, &k[b].filter, &of[l][b].hit);
-    return;
-  }
   EACH_LAYER {
     layer_work *q = &of[l][b];
     int some = s->least < 2.0f * LANES_TOLD * c[l].spacing;
-    lane_count(w, &c[l], some, &q->p, &k[b].filter, &q->counted);
+    lane_count(w, &c[l], ends, some, &q->p, &k[b].filter, &q->counted);
   }
   EACH_LAYER {
     layer_work *q = &of[l][b];
-    vf edge = bundle_edge(&c[l], &q->cell);
+    vf edge = ends ? bundle_edge(&c[l], &q->cell) : splat(1e9f);
     lane_blend(w, &c[l], &q->p, edge, &k[b].filter, &q->counted, &q->hit);
   }
 }

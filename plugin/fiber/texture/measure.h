@@ -121,9 +121,9 @@ STAGE void measure_counts(const fibertex_constants *w, const fibertex_layer *c,
     EACH(b, BLOCKS_TOGETHER) {
       const layer_work *q = &of[0][b];
       lane_counted n;
-      lane_count(w, c, !many, &q->p, &t, &n);
+      lane_count(w, c, c->ends, !many, &q->p, &t, &n);
       lane_overlap(&q->p, &n);
-      vf beyond = splat(1.0f) - lane_within(bundle_edge(c, &q->cell), &t);
+      vf beyond = splat(1.0f) - (c->ends ? lane_within(bundle_edge(c, &q->cell), &t) : splat(1.0f));
       vf share = splat(1.0f) - n.cover;
       measure_add(&sum->cover[many], n.cover);
       measure_add(&sum->dim[many], n.dim[0]);
@@ -136,7 +136,7 @@ STAGE void measure_counts(const fibertex_constants *w, const fibertex_layer *c,
         measure_add(&sum->beyond_of[1], n.dim[0] * beyond);
         measure_add(&sum->beyond_near, n.near * share * beyond);
         measure_add(&sum->beyond_bare, share * beyond);
-        vf formula = lane_expected(c, 1, &q->p);
+        vf formula = lane_expected(c, c->ends, &q->p);
         measure_add(&sum->formula, formula);
         measure_add(&sum->pale, formula * lane_expected_bright(c, &q->p));
       } else {
@@ -181,11 +181,11 @@ static void measure(const fibertex_constants *w, uint32_t count, float lanes, in
         measure_add(&out->bright[l], q->cover * q->bright);
         measure_add(&out->formula[l], lane_expected(c, c->ends, &of[0][b].p));
       }
-      if (counted && c->ends && i / 64 % COUNTED_EACH == 0) measure_counts(w, c, of, &sum);
+      if (counted && i / 64 % COUNTED_EACH == 0) measure_counts(w, c, of, &sum);
     }
     out->soft[l] /= count - out->point[l];
     if (out->point[l] > 0.0) out->bright[l] /= out->point[l];
-    if (c->ends && counted) measured_means(&sum, l, out);
+    if (counted) measured_means(&sum, l, out);
     out->point[l] /= count;
     out->formula[l] /= count;
   }
