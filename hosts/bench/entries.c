@@ -176,6 +176,7 @@ const entry entries[] = {
     TILE("travertino", "stone", "travertino", NULL, 0.25),
     TILE("terrazzo", "stone", "terrazzo", NULL, 0.0625),
     TILE("felt", "fiber", "felt", NULL, 0.0625),
+    TILE("felt_0.5mm", "fiber", "felt", NULL, 0.5),
     TILE("denim", "fiber", "denim", NULL, 0.125),
     PARTS("denim_samples_4", "fiber", "denim", 0.125, 4),
     LOOK("keyaki", "wood", WOOD, "keyaki", "cut: flat", 0.0625),
