@@ -22,6 +22,10 @@
 /* A stage over `count` of whatever it is, as a loop: copied out it would not fit the cache. */
 #define EACH(k, count) ROLLED for (uint32_t k = 0; k < (count); k++)
 
+/* What is asked for. The strand that most is seen of, of which light is asked, too. */
+#define WANTS_LIGHT 1
+#define WANTS_STRAND 2
+
 /* Sums over what is seen; of colours the shares of the first and the second. */
 typedef struct {
   vf left;      /* what is not covered yet */

@@ -24,7 +24,7 @@ INLINE void light_in_bulk(const fibertex_constants *w, block *k) {
   g->onward = in * in * splat(w->chain) / (in + splat(0.25f));
 }
 
-INLINE void ground_hull(const fibertex_constants *w, block *k) {
+INLINE void ground_hull(const fibertex_constants *w, int light, block *k) {
   const vf zero = splat(0.0f), one = splat(1.0f);
   ground *g = &k->ground;
   for (int c = 0; c < 3; c++) {
@@ -34,7 +34,8 @@ INLINE void ground_hull(const fibertex_constants *w, block *k) {
   }
   g->weft = g->level = zero;
   g->ambient = g->straight = g->solid = g->whole = one;
-  light_in_bulk(w, k);
+  g->around = g->onward = zero;
+  if (light) light_in_bulk(w, k);
   g->place[0] = g->place[1] = zero;
   g->h = splatu(0);
 }
@@ -57,7 +58,21 @@ INLINE void face_of(const block *k, const vf tip[2], face_light *o) {
  * Seeliger. */
 INLINE vf face_lit(const face_light *f) { return f->in / vmax(f->in + f->out, splat(0.01f)); }
 
-STAGE void ground_cloth(const fibertex_constants *w, block *k) {
+/* How the yarn and what stands off it are lit. */
+INLINE void ground_light(const fibertex_constants *w, block *k) {
+  const vf zero = splat(0.0f), one = splat(1.0f);
+  ground *g = &k->ground;
+  vf deep = splat(w->slab) * (k->inverse[0] + k->inverse[1]);
+  g->around = deep / (deep + splat(w->slab_linear)) * k->front;
+  /* what stands off shades itself, where light grazes */
+  vf in = vmax(k->f.light[2], zero);
+  g->flown = in * splat(w->flown_gloss) / (in + splat(w->flown_deep + 1e-4f));
+  vf steep = one / vmax(g->up[2], splat(0.05f));
+  const vf tip[2] = {g->up[0] * steep, g->up[1] * steep};
+  face_of(k, tip, &g->face);
+}
+
+STAGE void ground_cloth(const fibertex_constants *w, int light, block *k) {
   const vf zero = splat(0.0f), one = splat(1.0f);
   ground *g = &k->ground;
   cloth_hit q;
@@ -77,15 +92,8 @@ STAGE void ground_cloth(const fibertex_constants *w, block *k) {
   cloth_frame(w, &q, g->along, g->across, g->up);
   g->weft = q.share;
   g->ambient = q.ambient;
-  vf deep = splat(w->slab) * (k->inverse[0] + k->inverse[1]);
-  g->around = deep / (deep + splat(w->slab_linear)) * k->front;
-  g->onward = zero;
-  /* what stands off shades itself, where light grazes */
-  vf in = vmax(k->f.light[2], zero);
-  g->flown = in * splat(w->flown_gloss) / (in + splat(w->flown_deep + 1e-4f));
-  vf steep = one / vmax(g->up[2], splat(0.05f));
-  const vf tip[2] = {g->up[0] * steep, g->up[1] * steep};
-  face_of(k, tip, &g->face);
+  g->around = g->onward = zero;
+  if (light) ground_light(w, k);
   g->straight = one;
   g->place[0] = q.along;
   /* the way round an ellipse from its crest: nearly */

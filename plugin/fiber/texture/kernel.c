@@ -12,7 +12,8 @@ extern const fibertex_kernel KERNEL_NAME(fibertex_kernel_);
 
 /* From what is summed up to what is seen. */
 INLINE void stage_show(const fibertex_constants *w, int woven, block *k, const looks *q,
-                       strand_axes *t, const strand_lit *lit, int light, shown *near) {
+                       strand_axes *t, const strand_lit *lit, int wants, shown *near) {
+  const int light = wants & WANTS_LIGHT;
   const vf zero = splat(0.0f), one = splat(1.0f);
   sums sum;
   shown mean;
@@ -26,6 +27,7 @@ INLINE void stage_show(const fibertex_constants *w, int woven, block *k, const l
     far_sums(w, k, light, &sum);
     show_far(w, woven, k, &sum, q, near);
   }
+  if (!(wants & WANTS_STRAND)) return;
   vm nothing = le(one, k->far);
   for (int c = 0; c < 3; c++) t->along[c] = sel(nothing, zero, t->along[c]);
   k->best.id = selu(nothing, splatu(0), k->best.id);
@@ -33,7 +35,10 @@ INLINE void stage_show(const fibertex_constants *w, int woven, block *k, const l
 
 INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io *io, uint32_t from,
                         uint32_t to) {
-  int light = kernel_wants(io, FIBERTEX_RADIANCE, 3);
+  const int light = kernel_wants(io, FIBERTEX_RADIANCE, 3) ? WANTS_LIGHT : 0;
+  const int strand =
+      light || kernel_wants(io, FIBERTEX_TANGENT, 4) || kernel_wants(io, FIBERTEX_HEIGHT, 5);
+  const int wants = light | (strand ? WANTS_STRAND : 0);
   for (uint32_t i = from; i < to; i += BLOCKS_TOGETHER * LANES) {
     block of[BLOCKS_TOGETHER];
     looks all[BLOCKS_TOGETHER];
@@ -46,29 +51,40 @@ INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io 
       stage_point(w, woven, io, &of[b]);
     }
     EACH(b, count) stage_view(io, &of[b]);
-    EACH(b, count) stage_light(w, io, &of[b]);
+    if (light) {
+      EACH(b, count) stage_light(w, io, &of[b]);
+    } else {
+      EACH(b, count) stage_dark(&of[b]);
+    }
     int level = eye_level(of, count);
     EACH(b, count) stage_bundles(w, level, &of[b]);
-    EACH(b, count) stage_reach(w, &of[b]);
-    if (woven) EACH(b, count) stage_reach_of_cloth(w, &of[b]);
+    if (light) {
+      EACH(b, count) stage_reach(w, &of[b]);
+      if (woven) EACH(b, count) stage_reach_of_cloth(w, &of[b]);
+    }
     EACH(b, count) {
       if (woven)
-        ground_cloth(w, &of[b]);
+        ground_cloth(w, light, &of[b]);
       else
-        ground_hull(w, &of[b]);
+        ground_hull(w, light, &of[b]);
     }
     EACH(b, count) stage_empty(w, &of[b]);
-    stage_layers(w, woven, of, count, level, light);
+    stage_layers(w, woven, of, count, level, wants);
     if (woven)
       stage_looks_of_cloth(w, of, count, light, all);
     else
       stage_looks_of_hull(w, of, count, level, light, all);
-    EACH(b, count) stage_best(&of[b]);
+    if (strand) EACH(b, count) stage_best(&of[b]);
     EACH(b, count) stage_deep(w, &of[b]);
     strand_axes t[BLOCKS_TOGETHER];
     strand_lit lit[BLOCKS_TOGETHER];
     shown seen[BLOCKS_TOGETHER];
-    EACH(b, count) best_axes(w, woven, &of[b], &t[b]);
+    EACH(b, count) {
+      if (strand)
+        best_axes(w, woven, &of[b], &t[b]);
+      else
+        strand_axes_none(&t[b]);
+    }
     if (light) {
       strand_angles a[BLOCKS_TOGETHER];
       EACH(b, count) {
@@ -81,8 +97,8 @@ INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io 
           strand_lobes(w, &a[b], &lit[b]);
       }
     }
-    EACH(b, count) stage_show(w, woven, &of[b], &all[b], &t[b], &lit[b], light, &seen[b]);
-    EACH(b, count) stage_put(w, woven, io, &of[b], &seen[b], &t[b], light, &out[b]);
+    EACH(b, count) stage_show(w, woven, &of[b], &all[b], &t[b], &lit[b], wants, &seen[b]);
+    EACH(b, count) stage_put(w, woven, io, &of[b], &seen[b], &t[b], wants, &out[b]);
     stage_store(io, of, count, out);
   }
 }

@@ -11,7 +11,8 @@
  * colours the first has all of it until the layers are through (stage_deep). */
 INLINE void compose(const fibertex_constants *w, const fibertex_layer *c, block *k,
                     const lane_hit *q, vf bend, const vf direction[2], vf level, int woven,
-                    int light) {
+                    int wants) {
+  const int light = wants & WANTS_LIGHT;
   sums *sum = &k->sum;
   const vf zero = splat(0.0f);
   vf strand = sum->left * q->cover, share = strand + sum->left * q->mean;
@@ -21,7 +22,6 @@ INLINE void compose(const fibertex_constants *w, const fibertex_layer *c, block 
   vf all = bright + shaded * q->dim[0], ambient = splat(c->ambient), lit = k->lit;
   sum->albedo[0] = sum->albedo[0] + all * ambient;
   sum->depth = sum->depth + share * level;
-  vm more = gt(share, k->most);
   if (w->second_chance) {
     vf of = sel(lane_first(w, q->id), zero, bright);
     vf second = of + shaded * q->dim[1];
@@ -31,10 +31,13 @@ INLINE void compose(const fibertex_constants *w, const fibertex_layer *c, block 
   if (light) {
     vf reached = all * lit;
     sum->direct[0] = sum->direct[0] + reached;
-    k->best.lit = sel(more, reached, k->best.lit);
+    k->best.lit = sel(gt(share, k->most), reached, k->best.lit);
     k->lit = lit * k->step[0];
     k->step[0] = k->step[0] * k->step[1];
   }
+  k->shade = k->shade - k->shade * (splat(w->contact) * q->soft);
+  if (!(wants & WANTS_STRAND)) return;
+  vm more = gt(share, k->most);
   k->next = vmax(k->next, vmin(share, k->most));
   k->most = vmax(share, k->most);
   k->best.id = selu(more, q->id, k->best.id);
@@ -46,7 +49,6 @@ INLINE void compose(const fibertex_constants *w, const fibertex_layer *c, block 
   k->best.across = sel(more, q->across, k->best.across);
   k->best.strand = sel(more, strand, k->best.strand);
   if (woven) k->best.flown = sel(more, splat(c->ends ? 1.0f : 0.0f), k->best.flown);
-  k->shade = k->shade - k->shade * (splat(w->contact) * q->soft);
 }
 
 /* What of it is only known when all layers have been: of what covers most, how much is a strand's
@@ -163,24 +165,24 @@ INLINE void stages_of_hull(const fibertex_constants *w, const fibertex_layer *c,
 
 STAGE void layers_of_hull(const fibertex_constants *w, const fibertex_layer *c, uint32_t layers,
                           block *k, uint32_t blocks, int level, const footprints *s, int woven,
-                          int light) {
+                          int wants) {
   layers_work of;
   stages_of_hull(w, c, layers, k, blocks, level, s, of);
   EACH_LAYER {
     const layer_work *q = &of[l][b];
-    compose(w, &c[l], &k[b], &q->hit, q->p.bend, q->direction, splat(c[l].depth), woven, light);
+    compose(w, &c[l], &k[b], &q->hit, q->p.bend, q->direction, splat(c[l].depth), woven, wants);
   }
 }
 
 STAGE void layers_of_yarn(const fibertex_constants *w, const fibertex_layer *c, uint32_t layers,
-                          block *k, uint32_t blocks, const footprints *s, int light) {
+                          block *k, uint32_t blocks, const footprints *s, int wants) {
   layers_work of;
   EACH_LAYER yarn_place(&c[l], k[b].ground.place, k[b].ground.h, &of[l][b].p);
   stages_of_lanes(w, c, layers, 0, k, blocks, s, of);
   EACH_LAYER {
     const vf d[2] = {splat(c[l].twist[0]), splat(c[l].twist[1])};
     const lane_hit *hit = &of[l][b].hit;
-    compose(w, &c[l], &k[b], hit, splat(0.0f), d, splat(c[l].depth) + k[b].ground.level, 1, light);
+    compose(w, &c[l], &k[b], hit, splat(0.0f), d, splat(c[l].depth) + k[b].ground.level, 1, wants);
   }
 }
 
@@ -201,7 +203,7 @@ INLINE void enter_yarns(block *k) {
 
 /* Down through the shell. */
 INLINE void stage_layers(const fibertex_constants *w, int woven, block *k, uint32_t blocks,
-                         int level, int light) {
+                         int level, int wants) {
   const footprints s = footprints_of(k, blocks);
   if (s.least >= w->far[1]) return; /* nothing near is left of them */
   /* of a cloth what stands off it first */
@@ -212,9 +214,9 @@ INLINE void stage_layers(const fibertex_constants *w, int woven, block *k, uint3
     if (LAYERS_TOGETHER == 1) layers = 1;
     if (woven && l == first) EACH(b, blocks) enter_yarns(&k[b]);
     if (woven && l >= first)
-      layers_of_yarn(w, w->layer + l, layers, k, blocks, &s, light);
+      layers_of_yarn(w, w->layer + l, layers, k, blocks, &s, wants);
     else
-      layers_of_hull(w, w->layer + l, layers, k, blocks, level, &s, woven, light);
+      layers_of_hull(w, w->layer + l, layers, k, blocks, level, &s, woven, wants);
   }
 }
 

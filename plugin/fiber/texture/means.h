@@ -36,7 +36,8 @@ STAGE void far_sums(const fibertex_constants *w, const block *k, int light, sums
   vf x = vmin(k->f.lean2[0] * k->f.lean2[0] + k->f.lean2[1] * k->f.lean2[1], splat(3.5f));
   vf wide = one + x * (splat(0.24f) + x * (splat(-0.03225f) + x * splat(0.00266f)));
   vf left = one, lit = zero, ambient = zero, depth = zero, reach = k->front;
-  vf step = exp2_(splat(-1.442695f * w->step) * k->inverse_up);
+  vf step = zero;
+  if (light) step = exp2_(splat(-1.442695f * w->step) * k->inverse_up);
   for (int l = 0; l < w->layers; l++) {
     const fibertex_layer *c = &w->layer[l];
     vf mean = splat(c->mean);

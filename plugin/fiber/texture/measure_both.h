@@ -93,7 +93,7 @@ static void measure_faces(const fibertex_constants *cloth, uint32_t count, fiber
     looks q;
     k.s = splat(0.0f);
     measure_look(&w, i, &k);
-    ground_cloth(&w, &k);
+    ground_cloth(&w, 1, &k);
     stage_looks_of_cloth(&w, &k, 1, 1, &q);
     vf lit = measure_place_lit(&w, &k, &q);
     measure_add(&out->near[0], lit * (splat(1.0f) - k.ground.weft));

@@ -41,7 +41,7 @@ INLINE void put_vector(const kernel_io *io, const block *k, int channel, const v
 }
 
 INLINE void stage_put(const fibertex_constants *w, int woven, const kernel_io *io, const block *k,
-                      const shown *o, const strand_axes *t, int light, output *out) {
+                      const shown *o, const strand_axes *t, int wants, output *out) {
   const vf zero = splat(0.0f), one = splat(1.0f), far = k->far;
   const int colours = woven ? FIBERTEX_COLOURS : COLOUR_WEFT;
   vf cover = clamp01(o->cover), some = one / vmax(cover, splat(1e-6f));
@@ -49,7 +49,7 @@ INLINE void stage_put(const fibertex_constants *w, int woven, const kernel_io *i
     vf a = zero, r = o->white;
     for (int i = 0; i < colours; i++) a = a + o->albedo[i] * splat(w->colour[i][c]);
     out->component[FIBERTEX_ALBEDO + c] = a;
-    if (!light) continue;
+    if (!(wants & WANTS_LIGHT)) continue;
     for (int i = 0; i < colours; i++) {
       r = r + o->glow[i] * splat(w->glow[i][c]) + o->bulk[i] * splat(w->bulk[i][c]);
     }
@@ -60,10 +60,11 @@ INLINE void stage_put(const fibertex_constants *w, int woven, const kernel_io *i
     out->component[FIBERTEX_RADIANCE + c] = r;
   }
   out->component[FIBERTEX_COVERAGE] = cover;
-  put_vector(io, k, FIBERTEX_TANGENT, t->along, k->f.e1, out);
-  out->component[FIBERTEX_STRAND] = to_float((vi)(k->best.id >> 8)) * splat(1.0f / 16777216.0f);
   vf depth = vmax(o->depth * some, zero);
   out->component[FIBERTEX_DEPTH] = depth;
+  if (!(wants & WANTS_STRAND)) return;
+  put_vector(io, k, FIBERTEX_TANGENT, t->along, k->f.e1, out);
+  out->component[FIBERTEX_STRAND] = to_float((vi)(k->best.id >> 8)) * splat(1.0f / 16777216.0f);
   /* the strand's own roundness is in the height */
   vf side = k->best.across, top = vsqrt(vmax(one - side * side, zero));
   vf seen = (k->most - k->next) * k->best.detail * (one - far);

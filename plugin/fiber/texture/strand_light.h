@@ -32,6 +32,12 @@ typedef struct {
   vf across2, up2;
 } strand_axes;
 
+/* Of no strand: numbers, that nobody looks at. */
+INLINE void strand_axes_none(strand_axes *t) {
+  for (int c = 0; c < 3; c++) t->along[c] = t->across[c] = t->up[c] = splat(0.0f);
+  t->across2 = t->up2 = splat(0.0f);
+}
+
 /* Radiance of a strand under light of irradiance pi: white; of what went through; of what
  * was scattered within. And the lobe of what goes on through. */
 typedef struct {

@@ -90,6 +90,14 @@ INLINE void stage_light(const fibertex_constants *w, const kernel_io *io, block 
   k->inverse_up = (one - splat(w->opposition) / (apart * apart)) * k->inverse[0];
 }
 
+/* No light is asked for, and none that is given looked at. */
+INLINE void stage_dark(block *k) {
+  const vf zero = splat(0.0f);
+  for (int c = 0; c < 3; c++) k->f.light[c] = zero;
+  k->f.between = k->front = k->reach = k->lit = k->deep_lit = zero;
+  k->inverse[0] = k->inverse_up = k->step[0] = k->step[1] = zero;
+}
+
 /* The light that reaches the next layer straight. */
 INLINE void stage_reach(const fibertex_constants *w, block *k) {
   k->step[0] = exp2_(splat(-1.442695f * w->step) * k->inverse_up);
