@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # draw.sh [FOLDER] [PICTURE...]: pictures of these pages, by the command. FOLDER: the script's
-# own, unless given. PICTURE: stones, log, and of a whole gallery gallery, figured, plies,
+# own, unless given. PICTURE: stones, fibres, log, and of a whole gallery gallery, figured, plies,
 # knots, layouts and trees; none: all. SOZAI: the program, unless build/bin/sozai.
 # Blender's: hosts/blender/examples/draw.sh.
 set -euo pipefail
@@ -27,9 +27,15 @@ readonly untold=(--eraseattrib '.*' --nosoftwareattrib)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-# stone FILE PRESET OPTION...: a tile of the stones' picture
-stone() {
-  "$sozai" render stone --preset "$2" -o "$scratch/$1.png" --shape plane --res 400x300 --spp 32 "${@:3}"
+# tile FILE MATERIAL PRESET OPTION...: of the stones' picture, or the fibres'
+tile() {
+  "$sozai" render "$2" --preset "$3" -o "$scratch/$1.png" --shape plane --res 400x300 --spp 32 "${@:4}"
+}
+stone() { tile "$1" stone "${@:2}"; }
+
+# sheet FILE: of the twelve tiles
+sheet() {
+  oiiotool "$scratch"/{1,2,3,4,5,6,7,8,9,10,11,12}.png --mosaic 4x3 "${untold[@]}" -d uint8 -o "$folder/$1.png"
 }
 
 # Inada and Mannari granite, Baltic Brown, Rosso Verona; travertine, Calacatta, Rosso Levanto, terrazzo;
@@ -48,7 +54,18 @@ draw_stones() {
   stone 11 ishidatami --camera -50,42,14 --zoom 5 --size 12000x9000 -p layout=chidori \
     -p stone_length=600 -p stone_width=300 -p moss=0.42 -p moss_spread=30
   stone 12 araidashi --camera front --size 100x75 --light 30,30
-  oiiotool "$scratch"/{1,2,3,4,5,6,7,8,9,10,11,12}.png --mosaic 4x3 "${untold[@]}" -d uint8 -o "$folder/stones.png"
+  sheet stones
+}
+
+# Red felt, grey felt, fleece, cashmere; denim, tweed, linen, burlap; silk satin, velvet, flannel, coir
+draw_fibres() {
+  local number=0 preset size
+  for preset in felt:4x3 felt_grey:60x45 fleece:10x7.5 cashmere:8x6 denim:12x9 tweed:30x22.5 \
+    linen:10x7.5 burlap:24x18 silk_satin:6x4.5 velvet:2.4x1.8 flannel:16x12 coir:60x45; do
+    size=${preset#*:}
+    tile $((number += 1)) fiber "${preset%:*}" --camera front --size "$size"
+  done
+  sheet fibres
 }
 
 draw_log() {
@@ -68,13 +85,13 @@ draw_sheet() {
 }
 
 names=("$@")
-(($#)) || names=(stones log gallery figured plies knots layouts trees)
+(($#)) || names=(stones fibres log gallery figured plies knots layouts trees)
 for name in "${names[@]}"; do
   case $name in
-    stones | log) "draw_$name" ;;
+    stones | fibres | log) "draw_$name" ;;
     gallery | figured | plies | knots | layouts | trees) draw_sheet "$name" ;;
     *)
-      echo "no picture $name: stones, log, gallery, figured, plies, knots, layouts or trees" >&2
+      echo "no picture $name: stones, fibres, log, gallery, figured, plies, knots, layouts or trees" >&2
       exit 1
       ;;
   esac
