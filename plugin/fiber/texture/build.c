@@ -21,6 +21,9 @@
 #define FEW 0.4         /* of what room there is, that strands too seldom take to be counted */
 #define LANES_SEEN 1.25 /* that two lanes stand for, of a wide footprint */
 #define LANES_SOFT 0.9  /* at which nearness is measured once more */
+#define LANES_TOLD                                                                                 \
+  4.5 /* half of a footprint: of more, those that are counted tell little; of lanes                \
+       * of which few are taken, up to twice as many */
 #define HULL_LOOKS 4
 #define FIELD 2147483648.0  /* a hash's field is within this of 0 */
 #define WAVE 8.0            /* over the wave's amplitude */
@@ -123,6 +126,7 @@ static void measure_layers(fibertex_constants *w, const settings *s, const fiber
     w->layer[l].presence = FULL;
     w->layer[l].lift = w->layer[l].pale = 1.0f;
     w->layer[l].counted = w->layer[l].counted_lift = 1.0f;
+    w->layer[l].counted_end = (float)(2.0 / LANES_TOLD);
   }
   set_formulas(w);
   kernel->measure(w, MEASURED, 0.0f, 1, &full);
@@ -138,6 +142,9 @@ static void measure_layers(fibertex_constants *w, const settings *s, const fiber
   }
   set_formulas(w);
   for (int l = 0; l < w->layers; l++) {
+    double taken = most((double)w->layer[l].presence / FULL, 1e-6);
+    w->layer[l].counted_end =
+        (float)(2.0 / least(LANES_TOLD / scalar_root(taken), 2.0 * LANES_TOLD));
     if (full.formula[l] > 0.0) w->layer[l].formula *= (float)(full.point[l] / full.formula[l]);
   }
   kernel->measure(w, MEASURED, 0.0f, 1, &m);

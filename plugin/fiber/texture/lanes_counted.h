@@ -11,8 +11,6 @@
 #include "lanes.h"
 
 #define LANES_COUNTED 4 /* that are looked at; a footprint of one less is had whole */
-#define LANES_TOLD                                                                                 \
-  9.0f /* half of a footprint, in lanes, of which those are too few to tell anything */
 /* What a strand has of nearness to what lies beside it, over its thickness: lane_nearness on both
  * sides, of a strand of the mean radius. */
 #define LANE_NEARNESS 1.21f
@@ -97,7 +95,7 @@ INLINE void lane_count(const fibertex_constants *w, const fibertex_layer *c, int
   q->cover = q->dim[0] = q->dim[1] = q->luck = zero;
   if (some) {
     lane_sums(w, c, ends, p, p->chord * t->inverse_end, reach + half, q);
-    vf keep = clamp01(splat(2.0f) - wide * splat(2.0f / LANES_TOLD));
+    vf keep = clamp01(splat(2.0f) - wide * splat(c->counted_end));
     known = reach * inverse * keep;
     inverse = inverse * keep;
     q->luck = known * inverse;

@@ -140,7 +140,7 @@ INLINE void stages_of_lanes(const fibertex_constants *w, const fibertex_layer *c
   if (!means) return;
   EACH_LAYER {
     layer_work *q = &of[l][b];
-    int some = s->least < 2.0f * LANES_TOLD * c[l].spacing;
+    int some = s->least < 4.0f * c[l].spacing / c[l].counted_end;
     lane_count(w, &c[l], ends, some, &q->p, &k[b].filter, &q->counted);
   }
   EACH_LAYER {

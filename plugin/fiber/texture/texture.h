@@ -54,6 +54,8 @@ typedef struct {
                                 * over their mean brightness */
   float counted_near, counted_luck; /* mean nearness of what they leave bare; and how much less it
                                      * is of one lane */
+  float counted_end; /* 2 over half of a footprint, in lanes, of which those that are counted are
+                      * too few to tell anything */
   float beyond_near;
   float beyond[2]; /* what of a footprint lies beyond the bundle: share that is covered; that times
                     * brightness */
