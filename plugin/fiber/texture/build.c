@@ -175,6 +175,7 @@ static void measure_layers(fibertex_constants *w, const settings *s, const fiber
     c->beyond_near = (float)n->beyond_near;
     if (n->luck > 0.0) c->counted_luck = (float)((n->near[1] - n->near[0]) / n->luck);
     for (int k = 0; k < 2; k++) c->beyond[k] = (float)(m.point[l] * n->beyond[k]);
+    c->beyond_widen = (float)(0.97 / most((double)c->beyond[0], 0.1));
     c->ambient = (float)(1.0 - darkening * (1.0 - scalar_exp(-1.3 * above)));
     above -= scalar_log(1.0 - least(m.point[l], 0.99));
   }

@@ -116,7 +116,7 @@ INLINE void lane_overlap(const lane_place *p, lane_counted *q) {
   vf bare = vmax(one - sum, splat(0.02f)) + splat(LANE_NEARNESS_LOST) * near;
   /* one division serves two: of what lies over one another, and of what is bare */
   vf over = vmax(sum, one), both = one / (over * bare), few = both * bare * p->widen;
-  q->near = near * (both * over);
+  q->near = vmin(near * (both * over), one);
   q->cover = vmin(sum, one);
   for (int i = 0; i < 2; i++) q->dim[i] = q->dim[i] * few;
 }
@@ -132,12 +132,13 @@ INLINE void lane_blend(const fibertex_constants *w, const fibertex_layer *c, con
   vf far = lane_far(c, t->s), near = splat(1.0f) - far;
   lane_overlap(p, n);
   /* at a slant strands beyond it look as much broader, nearly */
-  vf in = lane_within(edge, t), dim = splat(c->beyond[1]) * p->widen;
+  vf in = lane_within(edge, t), wide = vmin(p->widen, splat(c->beyond_widen));
+  vf dim = splat(c->beyond[1]) * wide;
   vf close = n->near + splat(c->counted_luck) * n->luck;
   close = mix(splat(c->beyond_near), close, in) - splat(c->counted_near);
   q->cover = near * q->cover;
   q->soft = near * q->soft + far * close;
-  q->mean = far * mix(splat(c->beyond[0]) * p->widen, n->cover, in);
+  q->mean = far * mix(splat(c->beyond[0]) * wide, n->cover, in);
   q->dim[0] = far * mix(dim, n->dim[0], in);
   q->dim[1] = far * mix(dim * splat(w->second_share), n->dim[1], in);
 }

@@ -56,7 +56,8 @@ typedef struct {
                                      * is of one lane */
   float counted_end; /* 2 over half of a footprint, in lanes, of which those that are counted are
                       * too few to tell anything */
-  float beyond_near;
+  float beyond_near, beyond_widen; /* of what lies beyond the bundle: nearness; how much broader it
+                                    * may look */
   float beyond[2]; /* what of a footprint lies beyond the bundle: share that is covered; that times
                     * brightness */
   float soft;      /* mean nearness of strands where they do not cover, */
