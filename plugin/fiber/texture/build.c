@@ -21,9 +21,9 @@
 #define FEW 0.4         /* of what room there is, that strands too seldom take to be counted */
 #define LANES_SEEN 1.25 /* that two lanes stand for, of a wide footprint */
 #define LANES_SOFT 0.9  /* at which nearness is measured once more */
-#define LANES_TOLD                                                                                 \
-  4.5 /* half of a footprint: of more, those that are counted tell little; of lanes                \
-       * of which few are taken, up to twice as many */
+/* Half of a footprint of which those that are counted tell nothing; where few are taken, up to
+ * twice as many. */
+#define LANES_TOLD 4.5
 #define HULL_LOOKS 4
 #define FIELD 2147483648.0  /* a hash's field is within this of 0 */
 #define WAVE 8.0            /* over the wave's amplitude */

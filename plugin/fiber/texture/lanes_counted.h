@@ -17,7 +17,7 @@
 /* Of nearnesses that lie over one another the greatest counts: 1 - e^-x, nearly. */
 #define LANE_NEARNESS_LOST 0.55f
 
-/* From lanes, 0, to their bundle's mean, 1. */
+/* From strands that are seen, 0, to strands that are counted, 1. */
 INLINE vf lane_far(const fibertex_layer *c, vf s) {
   return smooth_of(clamp01((s - splat(c->vague)) * splat(c->vague_inverse)));
 }

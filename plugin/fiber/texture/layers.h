@@ -140,7 +140,8 @@ INLINE void stages_of_lanes(const fibertex_constants *w, const fibertex_layer *c
   if (!means) return;
   EACH_LAYER {
     layer_work *q = &of[l][b];
-    int some = s->least < 4.0f * c[l].spacing / c[l].counted_end;
+    /* a hair further than they count, lest rounding leave something of them */
+    int some = s->least * c[l].counted_end < 4.001f * c[l].spacing;
     lane_count(w, &c[l], ends, some, &q->p, &k[b].filter, &q->counted);
   }
   EACH_LAYER {

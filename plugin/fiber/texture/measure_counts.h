@@ -9,8 +9,9 @@
 #include "layers.h"
 
 #define LANES_FEW 3.0f  /* all are counted, */
-#define LANES_MANY 6.0f /* or their mean is taken: footprints for the means of what is counted, */
-#define COUNTED_EACH 4  /* at one of so many places, as counting takes twice as long as the rest */
+#define LANES_MANY 6.0f /* or their mean is taken: footprints for the means of what is counted. */
+/* At one of so many places: at all of them creation would take 1.6 times as long. */
+#define COUNTED_EACH 4
 
 /* Sums over a layer's places, of few lanes and of many: of what is counted, also by how much of it
  * lies beyond the bundle; and of how bright the formula's strands are. */

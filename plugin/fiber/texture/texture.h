@@ -10,8 +10,9 @@
  *   lanes       the strands of a bundle, each with a centreline, ends, a
  *               radius and a tone of its own; two are looked at
  *   yarns       of a cloth: the bundles lie along yarns instead
- * Under a footprint wider than a lane, strands give way to their bundle's
- * mean, and bundles to the layer's: a density with directions.
+ * Under a footprint of some lanes strands are counted and not placed, of many
+ * they give way to their bundle's mean, and bundles to the layer's: a density
+ * with directions.
  */
 #ifndef SOZAI_FIBERTEX_TEXTURE_H
 #define SOZAI_FIBERTEX_TEXTURE_H
@@ -40,8 +41,8 @@ typedef struct {
   float radius, inverse_radius, radius_vary;
   float shift, sway; /* how far a centreline lies off its lane's middle, over 2^31; and swings */
   float tilt;        /* how far it drifts per mm, over 2^31 */
-  float vague, vague_inverse; /* footprint from which lanes give way to a mean; 1 over how far on
-                               nothing is left of them */
+  float vague, vague_inverse; /* footprint from which strands are counted; 1 over how far on none is
+                               seen by itself */
   float seen, seen_inverse;   /* footprint that its two lanes stand for, half; 1 over all of it */
   float widen_most;           /* how much broader a strand may look at a slant */
   float depth, depth_cells;   /* of the layer below the hull; in cells of the lattice */
