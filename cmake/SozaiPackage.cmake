@@ -37,10 +37,13 @@ install(FILES
   DESTINATION ${config_dir})
 
 # The way from the .pc file up to the prefix, so that an installed tree may be
-# moved. Where a folder was given as an absolute path it cannot be.
-file(RELATIVE_PATH prefix_from_pc
-  ${CMAKE_INSTALL_PREFIX}/${pkgconfig_dir} ${CMAKE_INSTALL_PREFIX})
-string(REGEX REPLACE "/$" "" prefix_from_pc ${prefix_from_pc})
+# moved. Where the libraries' folder was given as an absolute path it cannot be.
+if(IS_ABSOLUTE ${CMAKE_INSTALL_LIBDIR})
+  set(pc_prefix ${CMAKE_INSTALL_PREFIX})
+else()
+  file(RELATIVE_PATH pc_prefix ${CMAKE_INSTALL_PREFIX}/${pkgconfig_dir} ${CMAKE_INSTALL_PREFIX})
+  string(REGEX REPLACE "/$" "" pc_prefix "\${pcfiledir}/${pc_prefix}")
+endif()
 foreach(name INCLUDEDIR LIBDIR)
   if(IS_ABSOLUTE ${CMAKE_INSTALL_${name}})
     set(pc_${name} ${CMAKE_INSTALL_${name}})

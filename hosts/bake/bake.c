@@ -71,7 +71,14 @@ static bool keep(const batch *b, const bake_job *job, pieces *p, failure *why) {
   return true;
 }
 
+static uint64_t count_there(const pieces *p) {
+  uint64_t count = 0;
+  for (uint64_t i = 0; i < p->unit_count; i++) count += pieces_has(p, i);
+  return count;
+}
+
 static bool cancelled(const pieces *p, failure *why) {
+  if (count_there(p) == 0) return fail(why, EXIT_FAILURE, "cancelled; nothing was done yet");
   return fail(why, EXIT_FAILURE, "cancelled; what is done is kept in %s, --resume goes on",
               p->folder);
 }
@@ -128,12 +135,6 @@ static bool open_pieces(const bake_job *job, const bake_plan *plan, pieces *p, f
   return ok;
 }
 
-static uint64_t count_there(const pieces *p) {
-  uint64_t count = 0;
-  for (uint64_t i = 0; i < p->unit_count; i++) count += pieces_has(p, i);
-  return count;
-}
-
 static void say_what_is_there(const pieces *p) {
   uint64_t there = count_there(p);
   if (there > 0)
@@ -153,7 +154,7 @@ bool bake_run(const bake_job *job, failure *why) {
   if (job->what != BAKE_SHARD) ok = ok && bake_merge(job, &plan, &p, why);
   progress_clear();
   /* Pieces that are worth nothing do not stay. */
-  bool remove = ok ? job->what != BAKE_SHARD : job->what == BAKE_ALL && count_there(&p) == 0;
+  bool remove = ok ? job->what != BAKE_SHARD : job->what == BAKE_ALL && pieces_worthless(&p);
   pieces_close(&p, remove);
   return ok;
 }

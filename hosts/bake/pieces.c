@@ -7,12 +7,12 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include "checksum.h"
-#include "folder.h"
 #include "job_text.h"
 
-#define MAGIC 0x31656365697a6f73u /* "sozpiece1", near enough */
+#define MAGIC 0x31656365697a6f73u /* its bytes: soziece1 */
 #define ENDING ".pieces"
 #define READ_SIZE (1 << 20)
 
@@ -113,15 +113,10 @@ static FILE *open_locked(const char *path, failure *why) {
 }
 
 bool pieces_lock(pieces *p, failure *why) {
-  char *path = join(p->folder, "bake.txt");
-  if (!path) return out_of_memory(why);
-  p->lock = fopen(path, "rb");
-  bool taken = p->lock && flock(fileno(p->lock), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-  bool ok = p->lock && !taken;
-  if (taken) fail(why, EXIT_BAD_INPUT, "%s is being merged by another bake", p->folder);
-  if (!p->lock) fail(why, EXIT_FAILURE, "cannot read %s: %s", path, strerror(errno));
-  free(path);
-  return ok;
+  return folder_lock_alone(&p->lock) ||
+         fail(why, EXIT_BAD_INPUT,
+              "%s is in use by another bake; what is done is kept in it, --resume goes on",
+              p->folder);
 }
 
 /* ---- beginning ---------------------------------------------------------------- */
@@ -139,18 +134,12 @@ static bool clear(pieces *p, failure *why) {
   return true;
 }
 
-static bool make_folder(const char *folder, failure *why) {
-  return folder_make(folder) ||
-         fail(why, EXIT_BAD_INPUT, "cannot make the folder %s for the pieces: %s", folder,
-              strerror(errno));
-}
-
 static bool begin(pieces *p, const char *job, int mode, failure *why) {
-  if (mode == PIECES_MERGE) {
-    if (access(p->folder, R_OK | X_OK) != 0)
-      return fail(why, EXIT_BAD_INPUT, "there are no pieces to merge: %s: %s", p->folder,
-                  strerror(errno));
-  } else if (!make_folder(p->folder, why))
+  if (mode == PIECES_MERGE && access(p->folder, R_OK | X_OK) != 0)
+    return fail(why, EXIT_BAD_INPUT, "there are no pieces to merge: %s: %s", p->folder,
+                strerror(errno));
+  /* who begins anew, or puts together, is there alone from the first; who adds is one of many */
+  if (!folder_lock_take(&p->lock, p->folder, mode != PIECES_MERGE, mode != PIECES_RESUME, why))
     return false;
   if (!list(p, why) || (mode == PIECES_FRESH && !clear(p, why))) return false;
   char *path = join(p->folder, "bake.txt");
@@ -168,6 +157,7 @@ static bool begin(pieces *p, const char *job, int mode, failure *why) {
 bool pieces_open(pieces *p, const char *folder, const char *job, uint64_t unit_count, int mode,
                  failure *why) {
   memset(p, 0, sizeof *p);
+  p->lock.file = -1;
   p->unit_count = unit_count;
   p->folder = strdup(folder);
   p->units = calloc(unit_count + 1, sizeof *p->units);
@@ -249,6 +239,26 @@ bool pieces_read(pieces *p, uint64_t unit, void *pixels, uint64_t bytes, failure
 
 /* ---- the end ---------------------------------------------------------------------- */
 
+/* Of journals that were found or written; alone only. */
+static bool all_empty(const pieces *p) {
+  struct stat status;
+  for (uint32_t i = 0; i < p->name_count; i++)
+    if (stat(p->names[i], &status) == 0 && status.st_size > 0) return false;
+  return true;
+}
+
+/* Journals that others have begun since. */
+static bool list_again(pieces *p) {
+  failure unused;
+  for (uint32_t i = 0; i < p->name_count; i++) free(p->names[i]);
+  p->name_count = 0;
+  return list(p, &unused);
+}
+
+bool pieces_worthless(pieces *p) {
+  return folder_lock_alone(&p->lock) && list_again(p) && all_empty(p);
+}
+
 void pieces_close(pieces *p, bool remove) {
   if (p->reading) fclose(p->reading);
   for (uint32_t i = 0; i < p->name_count; i++) {
@@ -256,15 +266,13 @@ void pieces_close(pieces *p, bool remove) {
     free(p->names[i]);
   }
   if (p->writing) fclose(p->writing);
-  if (p->lock) fclose(p->lock);
   char *text = remove ? join(p->folder, "bake.txt") : NULL;
-  if (text) {
-    unlink(text);
-    rmdir(p->folder); /* stays where something else is in it */
-  }
+  if (text) unlink(text);
   free(text);
+  folder_lock_end(&p->lock, remove);
   free(p->names);
   free(p->units);
   free(p->folder);
   memset(p, 0, sizeof *p);
+  p->lock.file = -1;
 }

@@ -1,9 +1,22 @@
 /* SPDX-License-Identifier: Apache-2.0 */
+#define _GNU_SOURCE /* strtod_l */
 #include "numbers.h"
 
 #include <ctype.h>
+#include <locale.h>
 #include <math.h>
+#include <pthread.h>
 #include <stdlib.h>
+
+static locale_t c_locale;
+static void make_locale(void) { c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0); }
+
+/* The same whatever locale the program has set. */
+static double to_double(const char *text, char **end) {
+  static pthread_once_t once = PTHREAD_ONCE_INIT;
+  pthread_once(&once, make_locale);
+  return c_locale ? strtod_l(text, end, c_locale) : strtod(text, end);
+}
 
 /* strtod but for leading space and hexadecimal: in "0x10" the x parts two numbers. */
 static bool read_one(const char **text, double *out) {
@@ -16,7 +29,7 @@ static bool read_one(const char **text, double *out) {
     return true;
   }
   char *end;
-  *out = strtod(*text, &end);
+  *out = to_double(*text, &end);
   if (end == *text || !isfinite(*out)) return false;
   *text = end;
   return true;

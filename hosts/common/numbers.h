@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0
- * Numbers from text. The programs never call setlocale, so that a dot is the
- * decimal point for everyone. */
+ * Numbers from text. A dot is the decimal point for everyone, also in a program
+ * whose locale has a comma: sozai.imageio.so runs in other people's. */
 #ifndef SOZAI_HOSTS_NUMBERS_H
 #define SOZAI_HOSTS_NUMBERS_H
 

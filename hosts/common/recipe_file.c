@@ -27,6 +27,8 @@
  *     outputs: [albedo, normal] # which channels, the first as plain R G B
  *     normals: tangent        # object, or tangent: encoded as normal maps are
  *     udim: 1002              # which tile of a mesh's
+ *     subimages: separate     # separate, or single: all outputs are one's channels
+ *     samples: 1              # 1, 2, 4 or 8: parts to a side of a texel
  *
  * Read event by event, since each event knows its line and nothing is kept
  * that was not asked for. */
@@ -333,6 +335,12 @@ static bool read_values(reader *in, char *text, size_t size) {
   return true;
 }
 
+static bool refuse_image_key(reader *in, const char *name) {
+  char keys[256];
+  recipe_image_keys(keys, sizeof keys);
+  return refuse(in, "unknown key '%.80s' in image; there is %s", name, keys);
+}
+
 static bool read_image(reader *in) {
   if (in->event.type != YAML_MAPPING_START_EVENT)
     return refuse(in, "image must be a mapping of keys to values");
@@ -343,8 +351,7 @@ static bool read_image(reader *in) {
     const char *name = scalar(in, "a key");
     if (!name) return false;
     int key = recipe_image_key(name);
-    if (key < 0)
-      return refuse(in, "unknown key '%.80s' in image; there is %s", name, recipe_image_keys);
+    if (key < 0) return refuse_image_key(in, name);
     if (seen & 1u << key) return refuse(in, "'%s' stands twice", name);
     seen |= 1u << key;
     char text[512];

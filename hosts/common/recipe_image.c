@@ -1,22 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "recipe_image.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "numbers.h"
-
-const char recipe_image_keys[] =
-    "resolution, size, format, wrap, outputs, normals, udim, subimages, samples";
-
-#define KEYS 9
-static const char *const names[KEYS] = {"resolution", "size", "format",    "wrap",   "outputs",
-                                        "normals",    "udim", "subimages", "samples"};
-
-int recipe_image_key(const char *name) {
-  for (int key = 0; key < KEYS; key++)
-    if (strcmp(names[key], name) == 0) return key;
-  return -1;
-}
 
 static size_t read_sizes(const char *text, double *out, size_t most, double low, double high) {
   size_t count = numbers_read(text, 'x', out, most);
@@ -98,27 +86,47 @@ static bool set_samples(recipe_image *image, const char *text, failure *why) {
   return true;
 }
 
+static bool set_format(recipe_image *image, const char *text, failure *why) {
+  return set_choice(&image->format, "format", text, "auto, half, float", why);
+}
+
+static bool set_normals(recipe_image *image, const char *text, failure *why) {
+  return set_choice(&image->normals, "normals", text, "object, tangent", why);
+}
+
+static bool set_subimages(recipe_image *image, const char *text, failure *why) {
+  return set_choice(&image->subimages, "subimages", text, "separate, single", why);
+}
+
+static const struct {
+  const char *name;
+  bool (*set)(recipe_image *image, const char *text, failure *why);
+} keys[] = {{"resolution", set_resolution},
+            {"size", set_size},
+            {"format", set_format},
+            {"wrap", set_wrap},
+            {"outputs", set_outputs},
+            {"normals", set_normals},
+            {"udim", set_udim},
+            {"samples", set_samples},
+            {"subimages", set_subimages}};
+#define KEYS (sizeof keys / sizeof keys[0])
+
+int recipe_image_key(const char *name) {
+  for (size_t key = 0; key < KEYS; key++)
+    if (strcmp(keys[key].name, name) == 0) return (int)key;
+  return -1;
+}
+
+void recipe_image_keys(char *text, size_t size) {
+  size_t used = 0;
+  *text = '\0';
+  for (size_t key = 0; key < KEYS && used < size; key++)
+    used += (size_t)snprintf(text + used, size - used, "%s%s", key ? ", " : "", keys[key].name);
+}
+
 bool recipe_image_set(recipe_image *image, int key, const char *text, failure *why) {
-  switch (key) {
-  case 0:
-    return set_resolution(image, text, why);
-  case 1:
-    return set_size(image, text, why);
-  case 2:
-    return set_choice(&image->format, "format", text, "auto, half, float", why);
-  case 3:
-    return set_wrap(image, text, why);
-  case 4:
-    return set_outputs(image, text, why);
-  case 5:
-    return set_choice(&image->normals, "normals", text, "object, tangent", why);
-  case 6:
-    return set_udim(image, text, why);
-  case 7:
-    return set_choice(&image->subimages, "subimages", text, "separate, single", why);
-  default:
-    return set_samples(image, text, why);
-  }
+  return keys[key].set(image, text, why);
 }
 
 void recipe_image_free(recipe_image *image) {

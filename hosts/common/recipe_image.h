@@ -4,6 +4,7 @@
 #ifndef SOZAI_HOSTS_RECIPE_IMAGE_H
 #define SOZAI_HOSTS_RECIPE_IMAGE_H
 
+#include <stddef.h>
 #include "failure.h"
 #include "ceilings.h"
 
@@ -36,8 +37,8 @@ typedef struct recipe_image {
   char *outputs;        /* channels' ids with commas between; NULL: all */
 } recipe_image;
 
-/* The keys, in the order of their numbers, with ", " between. */
-extern const char recipe_image_keys[];
+/* The keys, with ", " between, cut at size. */
+void recipe_image_keys(char *text, size_t size);
 /* The number of the key of that name, from 0 up; -1: there is none. */
 int recipe_image_key(const char *name);
 /* Read the value of a key: of several numbers or names, "," or (numbers) "x" is

@@ -44,12 +44,6 @@ const match_material match_materials[] = {
 };
 const uint32_t match_material_count = sizeof match_materials / sizeof match_materials[0];
 
-const match_material *match_material_find(const char *id) {
-  for (uint32_t i = 0; i < match_material_count; i++)
-    if (strcmp(match_materials[i].id, id) == 0) return &match_materials[i];
-  return NULL;
-}
-
 static bool has(const sozai_texture_info *info, const char *id, uint32_t kind) {
   for (uint32_t i = 0; id && i < info->parameter_count; i++)
     if (info->parameters[i]->kind == kind && strcmp(info->parameters[i]->id, id) == 0) return true;

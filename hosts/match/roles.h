@@ -32,8 +32,6 @@ typedef struct match_material {
 extern const match_material match_materials[];
 extern const uint32_t match_material_count;
 
-const match_material *match_material_find(const char *id);
-
 /* The entry as far as a plugin's material has such parameters. */
 match_material match_material_of(const match_material *m, const sozai_texture_info *info);
 uint32_t match_role_count(const match_material *m);

@@ -11,7 +11,9 @@
 // Written for OpenImageIO 2.4 to 3.1: the virtual functions that all of them
 // have, with pointers for places in memory.
 #include <OpenImageIO/imageio.h>
+#include <algorithm>
 #include <memory>
+#include <new>
 #include "picture.h"
 #include "spec.h"
 
@@ -214,6 +216,10 @@ bool SozaiInput::read_native_scanline(int subimage, int level, int y, int z, voi
     return false;
   }
   ImageSpec spec = spec_make_dimensions(picture_.get(), whole(subimage), whole(level));
+  if (y < 0 || y >= spec.height || z < 0 || z >= spec.depth) {
+    errorfmt("no row {} of slice {}: there are {} of {}", y, z, spec.height, spec.depth);
+    return false;
+  }
   stride_t texel = stride_t(spec.pixel_bytes(true));
   picture_place to = {data,
                       PICTURE_NATIVE,

@@ -30,14 +30,6 @@ double saw_gap(const saw_board *a, const saw_board *b) {
   return most;
 }
 
-double saw_reach(const saw_board *b) {
-  double along[2], out[2];
-  saw_board_axes(b, along, out);
-  double a = fabs(b->centre[0] * along[0] + b->centre[1] * along[1]) + 0.5 * b->width;
-  double q = fabs(b->centre[0] * out[0] + b->centre[1] * out[1]) + 0.5 * b->thickness;
-  return hypot(a, q);
-}
-
 double saw_area(const saw_plan *p) {
   double sum = 0;
   for (size_t i = 0; i < p->count; i++) sum += p->boards[i].width * p->boards[i].thickness;

@@ -46,8 +46,6 @@ bool saw_plan_make(saw_plan *p, const saw_job *job, failure *why);
 
 /* How far two sections are apart at least; below 0: they overlap. */
 double saw_gap(const saw_board *a, const saw_board *b);
-/* The farthest corner's distance from the pith. */
-double saw_reach(const saw_board *b);
 /* Of a veneer, mm: the length of the sheet between two of the knife's radii. */
 double saw_sheet_length(double from, double to, double thickness);
 /* Area of the section that the plan uses, mm^2. */

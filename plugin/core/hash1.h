@@ -17,4 +17,11 @@ static inline uint32_t hash1(uint32_t h) {
   return h;
 }
 
+/* A seed of a number and a name; NULL: no name. */
+static inline uint32_t hash1_named(uint32_t seed, const char *name) {
+  uint32_t h = hash1(seed);
+  for (const char *t = name; t && *t; t++) h = hash1(h ^ (uint32_t)(unsigned char)*t);
+  return h;
+}
+
 #endif

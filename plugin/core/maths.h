@@ -128,7 +128,6 @@ INLINE vf exp2_(vf x) {
 /* x to the power n for 0 <= x <= 1, n >= 1, absolute error below 4e-7; below 1e-30
  * where x is. In two halves: exp2_ of the first. */
 INLINE vf power01_log2(vf x, vf n) { return n * log2_(vmax(x, splat(1e-30f))); }
-INLINE vf power01(vf x, vf n) { return exp2_(power01_log2(x, n)); }
 
 /* t^3 (10 - 15 t + 6 t^2): 0 to 1 with two vanishing derivatives at each end. */
 INLINE vf fade(vf t) { return t * t * t * (splat(10.0f) + t * (splat(-15.0f) + t * splat(6.0f))); }

@@ -4,7 +4,6 @@
 #include <stdint.h>
 #include <string.h>
 
-#define PI 3.14159265358979323846
 #define LN2 0.693147180559945309417
 
 static double whole(double x) {

@@ -7,11 +7,16 @@
 #ifndef SOZAI_CORE_SCALAR_H
 #define SOZAI_CORE_SCALAR_H
 
+#define PI 3.14159265358979323846
+#define RADIANS (PI / 180.0) /* of a degree */
+
 double scalar_sin(double x);
 double scalar_cos(double x);
 /* x > 0 */
 double scalar_log(double x);
 double scalar_exp(double x);
+static inline double scalar_least(double a, double b) { return a < b ? a : b; }
+static inline double scalar_most(double a, double b) { return a > b ? a : b; }
 /* Of what rounding may have made negative: 0. */
 static inline double scalar_root(double x) { return x > 0.0 ? __builtin_sqrt(x) : 0.0; }
 /* out[i] = the x at which a normal distribution of mean 0 and sd 1 reaches

@@ -144,7 +144,6 @@ typedef int32_t i8 __attribute__((vector_size(32)));
 typedef uint32_t u8 __attribute__((vector_size(32)));
 
 INLINE f4 all_f4(float x) { return (f4){x, x, x, x}; }
-INLINE u4 all_u4(uint32_t x) { return (u4){x, x, x, x}; }
 INLINE f4 load_f4(const float *p) { return (f4)_mm_loadu_ps(p); }
 INLINE u4 load_u4(const uint32_t *p) {
   return (u4)_mm_loadu_si128((const __m128i *)(const void *)p);

@@ -9,7 +9,6 @@
 
 #define MOVES 12
 #define VISITED_MOST 4097
-#define PI 3.14159265358979323846
 
 typedef struct {
   double sum;

@@ -76,8 +76,6 @@ float hull_distance(const hull *h, const float p[3], float bound);
 float hull_distance_near(const hull *h, const float p[3], uint32_t *hint);
 /* Whether a point is inside. Not of HULL_VERTICES. */
 int hull_inside(const hull *h, const float p[3]);
-/* Distance, inside positive. */
-float hull_signed(const hull *h, const float p[3]);
 /* The paper's, equation (2). Of HULL_VERTICES. */
 float hull_literal(const hull *h, const float p[3]);
 

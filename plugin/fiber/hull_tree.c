@@ -440,8 +440,3 @@ int hull_inside(const hull *h, const float p[3]) {
   }
   return votes >= 4;
 }
-
-float hull_signed(const hull *h, const float p[3]) {
-  float d = hull_distance(h, p, FAR);
-  return hull_inside(h, p) ? d : -d;
-}

@@ -3,11 +3,11 @@
  * From settings to what is to be done.
  */
 #include "../core/limits.h"
+#include "../core/scalar.h"
 #include "../core/status.h"
 #include "fiber.h"
 #include "parameters.h"
 
-#define PI 3.14159265358979323846
 #define TIP 0.25 /* of the length, over which an end tapers */
 
 static void take_colour(float to[3], const setting *s) {

@@ -4,8 +4,6 @@
 #include "../core/hash1.h"
 #include "../core/scalar.h"
 
-#define PI 3.14159265358979323846
-
 double strand_random(uint32_t seed, uint32_t strand, uint32_t purpose, uint32_t k) {
   uint32_t own = hash1(hash1(seed + 0x9e3779b9u * purpose) ^ strand);
   uint32_t high = hash1(own + 0x85ebca6bu * k), low = hash1(high ^ 0x5bd1e995u);

@@ -109,11 +109,4 @@ INLINE vf cover_joint(const layout *l, const cover *c, vf length, vf width, vf e
   return sel(wide, mix(covered, splat(l->share), far), covered);
 }
 
-/* How many units the footprint spans, at least 1: a mean over so many has so
- * much less variance. */
-INLINE vf cover_spanned(vf length, vf width, vf e) {
-  vf one = splat(1.0f);
-  return (one + e / vmax(length, splat(1e-3f))) * (one + e / vmax(width, splat(1e-3f)));
-}
-
 #endif

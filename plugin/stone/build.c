@@ -11,14 +11,6 @@
 #include "paper_table.h"
 #include "parameters.h"
 
-static uint32_t seed_of(const settings *s) {
-  uint32_t h = hash1((uint32_t)number_at(s, P_SEED) + 0x7f4a7c15u);
-  for (const char *t = s->list[P_OBJECT].text; t && *t; t++) {
-    h = hash1(h ^ (uint32_t)(unsigned char)*t);
-  }
-  return h;
-}
-
 /* ---- what varies slowly ----------------------------------------------- */
 
 /* Across the first family a direction with equal chances, by its height and azimuth; the
@@ -142,7 +134,7 @@ static int32_t build_paper(stone_constants *w, const sozai_host *host, const set
 int32_t stone_build(stone_constants *w, const sozai_host *host, const settings *s,
                     const float (*colours)[3], const stone_kernel *kernel) {
   static const int swap[3] = {0, 1, 2};
-  w->seed = seed_of(s);
+  w->seed = hash1_named((uint32_t)number_at(s, P_SEED) + 0x7f4a7c15u, s->list[P_OBJECT].text);
   w->swap = swap[choice_at(s, P_BED)];
   for (int c = 0; c < 3; c++) w->offset[c] = (float)s->list[P_OFFSET].number[c];
   memcpy(w->colour, colours[P_BASE], sizeof w->colour); /* they stand together in both */

@@ -211,14 +211,15 @@ static void count_orders(tree *t) {
   t->order_counts[4] = t->organ_count;
 }
 
-static int32_t grow_by_years(tree *t, const sozai_host *host) {
+/* siblings: the field table that the plan was fitted to, or NULL. */
+static int32_t grow_by_years(tree *t, const sozai_host *host, const tree_field *siblings) {
   tree_bud *buds = NULL;
   uint32_t count = 0, room = 0;
   int32_t r = life_make(&t->plan, host, &buds, &count, &room);
   if (!r) r = stem_grow(t, host, buds, count);
   if (!r) r = grow_shoots(t, host);
   if (!r) count_orders(t);
-  if (!r) r = report_make(t, host, buds, count, NULL);
+  if (!r) r = report_make(t, host, buds, count, siblings);
   host_free(host, buds, room * sizeof *buds, 64);
   return r;
 }
@@ -236,15 +237,7 @@ static int32_t grow_sibling(tree *t, const sozai_host *host, const tree_field *f
   int32_t r = field_fit_make(&fit, f, &t->plan);
   if (r) return r;
   field_fit_apply(&fit, &t->plan);
-  tree_bud *buds = NULL;
-  uint32_t count = 0, room = 0;
-  r = life_make(&t->plan, host, &buds, &count, &room);
-  if (!r) r = stem_grow(t, host, buds, count);
-  if (!r) r = grow_shoots(t, host);
-  if (!r) count_orders(t);
-  if (!r) r = report_make(t, host, buds, count, f);
-  host_free(host, buds, room * sizeof *buds, 64);
-  return r;
+  return grow_by_years(t, host, f);
 }
 
 static int32_t grow(void *state, const sozai_host *host, const settings *s) {
@@ -253,7 +246,7 @@ static int32_t grow(void *state, const sozai_host *host, const settings *s) {
   int32_t r = host_progress(host, 0.0, "growing");
   if (r) return r;
   const char *text = s->list[T_FIELD].text;
-  if (!text || !*text) return grow_by_years(t, host);
+  if (!text || !*text) return grow_by_years(t, host, NULL);
   tree_field f = {0};
   r = field_read(&f, host, text);
   if (!r && choice_at(s, T_RESAMPLE) == RESAMPLE_SIBLING) {

@@ -4,8 +4,6 @@
 #include "../core/scalar.h"
 #include "parameters.h"
 
-#define RADIANS (3.14159265358979323846 / 180.0)
-
 double tree_power(double x, double e) {
   if (!(x > 0.0)) return 0.0;
   if (e == 0.0) return 1.0;

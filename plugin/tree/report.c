@@ -6,7 +6,6 @@
 #include "../core/status.h"
 #include "angle.h"
 
-#define RADIANS (3.14159265358979323846 / 180.0)
 #define RING_HEIGHTS 33
 
 static int32_t room_for(tree_rows *rows, const sozai_host *host, int table, uint64_t most) {

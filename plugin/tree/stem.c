@@ -6,7 +6,6 @@
 #include "../core/status.h"
 #include "axis.h"
 
-#define RADIANS (3.14159265358979323846 / 180.0)
 #define STEM_LEAST 8u
 #define STEM_MOST 96u
 #define TURNS_MOST 13u

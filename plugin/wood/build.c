@@ -838,14 +838,6 @@ static void build_cone(wood_constants *w, const settings *s) {
   if (w->cone) cone_table_build(w);
 }
 
-static uint32_t seed_of(const settings *s) {
-  uint32_t h = hash1((uint32_t)number_at(s, P_SEED) + 0x51ed270bu);
-  for (const char *t = s->list[P_OBJECT].text; t && *t; t++) {
-    h = hash1(h ^ (uint32_t)(unsigned char)*t);
-  }
-  return h;
-}
-
 /* What a tree may have a say in. */
 static int32_t build_grown(wood_constants *w, const sozai_host *host, const settings *s,
                            const float (*colours)[3]) {
@@ -889,7 +881,7 @@ static void build_fours(wood_constants *w) {
 
 int32_t wood_build(wood_constants *w, const sozai_host *host, const settings *s,
                    const float (*colours)[3], const image_set *images) {
-  w->seed = seed_of(s);
+  w->seed = hash1_named((uint32_t)number_at(s, P_SEED) + 0x51ed270bu, s->list[P_OBJECT].text);
   for (uint32_t i = 0; i < WOOD_SEEDS; i++) w->seeds[i] = hash1(w->seed + 0x9e3779b9u * (i + 1));
   int32_t r = build_cut(w, s);
   if (r) return r;

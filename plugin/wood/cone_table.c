@@ -9,7 +9,6 @@
 
 #include "../core/scalar.h"
 
-#define PI 3.14159265358979323846
 #define BINS 256
 #define RINGS 48  /* of directions, of equal projected solid angle */
 #define SPOKES 48 /* over half the circle: the other is its mirror image */

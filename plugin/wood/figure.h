@@ -108,10 +108,9 @@ INLINE void figure_curl(const wood_constants *w, vu own, vf y, vf extent, stem_p
   p->lost_slope = p->lost_slope + splat(0.5f * w->curl_slope * w->curl_slope) * gone;
 }
 
-/* Of gradient noise n, measured: variance of sqrt(n^2 + e^2), and of its slope. */
+/* Of gradient noise n, measured: variance of sqrt(n^2 + e^2). */
 #define QUILT_CREASE 0.06f
 #define QUILT_VARIANCE 0.0106f
-#define QUILT_SLOPE_VARIANCE 0.17f
 
 INLINE void figure_quilt(const wood_constants *w, vu own, vf y, vf footprint, stem_place *p,
                          undulation_sum *u) {

@@ -11,8 +11,6 @@
 #include "../core/scalar.h"
 #include "../core/status.h"
 
-#define PI 3.14159265358979323846
-
 /* ---- the grid ---------------------------------------------------------- */
 
 typedef struct {

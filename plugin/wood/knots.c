@@ -12,7 +12,6 @@
 #include "knot_grid.h"
 #include "parameters.h"
 
-#define PI 3.14159265358979323846
 #define NEVER 1e6     /* mm of rho: what has not come about */
 #define NARROWEST 0.2 /* mm: of a knot's radius */
 #define WIDEST                                                                                     \

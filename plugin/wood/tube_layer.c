@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "tube_layer.h"
 
-#define PI 3.14159265358979323846
+#include "../core/scalar.h"
 
 /* Over the section, of sizes g = a + (1 - a) u^2 and t = 4 f (1 - f), u and f
  * uniform: the means of g t and of (g t)^4. */

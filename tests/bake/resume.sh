@@ -119,10 +119,13 @@ if command -v flock >/dev/null; then
   kill $sleeper
   wait $sleeper 2>/dev/null
   works "${exr[@]}" -o merging.exr --shard 1/1
-  flock -x -o merging.exr.bake/bake.txt sleep 30 >/dev/null 2>&1 &
+  flock -s -o merging.exr.bake/lock sleep 30 >/dev/null 2>&1 & # as a share that is not done
   sleeper=$!
-  until ! flock -n merging.exr.bake/bake.txt true; do :; done
-  refuses 2 "merging.exr.bake|merged by another bake" "${exr[@]}" -o merging.exr --merge
+  until ! flock -n merging.exr.bake/lock true; do :; done
+  refuses 2 "merging.exr.bake|in use by another bake" "${exr[@]}" -o merging.exr --merge
+  refuses 2 "in use by another bake" "${exr[@]}" -o merging.exr
+  refuses 2 "in use by another bake.*kept" "${exr[@]}" -o merging.exr --resume
+  works "${exr[@]}" -o merging.exr --shard 1/1
   kill $sleeper
   wait $sleeper 2>/dev/null
   works "${exr[@]}" -o merging.exr --merge
@@ -132,6 +135,34 @@ touch locked.exr.bake/mine.txt
 works "${exr[@]}" -o locked.exr
 check "one run starts over" cmp one.exr locked.exr
 check "and takes away what is a bake's alone" test -e locked.exr.bake/mine.txt
+
+# ---- two at once: one of them makes it, whichever; nothing of it is lost -----------------------
+for i in 1 2 3 4 5; do
+  "$sozai" "${exr[@]}" -o twice.exr --resume 2>twice.1.txt &
+  first=$!
+  "$sozai" "${exr[@]}" -o twice.exr --resume 2>twice.2.txt
+  second=$?
+  wait $first
+  check "one of two ends well: $? $second $(cat twice.?.txt)" test $(($? * second)) -eq 0
+  check "and is whole ($i)" cmp one.exr twice.exr
+  rm -f twice.exr
+  works "${exr[@]}" -o twice.exr --resume # what one of them left there, if it was refused late
+  rm -f twice.exr
+done
+# A share's work stays when another bake gives up beside it.
+"$sozai" "${exr[@]}" -o beside.exr --shard 1/2 2>share.txt &
+share=$!
+"$sozai" "${exr[@]}" -o beside.exr --resume 2>beside.txt &
+other=$!
+sleep 0.1
+kill -INT $other 2>/dev/null
+wait $other
+wait $share
+check "the share ends well: $(cat share.txt)" test $? -eq 0
+check "and its pieces are there, or the picture: $(cat beside.txt)" \
+  test -s beside.exr.bake/1-of-2.pieces -o -e beside.exr
+works "${exr[@]}" -o beside.exr --resume
+check "which goes on" cmp one.exr beside.exr
 
 # ---- the file that is replaced -------------------------------------------------------------------------
 cp one.exr old.exr

@@ -17,7 +17,7 @@ sozai_fuzz_target(options INCLUDES ${h}/cli ${h}/common ${h}/render ${h}/fiber
   SOURCES options.c ${h}/cli/options.c ${h}/cli/job_options.c ${h}/fiber/hulls.c
     ${h}/common/ceilings.c ${h}/common/numbers.c ${h}/common/failure.c)
 sozai_fuzz_target(pieces INCLUDES ${h}/bake ${h}/common
-  SOURCES pieces.c ${h}/bake/pieces.c ${h}/bake/job_text.c ${h}/bake/checksum.c
+  SOURCES pieces.c ${h}/bake/pieces.c ${h}/bake/folder_lock.c ${h}/bake/job_text.c ${h}/bake/checksum.c
     ${h}/common/folder.c ${h}/common/failure.c)
 sozai_fuzz_target(saw INCLUDES ${h}/saw ${h}/tree ${h}/common
   SOURCES saw.c ${h}/saw/plan.c ${h}/saw/live.c ${h}/saw/quarter.c ${h}/saw/rift.c

@@ -82,7 +82,7 @@ CORE(arctan2, OUT(0, arctan2(IN(0), IN(1)));)
 CORE(arcsin, OUT(0, arcsin(IN(0)));)
 CORE(log2_, OUT(0, log2_(IN(0)));)
 CORE(exp2_, OUT(0, exp2_(IN(0)));)
-CORE(power01, OUT(0, power01(vabs(IN(0)), IN(1)));)
+CORE(power01, OUT(0, exp2_(power01_log2(vabs(IN(0)), IN(1))));)
 CORE(smooth_step, vf a = vmin(IN(0), IN(1)), b = vmax(IN(0), IN(1)) + splat(0.125f);
      OUT(0, smooth_step(a, b, IN(2)));)
 

@@ -187,11 +187,29 @@ void mesh(void **) {
   direct_close(d);
 }
 
+// Rows alone; and none that there are not.
+void rows(void **) {
+  auto in = opened(direct_write("rows.sozai", stone));
+  const ImageSpec spec = in->spec();
+  size_t texel = spec.pixel_bytes(true);
+  std::vector<char> row(texel * size_t(spec.width)), tile(texel * size_t(spec.tile_pixels()));
+  assert_true(in->read_native_tile(0, 0, 0, 0, 0, tile.data()));
+  assert_true(in->read_native_scanline(0, 0, 3, 0, row.data()));
+  assert_memory_equal(row.data(), tile.data() + 3 * texel * size_t(spec.tile_width),
+                      texel * size_t(spec.tile_width));
+  const int nowhere[][2] = {{-1, 0}, {spec.height, 0}, {1 << 30, 0}, {0, -1}, {0, 1}};
+  for (const auto &at : nowhere) {
+    assert_false(in->read_native_scanline(0, 0, at[0], at[1], row.data()));
+    assert_false(in->geterror().empty());
+  }
+}
+
 } // namespace
 
 int main() {
   const CMUnitTest tests[] = {cmocka_unit_test(wood_board), cmocka_unit_test(stone_plane),
                               cmocka_unit_test(types),      cmocka_unit_test(extremes),
-                              cmocka_unit_test(tangent),    cmocka_unit_test(mesh)};
+                              cmocka_unit_test(tangent),    cmocka_unit_test(mesh),
+                              cmocka_unit_test(rows)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

@@ -220,13 +220,17 @@ def main():
         fit(to)
         return 0
     failed = 0
-    with open(os.path.join(HOSTS, "osl", "sozai.h"), encoding="utf-8") as file:
-        shader = file.read()
-    for text in ("clamp(%g * ior * width" % NUMBERS[0], "max(%g, along)" % NUMBERS[1],
-                 "fade * %g * tint" % NUMBERS[2]):
-        if text not in shader:
-            print("FAILED: hosts/osl/sozai.h has other numbers: no '%s'" % text)
-            failed = 1
+    shared = {
+        "sozai.h": ("clamp(%g * ior * width" % NUMBERS[0], "max(%g, along)" % NUMBERS[1],
+                    "fade * %g * tint" % NUMBERS[2], "smoothstep(%g, %g, " % used.END_GRAIN),
+        "sozai_wood.osl": ("min(%g * fibre_tint" % used.REFLECTED,)}
+    for name, texts in shared.items():
+        with open(os.path.join(HOSTS, "osl", name), encoding="utf-8") as file:
+            shader = file.read()
+        for text in texts:
+            if text not in shader:
+                print("FAILED: hosts/osl/%s has other numbers: no '%s'" % (name, text))
+                failed = 1
     if asked.sozai and not against_plugin(asked.sozai):
         print("FAILED: the formula is not the plugin's")
         failed = 1

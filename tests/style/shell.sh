@@ -8,7 +8,8 @@ command -v shellcheck >/dev/null || {
   echo "no shellcheck here"
   exit 77
 }
-mapfile -t files < <(find quickstart .ci/run tests hosts plugin colour \
+mapfile -t files < <(find quickstart .ci/run tests hosts plugin colour docs \
   -type f \( -name '*.sh' -o -name quickstart -o -path .ci/run \))
+((${#files[@]})) # none found is a mistake here
 shellcheck "${files[@]}"
 echo "${#files[@]} scripts checked"

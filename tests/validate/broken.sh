@@ -13,8 +13,8 @@ rm -rf "$reports"
 mkdir -p "$reports"
 failed=0
 caught=0
-# shellcheck source=tests/validate/locale.sh
-source "$(dirname -- "${BASH_SOURCE[0]}")/locale.sh"
+# shellcheck source=tests/locale.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/../locale.sh"
 readonly first='^(symbols|version)\.|^(init\.succeeds|init\.tables|describe\.(listed|strings|unique)|create\.default|evaluate\.answers|geometry\.grows|refuse\.(range|unknown))$'
 comma=yes
 comma_locale "$reports/locales" || comma=no

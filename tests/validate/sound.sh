@@ -7,8 +7,8 @@ readonly program=$1 plugin=$2 scratch=$3 least=$4
 shift 4
 rm -rf "$scratch"
 mkdir -p "$scratch"
-# shellcheck source=tests/validate/locale.sh
-source "$(dirname -- "${BASH_SOURCE[0]}")/locale.sh"
+# shellcheck source=tests/locale.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/../locale.sh"
 comma_locale "$scratch/locales" || echo "no locale with a decimal comma can be made here"
 # The limit is there for what never ends; a slow machine is no failure.
 "$program" "$plugin" --seed 1 --time-limit 3600 --json="$scratch/report.json" --junit "$scratch/report.xml" "$@" \

@@ -7,6 +7,7 @@ import math
 
 # Fitted by tests/osl/lobe.py --fit.
 ALONG, ACROSS, SCALE = 0.8, 0.8, 3.4
+END_GRAIN = 0.2, 0.7  # cosines of the dive between which the lobe fades in
 REFLECTED = 2.1  # of white fibres, about, when light comes from all sides; the rest is diffuse
 
 

@@ -19,7 +19,6 @@ from .mesh_export import millimetres
 OUTPUTS = (("Shader", "NodeSocketShader"), ("Albedo", "NodeSocketColor"),
            ("Roughness", "NodeSocketFloat"), ("Normal", "NodeSocketVector"),
            ("Fibre", "NodeSocketVector"), ("Height", "NodeSocketFloat"))
-END_GRAIN = 0.2, 0.7  # cosines of the dive between which the fibres' lobe fades in
 # Euler angles that turn sozai's axes back to the object's; see mesh_export.TURNS.
 QUARTER = 1.5707963267948966
 BACK = {"X": (0, 0, -QUARTER), "Y": None, "Z": (QUARTER, 0, 0)}
@@ -190,8 +189,8 @@ def fibre_lobe(build, fibre, normal, figures, row):
     # End grain shows no cone, and has no such normal.
     fade = build.node("ShaderNodeMapRange", "end grain", row, interpolation_type="SMOOTHSTEP")
     build.link(build.vector_math("LENGTH", square, row=row), fade.inputs["Value"])
-    fade.inputs["From Min"].default_value = END_GRAIN[0]
-    fade.inputs["From Max"].default_value = END_GRAIN[1]
+    fade.inputs["From Min"].default_value = lobe.END_GRAIN[0]
+    fade.inputs["From Max"].default_value = lobe.END_GRAIN[1]
     square = build.vector_math("NORMALIZE", square, label="square to the fibre", row=row)
     glossy = build.node("ShaderNodeBsdfAnisotropic", "fibres", row, distribution="GGX")
     tint = [figures["cone_colour_" + c] for c in "rgb"]

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "arrangements.h"
 
-#define HEARLE "Morton & Hearle 2008, Physical Properties of Textile Fibres"
 #define ADANUR "Adanur 2001, Handbook of Weaving"
-#define CIBA "Hatch 1993, Textile Science"
+#define HATCH "Hatch 1993, Textile Science"
 
 const fiber_arrangement fiber_arrangements[] = {
     /* every fibre of the catalogue, as it lies by itself */
@@ -363,7 +362,7 @@ const fiber_arrangement fiber_arrangements[] = {
      .fiber = "wool_merino",
      .label = "Wool serge",
      .doc = "Worsted twill, two over two: suiting, navy.",
-     .source = CIBA,
+     .source = HATCH,
      .weave = "twill_2_2",
      .spacing = 0.34,
      .weft_spacing = 0.38,
@@ -386,7 +385,7 @@ const fiber_arrangement fiber_arrangements[] = {
      .fiber = "wool_merino",
      .label = "Grey flannel",
      .doc = "Woollen twill, milled until its nap hides most of the weave; a melange of greys.",
-     .source = CIBA,
+     .source = HATCH,
      .weave = "twill_2_2",
      .spacing = 0.6,
      .weft_spacing = 0.66,
@@ -433,7 +432,7 @@ const fiber_arrangement fiber_arrangements[] = {
      .fiber = "wool_coarse",
      .label = "Tweed",
      .doc = "Coarse woollen twill, peat and heather, with bright flecks.",
-     .source = CIBA,
+     .source = HATCH,
      .weave = "twill_2_2",
      .spacing = 1.3,
      .weft_spacing = 1.4,

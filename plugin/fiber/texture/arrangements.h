@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * How fibres lie in use: what a preset says beyond the catalogue's entry of its
- * fibre. 0 in a number stands for the fibre's own, or the parameter's default.
+ * fibre. Lengths in mm, angles in degrees. 0, or what is left out, stands for
+ *   the fibre's own       packing, crimp, crimp_height, transmission, variation
+ *   the default           thickness, bundle, darkening
+ *   0                     all else
  */
 #ifndef SOZAI_FIBERTEX_ARRANGEMENTS_H
 #define SOZAI_FIBERTEX_ARRANGEMENTS_H
@@ -11,7 +14,8 @@
 typedef struct {
   const char *id, *fiber;  /* of the preset; of the catalogue's entry */
   const char *label, *doc; /* NULL: the fibre's */
-  const char *source;      /* of the arrangement's figures; NULL: the fibre's alone */
+  const char *source;      /* of a weave's figures. NULL: the fibre's own are shown; how it lies,
+                            and what colours are said here, are set by eye */
   double thickness, packing, bundle;
   double alignment, elevation, elevation_spread; /* degrees */
   double flyaway, flyaway_height;

@@ -11,8 +11,6 @@
 #include "light.h"
 #include "parameters.h"
 
-#define PI 3.14159265358979324
-#define RADIANS (PI / 180.0)
 #define CERTAIN 4294967296.0
 #define FULL (0.7999f * 4294967296.0f) /* presence that leaves room for a bundle to have more */
 #define MEASURED 24576u /* points, for means that have no formula; whole blocks of every width */
@@ -29,16 +27,6 @@
 #define WAVE 8.0            /* over the wave's amplitude */
 #define WAVE_SLOPE2 21.3333 /* mean square of the wave's slope: of +-8, evenly */
 
-static uint32_t seed_of(const settings *s) {
-  uint32_t h = hash1((uint32_t)number_at(s, P_SEED) + 0x1b873593u);
-  for (const char *t = s->list[P_OBJECT].text; t && *t; t++) {
-    h = hash1(h ^ (uint32_t)(unsigned char)*t);
-  }
-  return h;
-}
-
-static double least(double a, double b) { return a < b ? a : b; }
-static double most(double a, double b) { return a > b ? a : b; }
 static double tangent(double a) { return scalar_sin(a) / scalar_cos(a); }
 
 /* ---- the shell --------------------------------------------------------- */
@@ -47,7 +35,8 @@ static void place_layer(fibertex_constants *w, int l, double size, double radius
                         double wanted, double level) {
   fibertex_layer *c = &w->layer[l];
   /* sparse layers have their lanes apart, so that half of them are taken anyway */
-  double spacing = most(close * radius, least(1.1 * FILL * radius / wanted, size / 10.0));
+  double spacing =
+      scalar_most(close * radius, scalar_least(1.1 * FILL * radius / wanted, size / 10.0));
   c->size = (float)size;
   c->inverse_size = (float)(1.0 / size);
   c->reach2 = (float)(0.45 * 0.45 * size * size);
@@ -56,7 +45,7 @@ static void place_layer(fibertex_constants *w, int l, double size, double radius
   c->radius = (float)radius;
   c->inverse_radius = (float)(1.0 / radius);
   c->lattice = l % 3;
-  c->presence = (float)(CERTAIN * least(wanted * spacing / (2.0 * radius * FILL), 0.95));
+  c->presence = (float)(CERTAIN * scalar_least(wanted * spacing / (2.0 * radius * FILL), 0.95));
   c->radius_vary = (float)(radius * (double)w->radius_spread / FIELD);
   c->depth = (float)level;
   c->depth_cells = (float)(level / size);
@@ -76,7 +65,7 @@ static void place_round(fibertex_constants *w, int l, double radius, double want
   double spacing = 4.0 * radius;
   c->spacing = (float)spacing;
   c->inverse_spacing = (float)(1.0 / spacing);
-  c->presence = (float)(CERTAIN * least(wanted * spacing / (2.0 * radius), 0.95));
+  c->presence = (float)(CERTAIN * scalar_least(wanted * spacing / (2.0 * radius), 0.95));
   c->ends = 0;
   c->twist[0] = (float)scalar_cos(twist);
   c->twist[1] = (float)scalar_sin(twist);
@@ -87,8 +76,8 @@ static void place_round(fibertex_constants *w, int l, double radius, double want
 static void let_stray(fibertex_constants *w, fibertex_layer *c, double waver) {
   double spacing = (double)c->spacing;
   double thick = (double)c->radius * (1.0 + (double)w->radius_spread) / spacing;
-  double stray = least(waver * 0.85, most(1.0 - 1.2 * thick, 0.0)) * spacing;
-  c->widen_most = (float)most(least((1.0 - stray / spacing) / thick, 3.0), 1.0);
+  double stray = scalar_least(waver * 0.85, scalar_most(1.0 - 1.2 * thick, 0.0)) * spacing;
+  c->widen_most = (float)scalar_most(scalar_least((1.0 - stray / spacing) / thick, 3.0), 1.0);
   c->shift = (float)(0.3 * stray / FIELD);
   c->sway = (float)(WAVE * (c->ends ? 0.4 : 0.6) * stray);
   c->tilt = (float)(c->ends ? 0.3 * stray * 2.0 / (double)c->size / FIELD : 0.0);
@@ -138,13 +127,14 @@ static void measure_layers(fibertex_constants *w, const settings *s, const fiber
       c->counted = (float)(full.point[l] / full.counted[l].cover);
       c->counted_lift = (float)(1.0 / full.counted[l].bright);
     }
-    if (full.point[l] > 1e-9) c->presence = (float)least(FULL * wanted[l] / full.point[l], FULL);
+    if (full.point[l] > 1e-9)
+      c->presence = (float)scalar_least(FULL * wanted[l] / full.point[l], FULL);
   }
   set_formulas(w);
   for (int l = 0; l < w->layers; l++) {
-    double taken = most((double)w->layer[l].presence / FULL, 1e-6);
+    double taken = scalar_most((double)w->layer[l].presence / FULL, 1e-6);
     w->layer[l].counted_end =
-        (float)(2.0 / least(LANES_TOLD / scalar_root(taken), 2.0 * LANES_TOLD));
+        (float)(2.0 / scalar_least(LANES_TOLD / scalar_root(taken), 2.0 * LANES_TOLD));
     if (full.formula[l] > 0.0) w->layer[l].formula *= (float)(full.point[l] / full.formula[l]);
   }
   kernel->measure(w, MEASURED, 0.0f, 1, &m);
@@ -175,9 +165,9 @@ static void measure_layers(fibertex_constants *w, const settings *s, const fiber
     c->beyond_near = (float)n->beyond_near;
     if (n->luck > 0.0) c->counted_luck = (float)((n->near[1] - n->near[0]) / n->luck);
     for (int k = 0; k < 2; k++) c->beyond[k] = (float)(m.point[l] * n->beyond[k]);
-    c->beyond_widen = (float)(0.97 / most((double)c->beyond[0], 0.1));
+    c->beyond_widen = (float)(0.97 / scalar_most((double)c->beyond[0], 0.1));
     c->ambient = (float)(1.0 - darkening * (1.0 - scalar_exp(-1.3 * above)));
-    above -= scalar_log(1.0 - least(m.point[l], 0.99));
+    above -= scalar_log(1.0 - scalar_least(m.point[l], 0.99));
   }
   double left = 1.0;
   for (int l = 0; l < w->layers; l++) {
@@ -210,14 +200,15 @@ static double build_shell(fibertex_constants *w, const settings *s, const fibert
   double total = number_at(s, P_PACKING) * thickness / (d * PI / 4.0) * flat;
   double flown = number_at(s, P_FLYAWAY), over = flown > 0.0 ? number_at(s, P_FLYAWAY_HEIGHT) : 0.0;
   double elevation = number_at(s, P_ELEVATION) * RADIANS, waver = number_at(s, P_WAVER);
-  double size = most(number_at(s, P_BUNDLE) * most(scalar_cos(elevation), 0.2), 6.0 * d) / 0.9;
+  double size =
+      scalar_most(number_at(s, P_BUNDLE) * scalar_most(scalar_cos(elevation), 0.2), 6.0 * d) / 0.9;
   double wanted[FIBERTEX_LAYERS] = {flown};
   int bulk = flown > 0.0 ? 1 : 0, woven = w->structure == STRUCTURE_WOVEN;
   w->layers = woven ? bulk + ON_YARN : FIBERTEX_LAYERS;
   int count = w->layers - bulk;
   double most_of = 0.0;
   for (int k = 0; k < count; k++) most_of += densest(k, count);
-  double scale = least(1.0, total / most_of), seen = 0.0, shown = thickness / total;
+  double scale = scalar_least(1.0, total / most_of), seen = 0.0, shown = thickness / total;
   if (bulk) place_layer(w, 0, 2.6 * size, 0.5 * d, 10.0, flown, 0.0);
   for (int k = 0; k < count; k++) {
     int l = bulk + k;
@@ -232,15 +223,15 @@ static double build_shell(fibertex_constants *w, const settings *s, const fibert
                   over + shown * (seen + 0.5 * each));
       /* the lower, the more end where the next bundle begins: nobody sees them so sharply, and
        * gaps between bundles of all layers would be cobbles from afar */
-      w->layer[l].reach2 *= (float)(1.0 + 1.1 * least(1.0, 1.5 * k / (count - 2)));
+      w->layer[l].reach2 *= (float)(1.0 + 1.1 * scalar_least(1.0, 1.5 * k / (count - 2)));
     }
     seen += each;
   }
   for (int l = 0; l < w->layers; l++) let_stray(w, &w->layer[l], waver);
   measure_layers(w, s, kernel, wanted);
-  double rest = woven ? 40.0 : most(total - (double)w->deep_above, 0.0);
+  double rest = woven ? 40.0 : scalar_most(total - (double)w->deep_above, 0.0);
   w->deep = (float)(1.0 - scalar_exp(-rest));
-  w->deep_above += (float)(0.5 * least(rest, 1.0));
+  w->deep_above += (float)(0.5 * scalar_least(rest, 1.0));
   /* one bundle stands for as much as it is wide */
   const fibertex_layer *last = &w->layer[w->layers - 1];
   w->far[0] = last->spacing + 0.1f * last->size;
@@ -250,7 +241,8 @@ static double build_shell(fibertex_constants *w, const settings *s, const fibert
 
 static void build_bundles(fibertex_constants *w, const settings *s) {
   double bundle = number_at(s, P_BUNDLE), per_mm = 0.1 * number_at(s, P_CRIMP);
-  double height = per_mm > 0.0 ? least(number_at(s, P_CRIMP_HEIGHT), 1.0 / (8.0 * per_mm)) : 0.0;
+  double height =
+      per_mm > 0.0 ? scalar_least(number_at(s, P_CRIMP_HEIGHT), 1.0 / (8.0 * per_mm)) : 0.0;
   w->crimp = (float)(WAVE * height);
   w->crimp_frequency = (float)per_mm;
   w->crimp_vary = (float)(0.25 * per_mm / FIELD);
@@ -262,7 +254,7 @@ static void build_bundles(fibertex_constants *w, const settings *s) {
   double steep = height * per_mm, arc = 0.7 * 0.25;
   w->slope2 = (float)(steep * steep * WAVE_SLOPE2 * 1.02 + arc * arc / 9.0);
   double mean = number_at(s, P_ELEVATION) * RADIANS;
-  double up = least(mean + number_at(s, P_ELEVATION_SPREAD) * RADIANS, 82.0 * RADIANS);
+  double up = scalar_least(mean + number_at(s, P_ELEVATION_SPREAD) * RADIANS, 82.0 * RADIANS);
   w->lean = (float)tangent(mean);
   w->rise = (float)(tangent(up) - tangent(mean));
   w->rise2 = (float)((double)w->rise * (double)w->rise / 3.0);
@@ -299,7 +291,8 @@ static void build_yarns(fibertex_constants *w, const settings *s) {
   w->pair = v->pair;
   double spacing[2] = {number_at(s, P_YARN_SPACING), number_at(s, P_WEFT_SPACING)};
   if (spacing[1] <= 0.0) spacing[1] = spacing[0];
-  double thin = least(spacing[0], spacing[1]) * least(number_at(s, P_YARN_WIDTH), 1.0);
+  double thin =
+      scalar_least(spacing[0], spacing[1]) * scalar_least(number_at(s, P_YARN_WIDTH), 1.0);
   double rise = 0.3 * thin * number_at(s, P_YARN_FLATNESS), slub = number_at(s, P_SLUB);
   /* the yarn that floats crowds over the one that it hides */
   double over = rise * 0.9 * (2.0 * v->over / v->repeat - 1.0);
@@ -333,7 +326,7 @@ typedef struct {
 
 static two_places places_of(double second, double fourth) {
   double of = 0.5 * (3.0 * second * second - fourth);
-  double at2 = of > 0.0 ? least(__builtin_sqrt(of), second) : 0.0;
+  double at2 = of > 0.0 ? scalar_least(__builtin_sqrt(of), second) : 0.0;
   return (two_places){__builtin_sqrt(at2), second - at2};
 }
 
@@ -341,13 +334,15 @@ static two_places places_of(double second, double fourth) {
 static void look_at_yarns(fibertex_constants *w, const fibertex_kernel *kernel, double twist) {
   fibertex_means m;
   kernel->measure(w, MEASURED, 0.0f, 0, &m);
-  double all = most(m.yarn[0] + m.yarn[1], 1e-9), co = scalar_cos(twist), si = scalar_sin(twist);
+  double all = scalar_most(m.yarn[0] + m.yarn[1], 1e-9), co = scalar_cos(twist),
+         si = scalar_sin(twist);
   w->solid = (float)all;
   double gap = 1.0;
   for (int i = 0; i < 2; i++) {
-    gap *= most(1.0 - 2.0 * (double)w->yarn[i].half * (double)w->yarn[i].inverse_spacing, 0.0);
+    gap *=
+        scalar_most(1.0 - 2.0 * (double)w->yarn[i].half * (double)w->yarn[i].inverse_spacing, 0.0);
   }
-  w->gaps = (float)(gap > 0.0 ? (1.0 - least(all, 1.0)) / gap : 0.0);
+  w->gaps = (float)(gap > 0.0 ? (1.0 - scalar_least(all, 1.0)) / gap : 0.0);
   w->warp_share = (float)(m.yarn[0] / all);
   for (int i = 0; i < 2; i++) {
     w->parts.inverse_mean[i] = m.shaded[i] > 0.0 ? (float)(all / m.shaded[i]) : 0.0f;
@@ -373,7 +368,7 @@ static void look_at_yarns(fibertex_constants *w, const fibertex_kernel *kernel, 
       o->up2 = w->scatter_up;
       continue;
     }
-    double share = m.yarn[o->weft] / all, seen = most(m.yarn[o->weft], 1e-9);
+    double share = m.yarn[o->weft] / all, seen = scalar_most(m.yarn[o->weft], 1e-9);
     two_places lean = places_of(m.lean2[o->weft] / seen, m.lean4[o->weft] / seen);
     double f = k % 2 ? lean.at : -lean.at, top = __builtin_sqrt(1.0 - f * f);
     /* and as it goes up and down: one of the two as it rises, one as it falls */
@@ -445,12 +440,14 @@ static void level_looks(fibertex_constants *w, const fibertex_kernel *kernel) {
     if (f.far[o->weft] > 0.0) o->level *= (float)(f.near[o->weft] / f.far[o->weft]);
   }
   for (int i = 0; !woven && i < 3; i++) {
-    w->from_afar[i] = f.far[i] > 0.0 ? (float)least(f.near[i] / f.far[i], 1.5) : 1.0f;
+    w->from_afar[i] = f.far[i] > 0.0 ? (float)scalar_least(f.near[i] / f.far[i], 1.5) : 1.0f;
   }
 }
 
-/* In which a cloth's yarns are seen by what is in the middle, by parts, and by the mean: of the
- * narrower spacing, fitted to the contrast that the catalogue's cloths have. */
+/* Footprints, mm, between which one way of seeing a cloth's yarns gives way to the next: a yarn's
+ * own light to that of all (`far`, of the warp's spacing); and of the narrower spacing the yarn at
+ * the middle to 2 x 2 parts (`near`), those to 3 x 3 (`finer`), those to the mean of all (`far`).
+ * Fitted to the contrast that the catalogue's cloths have. */
 static void set_footprints(fibertex_constants *w) {
   fibertex_parts *p = &w->parts;
   float warp = w->yarn[0].spacing, weft = w->yarn[1].spacing, narrow = warp < weft ? warp : weft;
@@ -467,12 +464,11 @@ static void set_footprints(fibertex_constants *w) {
 
 int32_t fibertex_build(fibertex_constants *w, const sozai_host *host, const settings *s,
                        const float (*colours)[3], const fibertex_kernel *kernel) {
-  w->seed = seed_of(s);
+  w->seed = hash1_named((uint32_t)number_at(s, P_SEED) + 0x1b873593u, s->list[P_OBJECT].text);
   for (int c = 0; c < 3; c++) w->offset[c] = (float)s->list[P_OFFSET].number[c];
   w->axis[choice_at(s, P_AXIS)] = 1.0f;
   memcpy(w->colour, colours[P_COLOUR], sizeof w->colour); /* they stand together in both */
   w->axis_index = choice_at(s, P_AXIS);
-  w->second_share = (float)number_at(s, P_SECOND_SHARE);
   w->second_chance = (int32_t)(256.0 * number_at(s, P_SECOND_SHARE) + 0.5);
   w->second_share = (float)w->second_chance / 256.0f;
   w->variation = (float)number_at(s, P_VARIATION);

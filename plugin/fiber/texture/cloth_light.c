@@ -2,8 +2,8 @@
  *
  * Light on cloth. Its strands lie side by side in yarns, which light goes through, glances off and
  * is scattered in; how many of them it meets is the cloth's thickness, place by place. The
- * shape is physics, six figures are fitted to rays followed through the strands of every preset
- * (fiber.cloth; docs/fiber-texture.md says how well).
+ * shape is physics, its figures (fitted.h) are fitted to rays followed through the strands of every
+ * preset (fiber.cloth; docs/fiber-texture.md says how well).
  */
 #include "cloth_light.h"
 
@@ -11,12 +11,8 @@
 #include "fitted.h"
 #include "parameters.h"
 
-#define PI 3.14159265358979324
-#define RADIANS (PI / 180.0)
 #define YARN_PACKING 0.5 /* share of a yarn that is fibre: 0.4 to 0.6, Morton & Hearle 2008 */
 #define PLACES 16        /* over a crossing, either way */
-
-static double most(double a, double b) { return a > b ? a : b; }
 
 /* ---- thickness --------------------------------------------------------- */
 
@@ -43,8 +39,8 @@ static double yarns_depth(const fibertex_constants *w, const settings *s) {
 static double amount_of(const fibertex_constants *w, const settings *s, int which) {
   const double feature[CLOTH_FEATURES] = {
       [CLOTH_ONE] = 1.0,
-      [CLOTH_DEPTH] = scalar_log(most(yarns_depth(w, s), 1e-3)),
-      [CLOTH_DULL] = scalar_log(most(1.0 - number_at(s, P_TRANSMISSION), 0.05)),
+      [CLOTH_DEPTH] = scalar_log(scalar_most(yarns_depth(w, s), 1e-3)),
+      [CLOTH_DULL] = scalar_log(scalar_most(1.0 - number_at(s, P_TRANSMISSION), 0.05)),
       [CLOTH_ROUGH] = scalar_log(number_at(s, P_ROUGHNESS) * RADIANS),
       [CLOTH_RISE] = (double)w->rise,
       [CLOTH_FLOWN] = (double)w->flown,
@@ -68,11 +64,11 @@ double fibertex_over_black(double slab, double c) {
 /* The same of a cloth: over its thickness from place to place, where there is any. Clearer
  * strands turn light later. */
 double fibertex_cloth_back(const fibertex_constants *w, const settings *s, double c) {
-  double dull = most(1.0 - number_at(s, P_TRANSMISSION), 0.15) / (1.0 - CLEAR);
+  double dull = scalar_most(1.0 - number_at(s, P_TRANSMISSION), 0.15) / (1.0 - CLEAR);
   double per_mm = amount_of(w, s, FIT_SLAB) * dull * YARN_PACKING /
                   (0.001 * number_at(s, P_DIAMETER) * PI / 4.0);
   double thick[2][PLACES], sum = 0.0, covered = 0.0;
-  c = scalar_exp(amount_of(w, s, FIT_COLOUR) * scalar_log(most(c, 1e-8)));
+  c = scalar_exp(amount_of(w, s, FIT_COLOUR) * scalar_log(scalar_most(c, 1e-8)));
   for (int i = 0; i < 2 * PLACES; i++) {
     thick[i / PLACES][i % PLACES] =
         thickness_at(&w->yarn[i / PLACES], (i % PLACES + 0.5) / PLACES - 0.5);
@@ -83,7 +79,7 @@ double fibertex_cloth_back(const fibertex_constants *w, const settings *s, doubl
     covered += 1.0;
     sum += fibertex_over_black(slab, c);
   }
-  return sum / most(covered, 1.0);
+  return sum / scalar_most(covered, 1.0);
 }
 
 /* ---- amounts and colours ----------------------------------------------- */
@@ -93,11 +89,11 @@ static double bell_mean(double variance) {
   double sum = 0.0, k = 1.0 / scalar_root(variance);
   for (int i = 0; i < 256; i++) {
     double z2 = (i % 16 + 0.5) / 16.0, a = PI * (i / 16 + 0.5) / 16.0;
-    double x = scalar_root(1.0 - z2) * scalar_cos(a) * k, q = most(1.0 - x * x / 16.0, 0.0);
+    double x = scalar_root(1.0 - z2) * scalar_cos(a) * k, q = scalar_most(1.0 - x * x / 16.0, 0.0);
     q *= q;
     q *= q;
     q *= q;
-    sum += q * k / 2.39628;
+    sum += q * k / FIBERTEX_BELL;
   }
   return sum / 256.0;
 }

@@ -135,7 +135,8 @@ typedef struct {
   vu id;
 } lane_strand;
 
-/* Whether it is of the second colour: by what also puts it to a side of its lane. */
+/* Whether it is of the first colour and not of the second: by what also puts it to a side of its
+ * lane. */
 INLINE vm lane_first(const fibertex_constants *w, vu id) {
   int32_t bound = (int32_t)((((uint32_t)w->second_chance << 24) - 1u) ^ 0x80000000u);
   return lti(splati(bound), (vi)id);

@@ -14,12 +14,6 @@
 #include "fitted.h"
 #include "parameters.h"
 
-#define PI 3.14159265358979324
-#define RADIANS (PI / 180.0)
-
-static double least(double a, double b) { return a < b ? a : b; }
-static double most(double a, double b) { return a > b ? a : b; }
-
 /* ---- amounts ----------------------------------------------------------- */
 
 /* What of the light from around reaches what is seen squarely, the mean. */
@@ -31,13 +25,13 @@ double fibertex_ambient(const fibertex_constants *w) {
     left -= share;
   }
   double under = left * (double)w->deep;
-  return (sum + under * (double)w->deep_ambient) / most(1.0 - left + under, 1e-3);
+  return (sum + under * (double)w->deep_ambient) / scalar_most(1.0 - left + under, 1e-3);
 }
 
 /* Optical depth for what is scattered often: the clearer strands are, the more of them
  * light meets before it has turned. */
 static double slow_depth(double clear, double depth) {
-  double dull = most(1.0 - clear, 0.15) / (1.0 - CLEAR);
+  double dull = scalar_most(1.0 - clear, 0.15) / (1.0 - CLEAR);
   return depth * scalar_exp(2.07 * scalar_log(dull));
 }
 
@@ -48,7 +42,7 @@ static double bulk_of(const fibertex_constants *w, const settings *s, double dep
   const double feature[BULK_FEATURES] = {
       [BULK_ONE] = 1.0,
       [BULK_THIN] = 1.0 / (1.0 + 0.25 * depth),
-      [BULK_DULL] = scalar_log(most(1.0 - number_at(s, P_TRANSMISSION), 0.05)),
+      [BULK_DULL] = scalar_log(scalar_most(1.0 - number_at(s, P_TRANSMISSION), 0.05)),
       [BULK_ROUGH] = scalar_log(number_at(s, P_ROUGHNESS) * RADIANS),
       [BULK_RISE] = (double)w->rise};
   const fibertex_fitted *fit = fibertex_fit(feature);
@@ -72,7 +66,7 @@ static void amounts_of_bulk(fibertex_constants *w, const settings *s, double dep
   w->graze_both = (float)bulk_of(w, s, depth, BULK_GRAZE_BOTH);
   /* strands shade what is behind them within an angle of their thickness over the way
    * between two */
-  double angle = most(4.0 / PI * number_at(s, P_PACKING), 0.05);
+  double angle = scalar_most(4.0 / PI * number_at(s, P_PACKING), 0.05);
   w->opposition = 0.9f;
   w->opposition_sharp = (float)(2.0 / (angle * angle));
 }
@@ -88,7 +82,7 @@ static void amounts(fibertex_constants *w, const settings *s, double depth) {
   const double amount[3] = {reflected, 0.55 * clear * (1.0 - reflected),
                             0.12 * clear * (1.0 - reflected)};
   for (int i = 0; i < 3; i++) {
-    double b = most(beta * width[i], 0.05);
+    double b = scalar_most(beta * width[i], 0.05);
     w->gloss[i] = (float)amount[i];
     w->sharp[i] = (float)(1.0 / width[i]);
     if (i == 0) w->beta2 = (float)(b * b);
@@ -97,7 +91,7 @@ static void amounts(fibertex_constants *w, const settings *s, double depth) {
   w->single = (float)(0.52 * (1.0 - 0.45 * clear));
   w->multiple = (float)(0.42 + 0.1 * clear);
   w->mirror = (float)(f * f);
-  double alpha = least(most(2.0 * number_at(s, P_ROUGHNESS) * RADIANS, 0.08), 1.0);
+  double alpha = scalar_least(scalar_most(2.0 * number_at(s, P_ROUGHNESS) * RADIANS, 0.08), 1.0);
   w->strand_alpha2 = (float)(alpha * alpha);
   if (w->structure == STRUCTURE_WOVEN)
     fibertex_cloth_amounts(w, s);
@@ -117,7 +111,7 @@ typedef struct {
 static crossings crossings_of(const fibertex_constants *w, const settings *s, double depth) {
   double clear = number_at(s, P_TRANSMISSION);
   /* how rough a fibre is around, as presets make their transmission of it */
-  double b = least(most((1.0 - (clear - 0.08) / 0.55) / 0.8, 0.0), 1.0), b2 = b * b;
+  double b = scalar_least(scalar_most((1.0 - (clear - 0.08) / 0.55) / 0.8, 0.0), 1.0), b2 = b * b;
   return (crossings){.fit = 5.969 - 0.215 * b + 2.532 * b2 - 10.73 * b2 * b + 5.574 * b2 * b2 +
                             0.245 * b2 * b2 * b,
                      .more = bulk_of(w, s, depth, BULK_MORE) * depth / (depth + 2.19),
@@ -127,7 +121,7 @@ static crossings crossings_of(const fibertex_constants *w, const settings *s, do
 /* A strand lets through T, by the absorption that Chiang et al. (2016) fitted to colours in
  * bulk; one after the other the sum of a geometric series. */
 static double onward(const crossings *n, double c) {
-  double ln = scalar_log(most(c, 1e-8)) / n->fit, t = scalar_exp(-2.0 * ln * ln);
+  double ln = scalar_log(scalar_most(c, 1e-8)) / n->fit, t = scalar_exp(-2.0 * ln * ln);
   return t / (1.0 + n->more * (1.0 - t));
 }
 
@@ -135,7 +129,7 @@ static double onward(const crossings *n, double c) {
 static double back_of(const fibertex_constants *w, const settings *s, const crossings *n,
                       double c) {
   if (w->structure == STRUCTURE_WOVEN) return fibertex_cloth_back(w, s, c);
-  return fibertex_over_black(n->slab, most(c, 1e-8));
+  return fibertex_over_black(n->slab, scalar_most(c, 1e-8));
 }
 
 /* 3x3, columns; false where it has no inverse to speak of. */
@@ -178,7 +172,7 @@ static int32_t colours(fibertex_constants *w, const sozai_host *host, const sett
     for (int k = 0; k < 3; k++) c[k] = (double)w->colour[i][k];
     transform((const double(*)[3])from, c, out[0]);
     for (int k = 0; k < 3; k++) {
-      double x = least(most(out[0][k], 0.0), 1.0), outside = out[0][k] - x;
+      double x = scalar_least(scalar_most(out[0][k], 0.0), 1.0), outside = out[0][k] - x;
       glow[k] = onward(&n, x) + outside;
       double back = back_of(w, s, &n, x);
       bulk[k] = back / white + outside;

@@ -17,7 +17,6 @@ enum {
 };
 /* clang-format on */
 
-enum { KIND_FREE, KIND_WOVEN };
 enum {
   WEAVE_PLAIN,
   WEAVE_BASKET,

@@ -20,9 +20,13 @@ static void number(values *v, const char *id, double x) {
   v->list[v->count++] = (sozai_value){.id = id, .kind = SOZAI_KIND_FLOAT, .number = {x}};
 }
 
-/* What the arrangement says, else what the fibre does, else nothing. */
-static void either(values *v, const char *id, double x, double otherwise) {
-  if (x > 0.0 || otherwise > 0.0) number(v, id, x > 0.0 ? x : otherwise);
+/* Where the arrangement says nothing, the parameter's default stands. */
+static void perhaps(values *v, const char *id, double x) {
+  if (x > 0.0) number(v, id, x);
+}
+
+static double either(double arrangements, double fibres) {
+  return arrangements > 0.0 ? arrangements : fibres;
 }
 
 static void choice(values *v, const char *id, const char *text) {
@@ -40,28 +44,27 @@ static void set_strand(values *v, const fiber_arrangement *a, const fiber_materi
   number(v, "diameter", f->diameter);
   /* evenly spread to sqrt(3) standard deviations */
   number(v, "diameter_spread", f->diameter_spread < 0.4 ? 1.732 * f->diameter_spread : 0.7);
-  double crimp = a->crimp > 0.0 ? a->crimp : f->crimp;
-  double height = a->crimp_height > 0.0 ? a->crimp_height : f->crimp_height;
-  number(v, "crimp", height > 0.0 ? crimp : 0.0);
+  double height = either(a->crimp_height, f->crimp_height);
+  number(v, "crimp", height > 0.0 ? either(a->crimp, f->crimp) : 0.0);
   number(v, "crimp_height", height);
   number(v, "ior", f->index);
   number(v, "roughness", f->roughness);
   number(v, "tilt", f->tilt);
   /* a core of air scatters what a rough wall has let through */
   double clear = 0.55 * (1.0 - 0.8 * f->roughness_round) * (1.0 - 0.7 * f->medulla) + 0.08;
-  number(v, "transmission", a->transmission > 0.0 ? a->transmission : clear);
+  number(v, "transmission", either(a->transmission, clear));
 }
 
 static void set_aggregate(values *v, const fiber_arrangement *a, const fiber_material *f) {
-  number(v, "packing", a->packing > 0.0 ? a->packing : f->packing);
-  either(v, "thickness", a->thickness, 0.0);
-  either(v, "bundle", a->bundle, 0.0);
+  number(v, "packing", either(a->packing, f->packing));
+  perhaps(v, "thickness", a->thickness);
+  perhaps(v, "bundle", a->bundle);
   number(v, "alignment", a->alignment);
   number(v, "elevation", a->elevation);
   number(v, "elevation_spread", a->elevation_spread);
   number(v, "flyaway", a->flyaway);
   number(v, "flyaway_height", a->flyaway_height);
-  either(v, "darkening", a->darkening, 0.0);
+  perhaps(v, "darkening", a->darkening);
 }
 
 static void set_cloth(values *v, const fiber_arrangement *a) {
@@ -83,7 +86,7 @@ static void set_colours(values *v, const fiber_arrangement *a, const fiber_mater
   colour(v, "weft_colour", a->weft_coloured ? a->weft : a->coloured ? a->colour : f->colour);
   number(v, "second_share", a->coloured ? a->second_share : f->share_2);
   double spread = 1.732 * f->colour_spread;
-  number(v, "variation", a->variation > 0.0 ? a->variation : spread < 0.35 ? spread : 0.35);
+  number(v, "variation", either(a->variation, spread < 0.35 ? spread : 0.35));
 }
 
 const sozai_preset *const *fibertex_presets(uint32_t *count) {

@@ -16,8 +16,8 @@
 #include "../../core/vectors.h"
 #include "texture.h"
 
-/* max(0, 1 - q/8)^8, which is e^-q nearly; over BELL sigma a bell's density. x: over 4 sigma. */
-#define BELL 2.39628f
+/* max(0, 1 - q/8)^8, which is e^-q nearly; over FIBERTEX_BELL sigma a bell's density. x: over 4
+ * sigma. */
 INLINE vf bell(vf x) {
   vf q = vmax(splat(1.0f) - x * x, splat(0.0f));
   q = q * q;
@@ -120,10 +120,10 @@ INLINE void strand_parts_of(const fibertex_constants *w, const strand_angles *q,
 
 /* Azimuthal parts: over all round each is 1 / 2 pi; times pi for the irradiance. */
 INLINE void strand_amounts(const fibertex_constants *w, const strand_parts *p, strand_lit *r) {
-  r->onward = splat(w->sharp[1] * 2.82986f / BELL) * p->through;
-  r->white = splat(w->gloss[0] * w->sharp[0] / BELL) * p->reflected;
-  r->glow =
-      splat(w->gloss[1]) * r->onward + splat(w->gloss[2] * w->sharp[2] * 0.5f / BELL) * p->back;
+  r->onward = splat(w->sharp[1] * 2.82986f / (float)FIBERTEX_BELL) * p->through;
+  r->white = splat(w->gloss[0] * w->sharp[0] / (float)FIBERTEX_BELL) * p->reflected;
+  r->glow = splat(w->gloss[1]) * r->onward +
+            splat(w->gloss[2] * w->sharp[2] * 0.5f / (float)FIBERTEX_BELL) * p->back;
   r->bulk = splat(w->single) * p->within;
 }
 
@@ -153,10 +153,10 @@ INLINE void yarn_parts_of(const fibertex_constants *w, const strand_angles *q, y
 }
 
 INLINE void yarn_amounts(const fibertex_constants *w, const yarn_parts *p, strand_lit *r) {
-  r->white = splat(w->gloss[0] / BELL) * p->reflected;
-  r->onward = splat(2.82986f / BELL) * p->through;
+  r->white = splat(w->gloss[0] / (float)FIBERTEX_BELL) * p->reflected;
+  r->onward = splat(2.82986f / (float)FIBERTEX_BELL) * p->through;
   r->glow = splat(w->gloss[1]) * r->onward;
-  r->even = splat(w->even / BELL) * p->often;
+  r->even = splat(w->even / (float)FIBERTEX_BELL) * p->often;
 }
 
 INLINE void strand_lobes_of_yarn(const fibertex_constants *w, const strand_angles *q,

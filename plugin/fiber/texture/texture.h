@@ -29,6 +29,9 @@
 #define FIBERTEX_LOOKS 6       /* directions that stand for all from afar */
 #define FIBERTEX_FACES 4       /* of a cloth the first, two of either yarn; the rest stand off */
 
+/* Over so many sigma max(0, 1 - q/8)^8, q = x^2 / 2 sigma^2, is a bell's density. */
+#define FIBERTEX_BELL 2.39628
+
 enum { STRUCTURE_AGGREGATE, STRUCTURE_WOVEN };
 enum { COLOUR_FIRST, COLOUR_SECOND, COLOUR_WEFT, FIBERTEX_COLOURS };
 
@@ -62,7 +65,7 @@ typedef struct {
   float beyond[2]; /* what of a footprint lies beyond the bundle: share that is covered; that times
                     * brightness */
   float soft;      /* mean nearness of strands where they do not cover, */
-  float soft_wide; /* and by how much more of it a footprint finds that its lanes stand for */
+  float soft_wide; /* and what is added to that for a footprint as wide as its lanes stand for */
   float lift;      /* 1 over the mean brightness of its strands, which is to be 1 */
   float slope2;    /* variance of the strands' slope within their bundle */
   float twist[2];  /* on a yarn: cosine and sine of the strands' angle */

@@ -10,8 +10,6 @@
 #include "../../core/status.h"
 #include "finishes.h"
 
-#define PI 3.14159265358979323846
-
 /* Of value noise within +-1 whose lattice is 1: the mean of (1 - w)^2 + w^2 over
  * the cubic blend w, and from it the mean square slope along an axis of two, and
  * the standard deviation. */
