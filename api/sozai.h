@@ -11,14 +11,21 @@
  *      any number of threads, destroy() it.
  *   5. deinit(), dlclose().
  *
- * Units: millimetres, radians (degrees only where a parameter says so), and
- * scene-linear colour in the working space of the colour service.
+ * Units: of points, footprints, lengths and meshes millimetres, of angles radians;
+ * parameters, channels and columns name their own. Colour is scene-linear, in the
+ * working space of the colour service.
+ *
+ * From the environment create() reads SOZAI_CPU, the instruction set to be used
+ * (scalar, sse2, avx2, avx512, neon), and the colour service $OCIO.
  *
  * Rules that hold everywhere
- *   - No exception, signal, exit, print, locale or floating-point-environment
- *     change crosses this boundary.
+ *   - No exception, signal, exit, print or locale change crosses this boundary.
+ *     Rounding and floating-point traps of the calling thread change no answer,
+ *     trap nothing, and are afterwards as they were; flags of exceptions may be
+ *     raised.
  *   - A function that can fail returns int32_t: SOZAI_OK or one of
- *     SOZAI_ERROR_*, and last_error() on the same thread then says why.
+ *     SOZAI_ERROR_*, and last_error() of the same table then says why on the same
+ *     thread; of sozai_wood_1 that of sozai_textures_1, of init nothing.
  *   - A struct that may grow begins with `size`; set it to sizeof. Members past
  *     the size given are taken as zero.
  *   - Tables of functions never change. A new function is a new table under a
@@ -28,6 +35,7 @@
  *   - Thread rules, in brackets on every function:
  *       [thread-safe]  any thread, at any time between init and deinit;
  *       [exclusive]    not while another call on the same object is under way.
+ *   - After a fork in a process of several threads the child may not call it.
  */
 #ifndef SOZAI_H
 #define SOZAI_H
@@ -63,7 +71,8 @@ typedef struct sozai_entry_v1 {
   uint32_t abi_major;
   uint32_t abi_minor;
   /* Make ready. plugin_path: the file this library was loaded from, or NULL;
-   * used to find the colour service beside it. Counted: each init that gave
+   * used to find the colour service beside it. A relative one is looked up now; a
+   * link to the file is not followed. MEMORY. Counted: each init that gave
    * SOZAI_OK wants one deinit. [thread-safe] */
   int32_t (*init)(const char *plugin_path);
   /* Undo one init. Every texture must have been destroyed before the last.
@@ -86,7 +95,7 @@ typedef struct sozai_entry_v1 {
  * Text is read and written in the C locale. */
 #define SOZAI_KIND_STRING 0u /* never a parameter's kind */
 #define SOZAI_KIND_FLOAT 1u  /* number[0] */
-#define SOZAI_KIND_INT 2u    /* number[0], a whole number, |n| < 2^53 */
+#define SOZAI_KIND_INT 2u    /* number[0], a whole number, |n| < 2^53; for a FLOAT any */
 #define SOZAI_KIND_BOOL 3u   /* number[0], 0 or 1 */
 #define SOZAI_KIND_CHOICE 4u /* text: the choice's id */
 #define SOZAI_KIND_FLOAT3 5u /* number[0..2] */
@@ -146,7 +155,8 @@ typedef struct sozai_parameter {
   const char *group; /* parameters of a group stand together in this order */
   const char *unit;  /* "mm", "deg", "1/mm2", "" for a plain number */
   const char *doc;   /* one or two sentences */
-  double hard_min;   /* FLOAT, INT, FLOAT3, COLOUR: values outside are refused */
+  double hard_min;   /* FLOAT, INT, FLOAT3, COLOUR (in the space it is given in): values
+                        outside are refused */
   double hard_max;
   double soft_min; /* where a slider should end */
   double soft_max;
@@ -223,14 +233,17 @@ typedef struct sozai_batch {
   const float *point[3];        /* mm, object space. NaN is read as 0, and beyond
                                    +-1e6 (a kilometre) as the nearest of the two. */
   const float *normal[3];       /* outward, of any length; zero or not finite is
-                                   read as +z. All three NULL: see evaluate. */
+                                   read as +z. Any of the three NULL: none, see evaluate. */
   const float *light[3];        /* towards the light, of any length; likewise */
   const float *light_colour[3]; /* irradiance on a face turned to the light
                                    over pi, working space; NULL: 1. Not finite: 0. */
   const float *view[3];         /* towards the eye, of any length; zero or not finite: the normal */
   const float *footprint;       /* mm: side of the square on the surface, square
                                    to the normal, over which each answer is the
-                                   average. NULL, negative or NaN: 0, a point.
+                                   average; its turn about the normal is the
+                                   texture's choice. Of a pixel that is longer than
+                                   wide: the root of its area, or for less noise its
+                                   length. NULL, negative or NaN: 0, a point.
                                    Above 1e4: 1e4. */
   const uint8_t *active;        /* 0: leave that point's outputs untouched. NULL: all active */
   float *const *out;            /* component_count pointers, NULL where not wanted:
@@ -255,13 +268,13 @@ typedef struct sozai_textures_1 {
   const sozai_texture_info *(*find)(const char *texture_id);
 
   /* Make a texture, which never changes afterwards.
-   *   host    services, or NULL for none; must outlive the texture.
+   *   host    services, or NULL for none. The struct and its ceilings are read
+   *           here; `user` and what the callbacks need must outlive the texture.
    *   preset  a preset's id, or NULL for the parameters' own defaults.
    *   values  value_count of them; of two for one parameter the later counts.
    *   out     the texture; NULL when anything failed, and then nothing is kept.
    * Colours are converted into the working space here, once; pictures are
-   * opened here. The host's
-   * callbacks are called on this thread, or through its thread pool.
+   * opened here. The host's callbacks are called on this thread.
    * Errors: ARGUMENT, UNKNOWN, KIND, RANGE, LIMIT, MEMORY, FILE, COLOUR, CANCELLED,
    * STATE, and UNSUPPORTED for an instruction set that SOZAI_CPU asks for and
    * this machine lacks, or for a picture where there is no image service.
@@ -272,13 +285,14 @@ typedef struct sozai_textures_1 {
   void (*destroy)(sozai_texture *texture);
 
   /* Answer a batch. Any size, any thread, any number at once; allocates
-   * nothing, locks nothing, takes at most 384 KB of the thread's stack (a thread
-   * of its own for a host that has less), and the answer to a point depends on nothing but
+   * nothing, locks nothing, takes at most 384 KB of the calling thread's stack (whose
+   * host has less calls from a thread that has more), and the answer to a point depends on nothing but
    * that point: same bits whatever the batch, thread or machine. (Of a texture
    * with a picture, as far as the image service keeps to that.)
    * Checked before any output is written: ARGUMENT if a wanted channel needs
    * an input that is NULL. An input that a channel only `uses` may be NULL:
-   * without a normal the footprint is a ball, not a square.
+   * without a normal the footprint is a ball, not a square. After the look-ups, all
+   * outputs written: FILE, of a picture that cannot be read any more.
    * Every written number is finite. Where the calling thread flushes denormals
    * to zero, numbers below 1.2e-38 are zero. [thread-safe] */
   int32_t (*evaluate)(const sozai_texture *texture, const sozai_batch *batch);

@@ -4,6 +4,7 @@
  */
 #include <string.h>
 
+#include "core/float_mode.h"
 #include "core/meter.h"
 #include "core/status.h"
 #include "fiber/generator.h"
@@ -116,7 +117,10 @@ static int32_t grow(const sozai_host *host, const char *id, const char *preset,
                     const sozai_value *values, uint32_t value_count, sozai_geometry **out) {
   if (!out) return fail(SOZAI_ERROR_ARGUMENT, "grow: out is NULL");
   *out = NULL;
-  return make(host, id, preset, values, value_count, out, NULL);
+  uint64_t mode = float_mode_enter();
+  int32_t r = make(host, id, preset, values, value_count, out, NULL);
+  float_mode_leave(mode);
+  return r;
 }
 
 int32_t geometry_memory(const sozai_host *host, const char *id, const char *preset,
@@ -149,7 +153,9 @@ static int32_t make_blocks(const sozai_geometry *g, const char *call, const soza
   if (r) return r;
   meter_reopen(&counted, &g->host, g->ceilings, LIMIT_MESH_BYTES, &h);
   counted.rehearsing = memory != NULL;
+  uint64_t mode = float_mode_enter();
   r = m ? g->kind->mesh(g->state, &h, level, m) : g->kind->curves(g->state, &h, level, c);
+  float_mode_leave(mode);
   r = meter_result(&counted, r, g->info->id);
   if (!memory || r != SOZAI_ERROR_MEMORY || !atomic_load(&counted.held)) return r;
   memory->held = memory->peak = atomic_load(&counted.held);

@@ -8,6 +8,7 @@
 #endif
 
 #include "core/colour.h"
+#include "core/float_mode.h"
 #include "core/images.h"
 #include "core/meter.h"
 #include "core/status.h"
@@ -127,7 +128,10 @@ static int32_t create(const sozai_host *host, const char *id, const char *preset
                       const sozai_value *values, uint32_t value_count, sozai_texture **out) {
   if (!out) return fail(SOZAI_ERROR_ARGUMENT, "create: out is NULL");
   *out = NULL;
-  return make(host, id, preset, values, value_count, out, NULL);
+  uint64_t mode = float_mode_enter();
+  int32_t r = make(host, id, preset, values, value_count, out, NULL);
+  float_mode_leave(mode);
+  return r;
 }
 
 int32_t texture_memory(const sozai_host *host, const char *id, const char *preset,
@@ -259,8 +263,11 @@ static int32_t evaluate(const sozai_texture *t, const sozai_batch *batch) {
     if (!(has & SOZAI_INPUT_LIGHT_COLOUR)) memset(copy.light_colour, 0, sizeof copy.light_colour);
     if (!(has & SOZAI_INPUT_VIEW)) memset(copy.view, 0, sizeof copy.view);
   }
-  if (wanted && batch->count) t->kind->evaluate(t->state, batch, out, wanted);
-  return SOZAI_OK;
+  if (!wanted || !batch->count) return SOZAI_OK;
+  uint64_t mode = float_mode_enter();
+  t->kind->evaluate(t->state, batch, out, wanted);
+  float_mode_leave(mode);
+  return t->images.count ? images_looked() : SOZAI_OK;
 }
 
 static int32_t value(const sozai_texture *t, const char *id, sozai_value *out) {

@@ -82,6 +82,18 @@ int32_t images_open(image_set *set, const sozai_host *host, const sozai_texture_
   return r;
 }
 
+static _Thread_local int32_t unanswered;
+
+void images_answered(int32_t result) {
+  if (result != SOZAI_OK && unanswered == SOZAI_OK) unanswered = result;
+}
+
+int32_t images_looked(void) {
+  if (unanswered == SOZAI_OK) return SOZAI_OK;
+  unanswered = SOZAI_OK;
+  return fail(SOZAI_ERROR_FILE, "evaluate: a picture could not be looked up; it is black there");
+}
+
 uint64_t images_bytes(const image_set *set) { return set->count * sizeof *set->list; }
 
 void images_close(image_set *set, const sozai_host *host) {

@@ -26,18 +26,27 @@ static const sozai_services_1 *factory;
 static opened *list;
 static int tried;
 
+/* Absolute, since the program may change its folder before the service is wanted. */
+static char *beside_path(const char *path) {
+  static const char name[] = "/sozai-colour.so";
+  const char *slash = strrchr(path, '/');
+  char *folder = slash ? strndup(path, (size_t)(slash - path) + 1) : strdup(".");
+  char *whole = folder ? realpath(folder, NULL) : NULL;
+  const char *at = whole ? whole : folder;
+  char *joined = at ? malloc(strlen(at) + sizeof name) : NULL;
+  if (joined) stpcpy(stpcpy(joined, at), name);
+  free(whole);
+  free(folder);
+  return joined;
+}
+
 void services_plugin_path(const char *path) {
   Dl_info where;
   if (!path || !strchr(path, '/')) {
     path = dladdr((void *)(uintptr_t)&services_plugin_path, &where) ? where.dli_fname : "";
   }
-  const char *slash = strrchr(path, '/');
-  size_t n = slash ? (size_t)(slash - path) + 1 : 0;
-  static const char name[] = "sozai-colour.so";
-  char *joined = malloc(n + sizeof name);
+  char *joined = beside_path(path);
   if (!joined) return;
-  memcpy(joined, path, n);
-  memcpy(joined + n, name, sizeof name);
   pthread_mutex_lock(&lock);
   free(beside);
   beside = joined;

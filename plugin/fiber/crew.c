@@ -4,6 +4,7 @@
 #include <stdatomic.h>
 #include <stdbool.h>
 
+#include "../core/float_mode.h"
 #include "../core/status.h"
 #include "../generator.h"
 
@@ -20,7 +21,9 @@ typedef struct {
 static void run_job(void *context, uint32_t i) {
   crew *c = context;
   if (atomic_load(&c->cancelled)) return;
+  uint64_t mode = float_mode_enter(); /* of a thread of the host's */
   c->work(c->context, i);
+  float_mode_leave(mode);
   uint32_t done = atomic_fetch_add(&c->done, 1) + 1;
   double share = (double)done / c->jobs, all = c->progress.end - c->progress.begin;
   if (host_progress(c->host, c->progress.begin + share * all, c->progress.what))

@@ -656,7 +656,7 @@ static const sozai_channel channel_albedo = {
    .needs = SOZAI_INPUT_POINT,
    .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
    .id = "albedo", .unit = "", .suffixes = "rgb",
-   .doc = "Diffuse reflectance, scene-linear, in the working space."};
+   .doc = "Diffuse reflectance, scene-linear, in the working space. Linear in the palette: above 1 where what varies meets a colour near white."};
 
 static const sozai_channel channel_radiance = {
    .size = sizeof(sozai_channel), .first = STONE_RADIANCE, .components = 3,

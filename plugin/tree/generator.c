@@ -8,6 +8,7 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "../core/float_mode.h"
 #include "../core/meter.h"
 #include "../core/status.h"
 #include "field.h"
@@ -54,6 +55,7 @@ typedef struct {
 static void run_job(void *context, uint32_t i) {
   shoot_crew *w = context;
   if (atomic_load(&w->cancelled)) return;
+  uint64_t mode = float_mode_enter();
   const tree_branch *b = &w->tree->branches[i];
   shoot_pen pen = {.tree = w->tree, .writing = w->writing, .sprigs = w->sprigs, .thin = w->thin};
   if (w->writing) pen.at = w->rooms[i];
@@ -64,6 +66,7 @@ static void run_job(void *context, uint32_t i) {
     shoots_on(&pen, i);
   }
   if (!w->writing) w->rooms[i] = pen.used;
+  float_mode_leave(mode);
   uint32_t done = atomic_fetch_add(&w->done, 1) + 1;
   double share = (double)done / w->jobs;
   if (host_progress(w->host, w->begin + share * (w->end - w->begin), "growing shoots"))

@@ -488,6 +488,18 @@ static void build_row_overlap(wood_constants *w, double row_density) {
   w->row.coverage *= 1.0f - w->row.overlap;
 }
 
+/* How much of all rings' latewood lies within `band` of their starts: in narrow rings the rows
+ * reach into it. */
+static double late_among_rows(const wood_constants *w, double band) {
+  double within = 0.0, all = 0.0;
+  for (int j = 0; j < WOOD_RINGS; j++) {
+    double inverse = (double)w->inverse_width[j], late = (double)w->late_weight[j + 1] / inverse;
+    within += late * late_profile_integral(w, scalar_least(band * inverse, 1.0));
+    all += late * late_profile_integral(w, 1.0);
+  }
+  return all > 0.0 ? within / all : 0.0;
+}
+
 /* Parts may be longer than reach: what they cut off is tails of the largest pores, where a
  * footprint's middle lies between the cells looked at and the next. The earlywood's vessels
  * fill their place along the row, and their shape under longer parts is less exact. */
@@ -543,20 +555,25 @@ static void build_vessels(wood_constants *w, const settings *s) {
   w->row_jitter_radial = (float)(0.4 * row_radius * number_at(s, P_ROW_JITTER));
   w->row_step_arc = w->row_jitter_arc / 4294967296.0f;
   w->row_step_radial = w->row_jitter_radial / 4294967296.0f;
-  w->band = (float)(w->rows * row_spacing);
-  double least = 1e30;
+  /* narrow rings have room for a part of the rows alone */
+  double band = w->rows * row_spacing, least = 1e30, room = 0.0, whole = 0.0;
   for (int j = 0; j < WOOD_RINGS; j++) {
     double width = 1.0 / (double)w->inverse_width[j];
+    w->row_before[j] = (float)room;
+    room += scalar_least(band, width);
+    whole += width;
     if (width < least) least = width;
   }
+  w->row_before[WOOD_RINGS] = w->row_period = (float)room;
   w->rows_alone = (float)(0.999 * (double)WOOD_ROWS_ALONE * least);
-  if ((double)w->band > 0.9 * least) w->band = (float)(0.9 * least);
-  /* spread over the band so that a ring's sum is its vessels' area */
+  w->band = (float)band;
   w->row.coverage = 0.0f;
   if (w->rows) {
-    w->row.coverage = (float)(w->rows * row_density * 0.5 * TWO_PI * row_radius * row_radius *
-                              row_square / (double)w->band);
+    w->row.coverage =
+        (float)(row_density * 0.5 * TWO_PI * row_radius * row_radius * row_square / row_spacing);
     build_row_overlap(w, row_density);
+    /* of the latewood within the band, over that of all wood */
+    w->late_row = (float)scalar_least(late_among_rows(w, band) * whole / room, 1.0);
   }
 
   /* how much of the latewood tissue the pores are expected to take: the mean

@@ -733,8 +733,12 @@ INLINE void stage_cover(const wood_constants *w, int boards, const wood_io *io, 
     vf expected = rings_mean(w, boards, io, MEAN_ROW, k);
     rows = mix(rows, splat(w->row.coverage) * expected, v->rows_faded);
   }
+  if (w->rows) {
+    vf late = rows * splat(w->late_row);
+    k->over_late = k->over_late + late - k->over_late * late;
+  }
   if (k->knot) rows = rows * (one - k->knot->cover); /* branches have no wide earlywood vessels */
-  k->cover = pores + rows - pores * rows;            /* they stand where they like */
+  k->cover = vmin(pores + rows - pores * rows, one); /* they stand where they like */
   k->ray = zero;
   if (!w->has_rays) store_lanes(io, WOOD_RAY, k, zero);
   store_lanes(io, WOOD_VESSEL, k, k->cover);
@@ -1035,7 +1039,7 @@ INLINE void stage_lobe(const wood_constants *w, int boards, const wood_io *io, b
     vf lobe = vmin(wide, splat(2.0f / 3.0f));
     k->exponent = splat(2.0f) / lobe - splat(2.0f);
     k->strength = k->strength * (narrow / lobe);
-    roughness = vsqrt(wide);
+    roughness = vmin(vsqrt(wide), one);
   }
   store_lanes(io, WOOD_SPECULAR, k, k->strength);
   store_lanes(io, WOOD_ROUGHNESS, k, roughness);

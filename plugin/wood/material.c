@@ -4,6 +4,7 @@
  */
 #include "material.h"
 
+#include "../core/float_mode.h"
 #include "../core/status.h"
 #include "build.h"
 #include "parameters.h"
@@ -20,7 +21,7 @@ typedef struct {
 static const sozai_texture_info *describe(void) {
   static sozai_texture_info info = {
       .size = sizeof(sozai_texture_info),
-      .revision = 18,
+      .revision = 19,
       .id = "wood",
       .label = "Wood",
       .doc =
@@ -87,7 +88,9 @@ static int32_t ring_radius(const sozai_texture *t, uint32_t count, const float *
   if (count && (!years || !theta || !y || !out_r)) {
     return fail(SOZAI_ERROR_ARGUMENT, "ring_radius: an array is NULL");
   }
+  uint64_t mode = float_mode_enter();
   wide_of(w)->radius(&w->constants, count, years, theta, y, out_r);
+  float_mode_leave(mode);
   return SOZAI_OK;
 }
 
@@ -98,7 +101,9 @@ static int32_t pith(const sozai_texture *t, uint32_t count, const float *y, floa
   if (count && (!y || !out_x || !out_z)) {
     return fail(SOZAI_ERROR_ARGUMENT, "pith: an array is NULL");
   }
+  uint64_t mode = float_mode_enter();
   wide_of(w)->pith(&w->constants, count, y, out_x, out_z);
+  float_mode_leave(mode);
   return SOZAI_OK;
 }
 

@@ -11,6 +11,7 @@
 #ifndef SOZAI_WOOD_PICTURE_H
 #define SOZAI_WOOD_PICTURE_H
 
+#include "../core/images.h"
 #include "rings.h"
 #include "stem.h"
 
@@ -77,8 +78,9 @@ INLINE void picture_sample(const wood_constants *w, const picture_place *p, vf c
   store(st[4], r * c * ks);
   store(st[5], r * s * kt);
   float *const to[3] = {rgb[0], rgb[1], rgb[2]};
-  /* a picture that cannot be read any more is black, and the service has said so */
-  w->images->sample(w->images->self, w->picture, n, st[0], st[1], st[2], st[3], st[4], st[5], to);
+  /* a picture that cannot be read any more is black, and evaluate says so */
+  images_answered(w->images->sample(w->images->self, w->picture, n, st[0], st[1], st[2], st[3],
+                                    st[4], st[5], to));
   for (int k = 0; k < 3; k++) out[k] = load(rgb[k]);
 }
 

@@ -125,7 +125,7 @@ INLINE vf integral_to(const wood_constants *w, int what, const ring_place *p) {
   if (what == MEAN_PORE) {
     return splat(w->pore_ring_mean) * (p->turns * splat(w->ring_period) + p->start) + within;
   }
-  return splat(w->band) * to_float(p->ring) + within;
+  return p->turns * splat(w->row_period) + gather(w->row_before, p->j) + within;
 }
 
 /* Average over rho - e/2 .. rho + e/2. */

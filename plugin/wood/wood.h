@@ -227,8 +227,9 @@ typedef struct {
   float row_largest;                       /* mm: how far the largest vessel's share reaches */
   float row_inverse[WOOD_RADII];           /* mean radius / radius */
   float row_square[WOOD_RADII];            /* (radius / mean radius)^2 */
-  float band;                              /* mm: the rows' band for the expected coverage */
-  float late_vessel;                       /* expected vessel coverage of latewood tissue */
+  float band;                              /* mm: of all rows, where a ring has room for them */
+  float late_vessel;                       /* expected coverage of latewood by pores */
+  float late_row; /* and by the rows, over that of all wood: 1 where rings are narrow */
 
   /* resin canals */
   int32_t has_canals;
@@ -341,6 +342,8 @@ typedef struct {
   float start[WOOD_RINGS + 1]; /* mm: rho of the ring's start */
   float inverse_width[WOOD_RINGS];
   float late_weight[WOOD_RINGS + 1]; /* how dark the latewood of ring j - 1 grows */
+  float row_before[WOOD_RINGS + 1];  /* mm: bands of the rows up to the ring; over the table */
+  float row_period;
   float late_before[WOOD_RINGS + 1]; /* integral of the profile up to the ring */
   /* the same again as the kernel loads it: what belongs to a ring in one place */
   float ring_row[WOOD_RINGS]

@@ -290,7 +290,7 @@ static const sozai_channel channel_albedo = {
    .needs = SOZAI_INPUT_POINT,
    .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_VIEW | SOZAI_INPUT_FOOTPRINT,
    .id = "albedo", .unit = "", .suffixes = "rgb",
-   .doc = "Diffuse reflectance of what is seen, in the shade of what is over it, scene-linear, in the working space; times `coverage`."};
+   .doc = "Diffuse reflectance of what is seen, in the shade of what is over it, scene-linear, in the working space; times `coverage`. The palette's colours are the mean of strands: single ones of a pale fibre are brighter than 1."};
 
 static const sozai_channel channel_radiance = {
    .size = sizeof(sozai_channel), .first = FIBERTEX_RADIANCE, .components = 3,

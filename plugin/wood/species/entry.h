@@ -30,6 +30,8 @@ SPECIES_ALL(DECLARE)
   CHOICE("grain", "interlocked"), NUMBER("interlocked_slope", slope),                              \
       NUMBER("interlocked_years", years), NUMBER("interlocked_length", length),                    \
       NUMBER("interlocked_irregularity", irregularity)
+/* Of wood that is sought for its figure: that moves with the eye, too, as fibres' gloss does. */
+#define LUSTRE CHOICE("reflection", "fibre_cone")
 #define INTERLOCKED(slope, years, length) INTERLOCKED_BY(slope, years, length, 0.7)
 
 #define CURL(slope, length, irregularity, reach)                                                   \

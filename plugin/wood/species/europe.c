@@ -191,6 +191,7 @@ static const sozai_value values_sycamore[] = {
     LATEWOOD(0.06, 0.7),
     WAVY(0.19, 8.0, 0.6, 60.0),
     CURL(0.1, 8.0, 0.7, 40.0),
+    LUSTRE,
     NUMBER("slope_noise", 0.035),
     NUMBER("slope_noise_length", 45.0),
     DIFFUSE_POROUS(48.0, 62.0, 0.2),
