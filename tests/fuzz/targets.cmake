@@ -10,7 +10,7 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(FUZZ_YAML REQUIRED IMPORTED_TARGET yaml-0.1)
 sozai_fuzz_target(recipe LIBS PkgConfig::FUZZ_YAML INCLUDES ${h}/common
   SOURCES recipe.c ${h}/common/recipe.c ${h}/common/recipe_file.c ${h}/common/recipe_image.c
-    ${h}/common/ceilings.c ${h}/common/numbers.c ${h}/common/failure.c)
+    ${h}/common/ceilings.c ${h}/common/numbers.c ${h}/common/utf8.c ${h}/common/failure.c)
 sozai_fuzz_target(csv INCLUDES ${h}/cli ${h}/common
   SOURCES csv.c ${h}/cli/csv.c ${h}/cli/columns.c ${h}/common/failure.c)
 sozai_fuzz_target(options INCLUDES ${h}/cli ${h}/common ${h}/render ${h}/fiber
