@@ -125,6 +125,7 @@ static bool saw_into(saw_work *w, failure *why) {
   if (ok && cancel_requested()) ok = fail(why, EXIT_FAILURE, "cancelled");
   progress_clear();
   if (ok) return saw_folder_commit(&f, why);
+  failure_rename(why, f.working, f.path);
   saw_folder_discard(&f);
   return false;
 }
