@@ -27,7 +27,7 @@ for bad in texture_bytes texture_bytes= =5 texture_bytes=-1 texture_bytes=1e9 \
 done
 SOZAI_LIMITS=nonsense refuses 2 "SOZAI_LIMITS|nonsense" render wood -o a.png "${small[@]}"
 SOZAI_LIMITS=texture_bites=1 refuses 2 "texture_bites" grow tree -o a.obj -p age=3
-for bad in , texture_bytes=1M, ,texture_bytes=1M texture_bytes=1M,,leaves=9; do
+for bad in ',' 'texture_bytes=1M,' ',texture_bytes=1M' 'texture_bytes=1M,,leaves=9'; do
   SOZAI_LIMITS=$bad refuses 2 "SOZAI_LIMITS|''|NAME=VALUE" grow tree -o a.obj -p age=3
 done
 SOZAI_LIMITS='' works grow tree -o a.obj -p age=3
