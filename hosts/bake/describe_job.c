@@ -144,9 +144,9 @@ void bake_describe_file(const bake_job *job, const bake_file *file, writer_spec 
   if (file->colours) describe_colour(job, &spec->colour, words->xy);
   spec->words = words->words;
   spec->word_count = 0;
-  add_word(spec, words, "sozai:material", job->recipe->material);
-  add_word(spec, words, "sozai:preset", job->recipe->preset);
-  add_word(spec, words, "sozai:output", file->output);
+  add_word(spec, words, "sozai_material", job->recipe->material);
+  add_word(spec, words, "sozai_preset", job->recipe->preset);
+  add_word(spec, words, "sozai_output", file->output);
   add_word(spec, words, "wrapmodes", wrap);
   if (spec->level_count > 1) add_word(spec, words, "textureformat", "Plain Texture");
   for (int k = 0; k < 2; k++) spec->mm_per_pixel[k] = (float)(shape->size[k] / shape->pixels[k]);

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+#include "channel.h"
 #include "ending.h"
 #include "evaluate.h"
 
@@ -23,9 +24,9 @@ static bool is_direction(const sozai_channel *c) {
   return c->components == 3 && strcmp(c->suffixes, "xyz") == 0 && !*c->unit;
 }
 
-/* Integers stand for 0 to 1: colours, shares and directions fit, lengths do not. */
+/* Integers stand for 0 to 1: colours, shares and directions fit, lengths and ids do not. */
 static bool fits_integers(const sozai_channel *c) {
-  return is_colour(c) || is_direction(c) || (c->components == 1 && !*c->unit);
+  return is_colour(c) || is_direction(c) || (c->components == 1 && !*c->unit && !channel_is_id(c));
 }
 
 /* ---- the format ----------------------------------------------------------------- */
@@ -51,9 +52,16 @@ static bool choose_format(bake_outputs *o, const bake_choice *choice, failure *w
               choice->path);
 }
 
-static int type_of(const bake_outputs *o, const bake_choice *choice, bool colour) {
-  if (o->format == BAKE_EXR)
-    return choice->bits == 32 || (choice->bits == 0 && !colour) ? IMAGE_FLOAT : IMAGE_HALF;
+static bool integers_asked(const bake_outputs *o, const bake_choice *choice) {
+  return o->format != BAKE_EXR && choice->bits != 32;
+}
+
+/* What goes past a half stays float, whatever is asked of an EXR. */
+static int type_of(const bake_outputs *o, const bake_choice *choice, const sozai_channel *c) {
+  if (o->format == BAKE_EXR) {
+    bool half = choice->bits == 16 ? channel_fits_half(c) : choice->bits == 0 && is_colour(c);
+    return half ? IMAGE_HALF : IMAGE_FLOAT;
+  }
   if (choice->bits == 32) return IMAGE_FLOAT;
   if (choice->bits == 16 || (choice->bits == 0 && o->format == BAKE_TIFF)) return IMAGE_UINT16;
   return IMAGE_UINT8;
@@ -79,14 +87,14 @@ static const sozai_channel *find(const sozai_texture_info *info, const char *nam
   return NULL;
 }
 
-static bool check(const sozai_channel *c, int type, failure *why) {
+static bool check(const sozai_channel *c, bool whole, failure *why) {
   if (c->needs & SEEN_BY)
     return fail(why, EXIT_BAD_INPUT,
                 "--outputs: '%s' depends on light or view, and cannot be baked", c->id);
   if (c->first + c->components > SURFACE_COMPONENTS)
     return fail(why, EXIT_FAILURE, "--outputs: '%s' is past the %d numbers that can be baked",
                 c->id, SURFACE_COMPONENTS);
-  if (integers(type) && !fits_integers(c))
+  if (whole && !fits_integers(c))
     return fail(why, EXIT_BAD_INPUT,
                 "--outputs: '%s'%s%s does not lie between 0 and 1; bake it to an EXR, or a TIFF of "
                 "--bits 32",
@@ -110,11 +118,11 @@ static bool choose_named(const sozai_texture_info *info, const char *names,
   return ok;
 }
 
-static void choose_usual(const bake_outputs *o, const sozai_texture_info *info, int type, bool set,
-                         const sozai_channel **all, uint32_t *count) {
+static void choose_usual(const bake_outputs *o, const sozai_texture_info *info, bool whole,
+                         bool set, const sozai_channel **all, uint32_t *count) {
   for (uint32_t i = 0; i < info->channel_count; i++) {
     const sozai_channel *c = info->channels[i];
-    if (c->needs & SEEN_BY || (integers(type) && !fits_integers(c))) continue;
+    if (c->needs & SEEN_BY || (whole && !fits_integers(c))) continue;
     if (o->format != BAKE_EXR && !set && *count == 1) continue;
     all[(*count)++] = c;
   }
@@ -144,7 +152,7 @@ static void add_layers(bake_outputs *o, bake_file *f, const sozai_channel *c,
     bake_layer *l = &f->layers[f->layer_count++];
     name_layer(l, c, k, alone);
     l->component = c->first + k;
-    l->type = type_of(o, choice, is_colour(c));
+    l->type = type_of(o, choice, c);
     bool tangent = choice->tangent && strcmp(c->id, "normal") == 0;
     l->code = is_colour(c)                                        ? BAKE_COLOUR
               : is_direction(c) && (integers(l->type) || tangent) ? BAKE_DIRECTION
@@ -193,7 +201,7 @@ static bool no_such_space(const colour *c, const char *space, failure *why) {
 
 static bool choose_space(bake_outputs *o, const bake_choice *choice, failure *why) {
   const char *space = choice->space;
-  if (!space && integers(type_of(o, choice, true))) space = "sRGB";
+  if (!space && integers_asked(o, choice)) space = "sRGB";
   if (!space) return true;
   if (o->services->service && !o->services->service->has_space(o->services->service->self, space))
     return no_such_space(o->services, space, why);
@@ -233,13 +241,13 @@ bool bake_outputs_open(bake_outputs *o, const sozai_texture_info *info, const ba
   const sozai_channel **all = calloc(info->channel_count + 1, sizeof *all);
   uint32_t count = 0;
   bool set = strstr(choice->path, "<output>") != NULL;
-  int type = type_of(o, choice, false);
+  bool whole = integers_asked(o, choice);
   bool ok = all || out_of_memory(why);
   if (ok && choice->names)
     ok = choose_named(info, choice->names, all, &count, why);
   else if (ok)
-    choose_usual(o, info, type, set, all, &count);
-  for (uint32_t i = 0; ok && i < count; i++) ok = check(all[i], type, why);
+    choose_usual(o, info, whole, set, all, &count);
+  for (uint32_t i = 0; ok && i < count; i++) ok = check(all[i], whole, why);
   if (ok && count == 0) ok = fail(why, EXIT_BAD_INPUT, "%s has nothing to bake", info->id);
   ok = ok && make_files(o, all, count, choice, set, why);
   free(all);

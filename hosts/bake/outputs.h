@@ -51,7 +51,8 @@ typedef struct bake_choice {
   const char *names; /* "albedo,roughness"; NULL: the default: see bake_outputs_open */
   const char *space; /* NULL: the working space; "sRGB" where numbers are integers */
   bool tangent;      /* the normal as 0.5 + 0.5 n, of any type: the face lies in x and y */
-  uint32_t bits;     /* 8, 16 or 32; 0: EXR 16 for colours and 32 for the rest, TIFF 16, PNG 8 */
+  uint32_t bits;     /* 8, 16 or 32; 0: EXR 16 for colours and 32 for the rest, TIFF 16, PNG 8.
+                        In an EXR of 16 what goes past a half is 32. */
 } bake_choice;
 
 /* Without names: all channels that need neither light nor view, of a format

@@ -82,8 +82,7 @@ bool csv_next(csv_lines *lines, uint32_t most, failure *why) {
       if (!read_more(lines, why)) return false;
     }
   }
-  /* So that `ended` is known with the last block. */
-  return lines->done < lines->used || lines->ended || read_more(lines, why);
+  return true;
 }
 
 const char *csv_line(const csv_lines *lines, uint32_t index) {

@@ -36,6 +36,8 @@ typedef struct job {
   uint32_t outputs[EVAL_MOST_OUTPUTS]; /* component of the texture's, in the order printed */
   uint32_t output_count;
   csv_lines lines;
+  uint32_t rows;       /* lines of the block without the blank ones at its end */
+  uint64_t blank_line; /* the first of these, in whichever block; 0: none */
   const char *to_name;
   float *arena; /* for each slice: COLUMNS + output_count arrays of SLICE */
   slice slices[MOST_SLICES];
@@ -149,7 +151,7 @@ static void run_slice(void *context, uint32_t index) {
   job *j = context;
   slice *s = &j->slices[index];
   uint32_t first = index * SLICE;
-  uint32_t count = j->lines.count - first < SLICE ? j->lines.count - first : SLICE;
+  uint32_t count = j->rows - first < SLICE ? j->rows - first : SLICE;
   float *inputs = j->arena + (size_t)index * (COLUMNS + j->output_count) * SLICE;
   float *outputs = inputs + COLUMNS * SLICE;
   s->used = 0;
@@ -168,18 +170,25 @@ static bool allocate(job *j, failure *why) {
   return ok || fail(why, EXIT_FAILURE, "out of memory");
 }
 
-/* Blank lines are nothing at the end of a file, and a mistake anywhere else. */
-static void drop_blank_end(csv_lines *lines) {
-  if (!lines->ended || lines->done < lines->used) return;
-  while (lines->count > 0 && !*csv_line(lines, lines->count - 1)) lines->count--;
+/* Blank lines are nothing at the end of a file, and a mistake anywhere else: of
+ * those at a block's end the next block tells. */
+static bool count_rows(job *j, failure *why) {
+  const csv_lines *l = &j->lines;
+  j->rows = l->count;
+  while (j->rows > 0 && !*csv_line(l, j->rows - 1)) j->rows--;
+  if (j->blank_line > 0 && j->rows > 0)
+    return fail(why, EXIT_BAD_INPUT, "%s:%llu: 0 values, but the header has %u columns", l->name,
+                (unsigned long long)j->blank_line, j->columns.count);
+  if (j->blank_line == 0 && j->rows < l->count) j->blank_line = l->first_line + j->rows;
+  return true;
 }
 
 static bool write_rows(job *j, uint32_t threads, FILE *to, failure *why) {
   for (;;) {
     if (!csv_next(&j->lines, MOST_SLICES * SLICE, why)) return false;
     if (j->lines.count == 0) return true;
-    drop_blank_end(&j->lines);
-    uint32_t slices = (j->lines.count + SLICE - 1) / SLICE;
+    if (!count_rows(j, why)) return false;
+    uint32_t slices = (j->rows + SLICE - 1) / SLICE;
     parallel_for(threads, slices, run_slice, j);
     for (uint32_t i = 0; i < slices; i++) {
       slice *s = &j->slices[i];
@@ -191,7 +200,6 @@ static bool write_rows(job *j, uint32_t threads, FILE *to, failure *why) {
         return fail(why, EXIT_FAILURE, "cannot write %s: %s", j->to_name, strerror(errno));
     }
     if (cancel_requested()) return fail(why, EXIT_FAILURE, "cancelled");
-    if (j->lines.count == 0) return true;
   }
 }
 

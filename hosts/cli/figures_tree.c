@@ -211,8 +211,7 @@ static bool write_view(const scene_of *v, const sozai_mesh *m, session *s, const
     return fail(why, EXIT_BAD_INPUT, "'%s' is too long a path", folder);
   if (!output_begin(&o, path, why)) return false;
   if (tree_view_write(&v->view, m, s, o.writing, why)) return output_commit(&o, why);
-  output_discard(&o);
-  return false;
+  return output_failed(&o, why);
 }
 
 static bool draw_view(session *s, const char *folder, const char *name, json *j, failure *why) {

@@ -19,8 +19,7 @@ bool picture_write(const easel *e, const film *f, const char *name, failure *why
   if (!picture_path(path, e, name, why) || !output_begin(&o, path, why)) return false;
   if (film_write_png(f, o.writing, &e->session->colour, &e->session->shown, 0, 8, why))
     return output_commit(&o, why);
-  output_discard(&o);
-  return false;
+  return output_failed(&o, why);
 }
 
 /* A plane has no edges but its own and shadows nothing, and its material is filtered: a few

@@ -14,6 +14,8 @@
 #include "tree_view.h"
 #include "ceilings.h"
 
+#define USUAL_SPECIES "sugi"
+
 typedef struct grow_options {
   const char *species, *age, *field, *output, *table;
   char *field_text; /* what is in the file `field` */
@@ -97,12 +99,21 @@ static bool grow(const void *options, const sozai_geometry_1 *table, const sozai
                  sozai_geometry **out, failure *why) {
   const grow_options *o = options;
   return growth_grow(table, host, "tree", o->species, o->params.items, o->params.count,
-                     o->field_text, out, why);
+                     o->field_text, out, why) ||
+         growth_name_field(o->field, why);
+}
+
+/* To the plugin an empty text is none, and it would grow any tree. */
+static bool read_field(grow_options *o, failure *why) {
+  if (!growth_read_text(o->field, &o->field_text, why)) return false;
+  if (*o->field_text) return true;
+  free(o->field_text);
+  return fail(why, EXIT_BAD_INPUT, "--field: '%s' is empty: there is no trunk", o->field);
 }
 
 static bool make(grow_options *o, const session_options *shared, const char *what, failure *why) {
   if (!check(o, what, why)) return false;
-  if (o->field && !growth_read_text(o->field, &o->field_text, why)) return false;
+  if (o->field && !read_field(o, why)) return false;
   const grown_file file = {.output = o->output,
                            .options = o,
                            .verbose = o->verbose,
@@ -119,12 +130,12 @@ int run_grow(int argc, char **argv) {
   failure why = {0};
   session_options shared;
   if (!session_options_init(&shared, argc + 1, &why)) return report(&why);
-  grow_options o = {.view = TREE_VIEW_DEFAULT};
+  grow_options o = {.species = USUAL_SPECIES, .view = TREE_VIEW_DEFAULT};
   const option options[] = {
       {"output", 'o', OPTION_TEXT, &o.output, "FILE",
        ".obj, .gltf, .usda; .field, a field table; .csv, a table; .png, .exr, a view", 0, 0},
-      {"species", 0, OPTION_TEXT, &o.species, "NAME", "a preset: see sozai list (default: sugi)", 0,
-       0},
+      {"species", 0, OPTION_TEXT, &o.species, "NAME",
+       "a preset: see sozai list (default: " USUAL_SPECIES ")", 0, 0},
       {"age", 0, OPTION_TEXT, &o.age, "YEARS", "the same as -p age=YEARS", 0, 0},
       {"param", 'p', OPTION_PAIRS, &shared.params, "NAME=VALUE",
        "set a parameter; any number of these", 0, 0},

@@ -137,7 +137,8 @@ int run_grow_fiber(int argc, char **argv) {
       SESSION_DISPLAY_OPTIONS(shared),
       SESSION_RUN_OPTIONS(shared)};
   static const char *const positional[] = {"generator"};
-  const command_line line = {.usage = "grow fiber --hull MESH -o FILE [options]",
+  const command_line line = {.name = "grow fiber",
+                             .usage = "grow fiber --hull MESH -o FILE [options]",
                              .about =
                                  "Packs crimped fibres into a hull and writes them to a file.\n",
                              .options = options,

@@ -36,8 +36,7 @@ static bool make_in(const grown_file *f, session *s, failure *why) {
   if (ok && cancel_requested()) ok = fail(why, EXIT_FAILURE, "cancelled");
   progress_clear();
   if (ok) return output_commit(&file, why);
-  output_discard(&file);
-  return false;
+  return output_failed(&file, why);
 }
 
 bool grown_make(const grown_file *f, const session_options *shared, failure *why) {

@@ -5,7 +5,8 @@
 #include <string.h>
 #include "cancel.h"
 #include "commands.h"
-#include "failure.h"
+#include "options.h"
+#include "output_file.h"
 #include "sozai.h"
 
 typedef struct command {
@@ -41,6 +42,11 @@ static void print_help(FILE *to) {
         to);
 }
 
+static int printed(void) {
+  failure why;
+  return output_printed(&why) ? 0 : report(&why);
+}
+
 int main(int argc, char **argv) {
   signal(SIGXFSZ, SIG_IGN); /* a file past the size that is allowed is too */
   signal(SIGPIPE, SIG_IGN); /* a closed pipe is a failed write, and reported as one */
@@ -48,11 +54,11 @@ int main(int argc, char **argv) {
   const char *name = argc > 1 ? argv[1] : "";
   if (strcmp(name, "--version") == 0) {
     printf("sozai %s (ABI %u.%u)\n", SOZAI_VERSION, SOZAI_ABI_MAJOR, SOZAI_ABI_MINOR);
-    return 0;
+    return printed();
   }
   if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 || strcmp(name, "help") == 0) {
     print_help(stdout);
-    return 0;
+    return printed();
   }
   for (size_t i = 0; i < COMMAND_COUNT; i++)
     if (strcmp(name, commands[i].name) == 0) return commands[i].run(argc - 1, argv + 1);

@@ -110,13 +110,25 @@ static bool match_photo(const request *q, session *s, recipe *r, photo *p, const
   return output_printed(why);
 }
 
+/* As it can be written to a file anywhere. */
+static bool open_recipe(recipe *r, const request *q, const sozai_textures_1 *textures,
+                        failure *why) {
+  if (!recipe_open(r, q->material, why)) return false;
+  const char *preset = q->shared.preset;
+  bool ok = (!preset || recipe_set_preset(r, preset, why)) &&
+            session_params_here(r, &q->shared.params, why) && recipe_settle(r, textures, why) &&
+            (!q->output || recipe_is_text(r, why));
+  if (!ok) recipe_free(r);
+  return ok;
+}
+
 static bool match_with(request *q, session *s, const char *path, failure *why) {
   recipe r;
   photo p;
   const photo_options options = {
       .space = q->space, .crop = q->crop_text ? q->crop : NULL, .even_light = q->even_light};
   if (!find_material(q, s->plugin.textures, why) || !try_output(q, why)) return false;
-  if (!session_recipe(&r, q->material, &q->shared, why)) return false;
+  if (!open_recipe(&r, q, s->plugin.textures, why)) return false;
   bool ok = photo_read(&p, path, &options, &s->colour, why);
   if (ok) {
     ok = match_photo(q, s, &r, &p, path, why);

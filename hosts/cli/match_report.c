@@ -4,10 +4,22 @@
 #include <math.h>
 #include <string.h>
 #include "quoted.h"
+#include "utf8.h"
+
+static bool fits_a_line(const unsigned char *s, int length) {
+  if (length == 1) return *s >= 0x20 && *s != 0x7f;
+  return length > 1 && utf8_plain(utf8_code(s, length));
+}
 
 /* A name within a line, whatever bytes a file's name may have. */
 static void print_name(FILE *to, const char *name) {
-  for (; *name; name++) fputc((unsigned char)*name < 0x20 || *name == 0x7f ? '?' : *name, to);
+  for (int length; *name; name += length > 1 ? length : 1) {
+    length = utf8_length((const unsigned char *)name);
+    if (fits_a_line((const unsigned char *)name, length))
+      fwrite(name, 1, (size_t)length, to);
+    else
+      fputc('?', to);
+  }
 }
 
 static void print_photo(FILE *to, const match_report *r, const char *begin) {

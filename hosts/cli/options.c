@@ -5,8 +5,13 @@
 #include <stdlib.h>
 #include <string.h>
 #include "numbers.h"
+#include "output_file.h"
 #include "progress.h"
 #include "ceilings.h"
+
+static const char *name_of(const command_line *line, char **argv) {
+  return line->name ? line->name : argv[0];
+}
 
 static void print_help(const command_line *line) {
   printf("usage: sozai %s\n\n%s\n", line->usage, line->about);
@@ -102,7 +107,9 @@ static bool take_option(const command_line *line, int argc, char **argv, int *at
     o = find_letter(line, text[1]);
     if (text[2]) value = text + 2;
   }
-  if (!o) return fail(why, EXIT_BAD_INPUT, "unknown option %s; see sozai %s --help", text, argv[0]);
+  if (!o)
+    return fail(why, EXIT_BAD_INPUT, "unknown option %s; see sozai %s --help", text,
+                name_of(line, argv));
   if (o->kind == OPTION_FLAG) {
     if (value) return fail(why, EXIT_BAD_INPUT, "--%s takes no value", o->name);
     *(bool *)o->target = true;
@@ -122,7 +129,7 @@ int options_parse(const command_line *line, int argc, char **argv, const char **
   for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; i++)
     if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) {
       print_help(line);
-      return OPTIONS_DONE;
+      return output_printed(why) ? OPTIONS_DONE : OPTIONS_BAD;
     }
   size_t found = 0;
   bool plain = false; /* after "--" */
@@ -132,14 +139,15 @@ int options_parse(const command_line *line, int argc, char **argv, const char **
     else if (!plain && argv[i][0] == '-' && argv[i][1]) {
       if (!take_option(line, argc, argv, &i, why)) return OPTIONS_BAD;
     } else if (found == line->positional_count) {
-      fail(why, EXIT_BAD_INPUT, "unexpected argument '%s'; see sozai %s --help", argv[i], argv[0]);
+      fail(why, EXIT_BAD_INPUT, "unexpected argument '%s'; see sozai %s --help", argv[i],
+           name_of(line, argv));
       return OPTIONS_BAD;
     } else
       values[found++] = argv[i];
   }
   if (found + line->optional_count >= line->positional_count) return OPTIONS_RUN;
   fail(why, EXIT_BAD_INPUT, "%s: no %s is given; see sozai %s --help", argv[0],
-       line->positional[found], argv[0]);
+       line->positional[found], name_of(line, argv));
   return OPTIONS_BAD;
 }
 

@@ -34,6 +34,7 @@ typedef struct option_texts {
 /* What a command takes. */
 typedef struct command_line {
   const char *usage; /* "render <material|file.sozai> -o FILE [options]" */
+  const char *name;  /* whose --help messages point to; NULL: argv[0] */
   const char *about; /* some lines of help, each with its newline */
   const option *options;
   size_t option_count;

@@ -66,8 +66,7 @@ bool plate_write(const plate *p, const char *folder, const char *name, failure *
   const image_colour space = {.srgb = p->srgb};
   if (image_write(o.writing, (uint32_t)row_length(p), p->panel_height, channels, 3, &space, why))
     return output_commit(&o, why);
-  output_discard(&o);
-  return false;
+  return output_failed(&o, why);
 }
 
 double plate_direction(const float *share, uint32_t width, uint32_t height) {

@@ -48,10 +48,12 @@ static bool fill_job(render_job *job, const request *q, const recipe *r, int kin
   job->width = q->resolution[0];
   job->height = q->resolution[1];
   if (!job_options_apply(job, &q->look, &r->surface, why)) return false;
-  if (kind == PICTURE_PNG) return true; /* which has no layers */
-  if (!q->channels) return all_channels(job, info);
-  return session_channels(info, q->channels, job->channels, RENDER_MOST_CHANNELS,
-                          &job->channel_count, why);
+  if (!q->channels) return kind == PICTURE_PNG || all_channels(job, info);
+  if (!session_channels(info, q->channels, job->channels, RENDER_MOST_CHANNELS, &job->channel_count,
+                        why))
+    return false;
+  if (kind == PICTURE_PNG) job->channel_count = 0; /* it has no layers */
+  return true;
 }
 
 static bool write_picture(const film *f, const session *s, const request *q, int kind,
@@ -72,8 +74,7 @@ static bool render_to(const render_job *job, const session *s, const request *q,
     film_free(&f);
   }
   if (ok) return output_commit(&o, why);
-  output_discard(&o);
-  return false;
+  return output_failed(&o, why);
 }
 
 static bool render_recipe(session *s, recipe *r, const request *q, int kind, failure *why) {
@@ -120,7 +121,7 @@ int run_render(int argc, char **argv) {
       {"cut", 0, OPTION_TEXT, &q.cut, "CUT",
        "how a board lies in the log, e.g. flat, quarter; the same as -p cut=", 0, 0},
       {"res", 0, OPTION_SIZE, &q.resolution, "WxH",
-       "pixels (default: 1024x768; a face's proportions from the front)", 1, 32768},
+       "pixels (default: 1024x768; a face's proportions from the front)", 1, VIEW_MOST_SIDE},
       {"spp", 0, OPTION_COUNT, &q.spp, "N", "samples per pixel (default: 32)", 1,
        VIEW_MOST_SAMPLES},
       {"camera", 0, OPTION_TEXT, &q.look.camera, "VIEW",

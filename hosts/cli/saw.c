@@ -5,7 +5,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 #include "cancel.h"
 #include "commands.h"
 #include "json.h"
@@ -74,26 +73,9 @@ static bool set_number(recipe *r, const char *id, double number, failure *why) {
   return recipe_set(r, id, text, 0, why);
 }
 
-/* -p's paths start from here, those in a board's file from its folder. */
-static bool set_given(recipe *r, const option_texts *params, failure *why) {
-  char here[FOLDER_PATH + 8];
-  if (!getcwd(here, FOLDER_PATH)) return fail(why, EXIT_FAILURE, "this folder has no name");
-  strcat(here, "/-p");
-  for (size_t i = 0; i < params->count; i++) {
-    const char *pair = params->items[i], *equals = strchr(pair, '=');
-    char id[128];
-    if (!equals || equals == pair || equals - pair >= (ptrdiff_t)sizeof id)
-      return fail(why, EXIT_BAD_INPUT, "-p %.80s: not NAME=VALUE", pair);
-    memcpy(id, pair, (size_t)(equals - pair));
-    id[equals - pair] = '\0';
-    if (!recipe_set_from(r, id, equals + 1, here, 0, why)) return false;
-  }
-  return true;
-}
-
 static bool make_recipe(const saw_work *w, recipe *r, const option_texts *params, failure *why) {
   const saw_options *o = &w->options;
-  return choose_wood(w, r, why) && set_given(r, params, why) &&
+  return choose_wood(w, r, why) && session_params_here(r, params, why) &&
          (!o->species || recipe_set(r, "tree", o->species, 0, why)) &&
          (!w->field || recipe_set(r, "tree_field", w->field, 0, why)) &&
          set_number(r, "tree_age", o->age, why) && set_number(r, "seed", o->seed, why) &&
@@ -143,6 +125,7 @@ static bool saw_into(saw_work *w, failure *why) {
   if (ok && cancel_requested()) ok = fail(why, EXIT_FAILURE, "cancelled");
   progress_clear();
   if (ok) return saw_folder_commit(&f, why);
+  failure_rename(why, f.working, f.path);
   saw_folder_discard(&f);
   return false;
 }
@@ -162,7 +145,7 @@ static bool saw_log_up(saw_work *w, recipe *r, failure *why) {
   if (!recipe_create(r, textures, &w->session->host.abi, &texture, why)) return false;
   w->texture = texture;
   find_pith(w);
-  bool ok = saw_into(w, why);
+  bool ok = recipe_is_text(r, why) && saw_into(w, why);
   textures->destroy(texture);
   return ok;
 }
@@ -178,7 +161,7 @@ static bool grow_and_saw(saw_work *w, const session_options *shared, failure *wh
   sozai_geometry *g = NULL;
   recipe r;
   if (!growth_grow(table, &w->session->host.abi, "tree", o->species, pairs, 3, w->field, &g, why))
-    return false;
+    return growth_name_field(o->field, why);
   bool ok = recipe_open(&r, "wood", why);
   if (ok) {
     ok = saw_stem_read(&w->stem, table, g, why) && make_recipe(w, &r, &shared->params, why) &&

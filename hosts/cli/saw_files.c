@@ -50,10 +50,11 @@ static FILE *open_file(const saw_folder *f, const char *name, failure *why) {
   return to;
 }
 
-static bool close_file(FILE *to, const char *name, failure *why) {
+static bool close_file(const saw_folder *f, FILE *to, const char *name, failure *why) {
   bool bad = ferror(to) != 0;
   bad |= fclose(to) != 0;
-  return !bad || fail(why, EXIT_FAILURE, "cannot write '%s': %s", name, strerror(errno));
+  return !bad ||
+         fail(why, EXIT_FAILURE, "cannot write '%s/%s': %s", f->path, name, strerror(errno));
 }
 
 /* ---- a board's recipe ---------------------------------------------------- */
@@ -104,7 +105,7 @@ static bool write_board(const saw_work *w, size_t i, const saw_folder *f, failur
   const double size[3] = {tidy(b->width), w->log.length, b->thickness};
   fprintf(to, "surface:\n  shape: %s\n", sheet ? "plane" : "board");
   put_list(to, "size", size);
-  return close_file(to, name, why);
+  return close_file(f, to, name, why);
 }
 
 /* ---- the plan ------------------------------------------------------------- */
@@ -162,7 +163,7 @@ static bool write_plan(const saw_work *w, const saw_folder *f, failure *why) {
   json_close(&j, ']');
   json_close(&j, '}');
   fputc('\n', to);
-  return close_file(to, "saw.json", why);
+  return close_file(f, to, "saw.json", why);
 }
 
 bool saw_write_files(const saw_work *w, const saw_folder *f, failure *why) {

@@ -4,7 +4,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #include "parallel.h"
+
+#define MOST_HERE 4096 /* of this folder's path */
 
 bool session_options_init(session_options *o, int argc, failure *why) {
   memset(o, 0, sizeof *o);
@@ -59,6 +62,23 @@ bool session_recipe(recipe *r, const char *name, const session_options *o, failu
     ok = recipe_set_pair(r, o->params.items[i], why);
   if (!ok) recipe_free(r);
   return ok;
+}
+
+bool session_params_here(recipe *r, const option_texts *params, failure *why) {
+  char here[MOST_HERE + 8];
+  if (params->count == 0) return true;
+  if (!getcwd(here, MOST_HERE)) return fail(why, EXIT_FAILURE, "this folder has no name");
+  strcat(here, "/-p");
+  for (size_t i = 0; i < params->count; i++) {
+    const char *pair = params->items[i], *equals = strchr(pair, '=');
+    char id[128];
+    if (!equals || equals == pair || equals - pair >= (ptrdiff_t)sizeof id)
+      return fail(why, EXIT_BAD_INPUT, "-p %.80s: not NAME=VALUE", pair);
+    memcpy(id, pair, (size_t)(equals - pair));
+    id[equals - pair] = '\0';
+    if (!recipe_set_from(r, id, equals + 1, here, 0, why)) return false;
+  }
+  return true;
 }
 
 static bool unknown_channel(const sozai_texture_info *info, const char *name, failure *why) {

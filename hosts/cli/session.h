@@ -67,6 +67,10 @@ void session_close(session *s);
 /* The recipe of a material or file, with the options' preset and parameters on top. */
 bool session_recipe(recipe *r, const char *name, const session_options *o, failure *why);
 
+/* The same parameters for a recipe that is written to a file: paths in it start from
+ * the file's folder, those of -p from this one. recipe_settle makes them whole. */
+bool session_params_here(recipe *r, const option_texts *params, failure *why);
+
 /* "a,b" into indices of the texture's channels, in that order. most: the room
  * in indices. false: an unknown name, or one that stands twice. */
 bool session_channels(const sozai_texture_info *info, const char *names, uint32_t *indices,

@@ -70,10 +70,11 @@ static bool set(const char *pair, const char *from, failure *why) {
 static void begin(void) {
   for (int i = 0; i < HOST_LIMITS; i++) values[i] = host_limit_infos[i].value;
   const char *environment = getenv("SOZAI_LIMITS");
-  char *copy = strdup(environment ? environment : ""), *rest = copy;
+  if (!environment || !*environment) return;
+  char *copy = strdup(environment), *rest = copy;
   if (!copy) fail(&bad_environment, EXIT_FAILURE, "out of memory");
   for (char *pair; copy && (pair = strsep(&rest, ","));)
-    if (*pair && !set(pair, "SOZAI_LIMITS", &bad_environment)) break;
+    if (!set(pair, "SOZAI_LIMITS", &bad_environment)) break;
   free(copy);
 }
 

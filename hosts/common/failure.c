@@ -21,3 +21,20 @@ bool fail(failure *why, int exit_code, const char *format, ...) {
   why->exit_code = exit_code;
   return false;
 }
+
+void failure_rename(failure *why, const char *from, const char *to) {
+  char text[sizeof why->text];
+  size_t used = 0, length = strlen(from), new_length = strlen(to);
+  for (const char *at = why->text; *at && used + 1 < sizeof text;) {
+    if (strncmp(at, from, length) != 0) {
+      text[used++] = *at++;
+      continue;
+    }
+    size_t room = sizeof text - 1 - used, n = new_length < room ? new_length : room;
+    memcpy(text + used, to, n);
+    used += n;
+    at += length;
+  }
+  text[used] = '\0';
+  memcpy(why->text, text, used + 1);
+}

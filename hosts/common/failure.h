@@ -21,6 +21,9 @@ typedef struct failure {
 bool fail(failure *why, int exit_code, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
+/* In why's text: every `from` as `to`. */
+void failure_rename(failure *why, const char *from, const char *to);
+
 #ifdef __cplusplus
 }
 #endif

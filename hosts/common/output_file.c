@@ -63,6 +63,12 @@ bool output_commit(output_file *o, failure *why) {
   return true;
 }
 
+bool output_failed(output_file *o, failure *why) {
+  if (!o->in_place) failure_rename(why, o->writing, o->path);
+  output_discard(o);
+  return false;
+}
+
 void output_discard(output_file *o) {
   if (o->writing && !o->in_place) unlink(o->writing);
   forget(o);

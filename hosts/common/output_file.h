@@ -15,6 +15,9 @@ typedef struct output_file {
 bool output_begin(output_file *o, const char *path, failure *why);
 /* Give the file its name. Ends the output either way. */
 bool output_commit(output_file *o, failure *why);
+/* It could not be written, as why says: forget it, and name the file that was asked
+ * for where why names the one that was written to. Always false. */
+bool output_failed(output_file *o, failure *why);
 /* Forget the file. Harmless after a commit, or on a zeroed struct. */
 void output_discard(output_file *o);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0
- * Text in double quotes, as YAML has it: in recipes that the programs write. */
+ * Text (UTF-8) in double quotes, as YAML has it: in recipes that the programs write. */
 #ifndef SOZAI_HOSTS_QUOTED_H
 #define SOZAI_HOSTS_QUOTED_H
 

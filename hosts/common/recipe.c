@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "numbers.h"
+#include "utf8.h"
 #include "ceilings.h"
 
 #define ENDING ".sozai"
@@ -202,6 +203,13 @@ static bool settle_paths(recipe *r, const sozai_texture_info *info, failure *why
 bool recipe_settle(recipe *r, const sozai_textures_1 *textures, failure *why) {
   const sozai_texture_info *info = recipe_info(r, textures, why);
   return info && settle_paths(r, info, why);
+}
+
+bool recipe_is_text(const recipe *r, failure *why) {
+  for (size_t i = 0; i < r->param_count; i++)
+    if (!utf8_whole(r->params[i].text))
+      return fail(why, EXIT_BAD_INPUT, "%s: not UTF-8, which a .sozai file is", r->params[i].id);
+  return true;
 }
 
 /* What the user can mend by asking for something else. */

@@ -58,6 +58,8 @@ const sozai_texture_info *recipe_info(const recipe *r, const sozai_textures_1 *t
 /* Relative paths among the file's parameters start from its folder: make them
  * whole. recipe_create does this first. */
 bool recipe_settle(recipe *r, const sozai_textures_1 *textures, failure *why);
+/* Whether a .sozai file can hold its values: UTF-8 alone. */
+bool recipe_is_text(const recipe *r, failure *why);
 /* Make the texture. A refused value of the file's is reported with its line. */
 bool recipe_create(recipe *r, const sozai_textures_1 *textures, const sozai_host *host,
                    sozai_texture **out, failure *why);

@@ -13,3 +13,20 @@ int utf8_length(const unsigned char *s) {
   if (s[0] == 0xf4 && s[1] > 0x8f) return 0;
   return length;
 }
+
+uint32_t utf8_code(const unsigned char *s, int length) {
+  uint32_t code = s[0] & (0x7fu >> length);
+  for (int i = 1; i < length; i++) code = code << 6 | (s[i] & 0x3f);
+  return code;
+}
+
+bool utf8_whole(const char *text) {
+  for (int n; *text; text += n)
+    if ((n = utf8_length((const unsigned char *)text)) == 0) return false;
+  return true;
+}
+
+bool utf8_plain(uint32_t code) {
+  bool control = code < 0xa0 || code == 0xfeff || code == 0xfffe || code == 0xffff;
+  return !control && code != 0x2028 && code != 0x2029;
+}

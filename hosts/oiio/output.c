@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "channel.h"
 #include "evaluate.h"
 
 #define LIGHTING (SOZAI_INPUT_LIGHT | SOZAI_INPUT_LIGHT_COLOUR | SOZAI_INPUT_VIEW)
@@ -19,13 +20,6 @@ static bool usable(const sozai_channel *c, bool solid) {
   return c->components <= OUTPUT_MOST_COMPONENTS &&
          c->first + c->components <= SURFACE_COMPONENTS && !(c->needs & LIGHTING) &&
          !(solid && c->needs & SOZAI_INPUT_NORMAL);
-}
-
-/* Lengths, years and ids go past what a half can say. */
-static bool fits_half(const sozai_channel *c) {
-  size_t length = strlen(c->id);
-  bool id = length > 3 && strcmp(c->id + length - 3, "_id") == 0;
-  return !id && (!*c->unit || strcmp(c->unit, "rad") == 0);
 }
 
 /* The names EXR files have: colours' suffixes upper case, vectors' lower; the
@@ -46,7 +40,7 @@ static void set_names(output *o, const sozai_channel *c, bool plain) {
 static void set(output *o, const sozai_channel *c, const recipe_image *image) {
   *o = (output){.id = c->id, .first = c->first, .components = c->components};
   o->colour = is_colour(c);
-  o->half = image->format == RECIPE_FORMAT_HALF ? fits_half(c)
+  o->half = image->format == RECIPE_FORMAT_HALF ? channel_fits_half(c)
                                                 : image->format == RECIPE_FORMAT_AUTO && o->colour;
   o->encoded = image->normals == RECIPE_NORMALS_TANGENT && strcmp(c->id, "normal") == 0;
 }

@@ -29,8 +29,8 @@ void add_scale(ImageSpec &spec, const picture_about *about, const uint32_t *pixe
   spec.attribute("XResolution", 10 / mm[0]);
   spec.attribute("YResolution", 10 / mm[1]);
   spec.attribute("ResolutionUnit", "cm");
-  spec.attribute("PixelAspectRatio", mm[1] / mm[0]);
-  spec.attribute("sozai:mm_per_pixel", TypeDesc(TypeDesc::FLOAT, 2), mm);
+  spec.attribute("PixelAspectRatio", mm[0] / mm[1]);
+  spec.attribute("sozai_mm_per_pixel", TypeDesc(TypeDesc::FLOAT, 2), mm);
 }
 
 void add_metadata(ImageSpec &spec, const picture_about *about, const subimage *s) {
@@ -45,12 +45,12 @@ void add_metadata(ImageSpec &spec, const picture_about *about, const subimage *s
   spec.attribute("oiio:ColorSpace", colour ? "scene_linear" : "data");
   spec.attribute("wrapmodes", wrap + "," + wrap);
   spec.attribute("textureformat", volume ? "Volume Texture" : "Plain Texture");
-  spec.attribute("sozai:material", about->material);
-  if (*about->preset) spec.attribute("sozai:preset", about->preset);
-  if (colour && *about->working) spec.attribute("sozai:ColorSpace", about->working);
-  if (about->shape.udim) spec.attribute("sozai:udim", about->shape.udim);
-  if (about->shape.samples > 1) spec.attribute("sozai:samples", int(about->shape.samples));
-  if (encoded) spec.attribute("sozai:normals", "tangent");
+  spec.attribute("sozai_material", about->material);
+  if (*about->preset) spec.attribute("sozai_preset", about->preset);
+  if (colour && *about->working) spec.attribute("sozai_ColorSpace", about->working);
+  if (about->shape.udim) spec.attribute("sozai_udim", about->shape.udim);
+  if (about->shape.samples > 1) spec.attribute("sozai_samples", int(about->shape.samples));
+  if (encoded) spec.attribute("sozai_normals", "tangent");
 }
 
 } // namespace

@@ -34,7 +34,7 @@ void describe(OIIO::ImageSpec &spec, const writer_spec &s) {
   oiio::add_colour(spec, s.colour);
   for (uint32_t i = 0; i < s.word_count; i++) spec.attribute(s.words[i].name, s.words[i].text);
   if (s.mm_per_pixel[0] > 0)
-    spec.attribute("sozai:mm_per_pixel", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 2), s.mm_per_pixel);
+    spec.attribute("sozai_mm_per_pixel", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 2), s.mm_per_pixel);
   if (s.level_count > 1) spec.attribute("openexr:levelmode", 1); // MIPMAP_LEVELS
 }
 

@@ -33,10 +33,10 @@ static bool set_size(surface *s, const recipe *r, failure *why) {
   bool board = asked->shape == RECIPE_BOARD;
   bool volume = s->shape.kind == SURFACE_VOLUME;
   for (int c = 0; c < 3; c++) {
-    double usual = asked->shape != RECIPE_NO_SHAPE && asked->size[c] > 0 ? asked->size[c]
-                   : c == 1 && asked->size[0] > 0                        ? asked->size[0]
-                   : c == 2 && !volume                                   ? 0
-                                                                         : USUAL_SIZE;
+    double usual = asked->size[c] > 0             ? asked->size[c]
+                   : c == 1 && asked->size[0] > 0 ? asked->size[0]
+                   : c == 2 && !volume            ? 0
+                                                  : USUAL_SIZE;
     if (c == 2 && volume && asked->size[2] <= 0) usual = fmin(size[0], size[1]);
     size[c] = image[c] > 0 ? image[c] : usual;
     if (board && asked->size[c] > 0 && size[c] > asked->size[c])

@@ -80,6 +80,14 @@ bool growth_read_text(const char *path, char **out, failure *why) {
   return true;
 }
 
+bool growth_name_field(const char *path, failure *why) {
+  static const char of_text[] = "field: line ";
+  if (!path || strncmp(why->text, of_text, sizeof of_text - 1) != 0) return false;
+  char text[sizeof why->text];
+  memcpy(text, why->text, sizeof text);
+  return fail(why, why->exit_code, "--field: %s: %s", path, text + strlen("field: "));
+}
+
 bool growth_rows(const sozai_geometry_1 *table, const sozai_geometry *g, const char *id,
                  sozai_table *out, failure *why) {
   *out = (sozai_table){.size = sizeof *out};

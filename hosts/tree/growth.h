@@ -26,6 +26,9 @@ bool growth_grow_with(const sozai_geometry_1 *table, const sozai_host *host, con
 /* The text of a file, with a zero at its end, to be freed. */
 bool growth_read_text(const char *path, char **out, failure *why);
 
+/* Which file (NULL: none) a message about a field table's line is of; gives false. */
+bool growth_name_field(const char *path, failure *why);
+
 /* What a code of the plugin's means for the program, with its message. */
 bool growth_failed(const sozai_geometry_1 *table, int32_t code, failure *why);
 

@@ -62,6 +62,10 @@ static int parse(int argc, char **argv, settings *s, failure *why) {
                              .optional_count = 1};
   int parsed = options_parse(&line, argc, argv, values, why);
   s->path = values[0];
+  if (parsed == OPTIONS_RUN && s->list && (s->json || s->junit)) {
+    fail(why, EXIT_BAD_INPUT, "--list goes with neither --json nor --junit: it is no report");
+    return OPTIONS_BAD;
+  }
   if (parsed == OPTIONS_RUN && !s->path && !s->list) {
     fail(why, EXIT_BAD_INPUT, "validate: no plugin is given; see sozai validate --help");
     return OPTIONS_BAD;

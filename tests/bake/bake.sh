@@ -28,12 +28,15 @@ check "a float TIFF holds lengths" "$picture" between plane.tif 79 0 G 0 0
 works bake wood -o 'set <output>.png' --size 40x20 --res 80x40 --outputs albedo,fiber,roughness
 for output in albedo fiber roughness; do check "a file for $output" test -s "set $output.png"; done
 check "directions are moved to between 0 and 1" "$picture" between "set fiber.png" 1 1 G 0.99 1
-works bake wood -o half.exr --size 40x20 --res 80x40 --bits 16 --outputs time,albedo --tile 0
+works bake wood -o half.exr --size 40x20 --res 80x40 --bits 16 --outputs roughness,albedo --tile 0
+works bake wood -o years.exr --size 40x20 --res 80x40 --bits 16 --outputs time,albedo
 if command -v oiiotool >/dev/null; then
   check "tiles of 64" grep -q 'tile size: 64 x 64' <(oiiotool --info -v plane.exr)
   check "scanlines, all half" grep -Eq '80 x +40, 4 channel, half openexr' <(oiiotool --info -v half.exr)
+  check "but years, which half cannot hold" \
+    grep -q 'time (float)' <(oiiotool --info -v years.exr)
   check "the working space" grep -q 'colorSpace: "Linear Rec.709"' <(oiiotool --info -v plane.exr)
-  check "the scale" grep -q 'sozai:mm_per_pixel: 0.5, 0.5' <(oiiotool --info -v plane.exr)
+  check "the scale" grep -q 'sozai_mm_per_pixel: 0.5, 0.5' <(oiiotool --info -v plane.exr)
   works bake wood -o mip.exr --size 40x20 --res 80x40 --mip --outputs reference,albedo
   check "levels" grep -q '80x40 40x20 20x10 10x5 5x2 2x1 1x1' <(oiiotool --info -v mip.exr)
   oiiotool mip.exr --selectmip 2 -o level.exr
@@ -50,6 +53,19 @@ works bake box.sozai -o box.exr
 same "its outputs and size" "128 128 B G R reference.x reference.z" "$("$picture" layers box.exr)"
 # The first chart is the side at x = -30 of the file, -60 mm at its scale.
 check "a texel of a side" "$picture" between box.exr 20 100 reference.x -60.1 -59.9
+
+# A size is the plane's without a shape, too.
+cat >sized.sozai <<'YAML'
+material: wood
+surface: {size: [40, 20]}
+image: {resolution: 80, outputs: "reference,albedo"}
+YAML
+works bake sized.sozai -o sized.exr
+check "a size without a shape is the plane's" cmp -s sized.exr <(
+  sed 's/size:/shape: plane, size:/' sized.sozai >shaped.sozai
+  "$sozai" bake shaped.sozai -o shaped.exr && cat shaped.exr
+)
+same "of its size" "80 40" "$("$picture" layers sized.exr | cut -d' ' -f1,2)"
 
 # ---- UDIM -----------------------------------------------------------------------------
 works bake wood --shape udim.obj -o 'tile.<UDIM>.png' --res 32

@@ -21,6 +21,17 @@ same "preset, and a parameter on top" $'albedo_r,albedo_g,albedo_b\n0.5,0.25,0.1
 
 works eval wood --channels reference <<<$' px , py,pz \r\n 1.5 ,2,\t-3e2\r\n0x10,0,1\r\n\r\n'
 same "spaces, returns, hexadecimal, blank lines at the end" $'reference_x,reference_z\n1.5,-300\n16,1' "$out"
+# which are read 65536 lines at a time
+rows() { # how many, and blank lines after them
+  echo px,py,pz
+  yes 1,2,3 | head -n "$1"
+  yes '' | head -n "$2"
+}
+works eval wood --channels reference -i <(rows 65535 3)
+same "rows before blank lines that two blocks share" 65536 "$(wc -l <"$scratch/out")"
+works eval wood --channels reference -i <(rows 10 140000)
+refuses 2 ":65537: 0 values" eval wood --channels reference -i <(rows 65535 3; echo 1,2,3) \
+  -o "$scratch/blank.csv"
 
 works eval wood --channels reference < <(printf '\xef\xbb\xbfpx,py,pz\n0.1,0,123456789')
 same "a byte-order mark, no newline at the end, nine digits" $'reference_x,reference_z\n0.100000001,123456792' "$out"

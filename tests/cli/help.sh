@@ -16,6 +16,16 @@ done
 # Wherever it stands, and whatever else is wrong.
 works render wood --spp nonsense --help
 
+if [[ -c /dev/full ]]; then # what is not taken is told
+  for words in --help --version "render --help" "grow fiber --help"; do
+    read -ra arguments <<<"$words"
+    "$sozai" "${arguments[@]}" >/dev/full 2>"$scratch/err"
+    same "exit code of: sozai $words, to a full device" 1 "$?"
+    check "and a message" grep -q 'cannot write standard output' "$scratch/err"
+  done
+fi
+refuses 2 "unknown option --nosuch|see sozai grow fiber --help" grow fiber --nosuch
+
 refuses 2 "unknown command 'rendr'" rendr
 run_command
 same "exit code without a command" 2 "$code"

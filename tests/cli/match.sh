@@ -108,6 +108,19 @@ works describe quoted.sozai
 cp known.exr $'new\nline.exr'
 works match $'new\nline.exr' --preset keyaki -o line.sozai
 works describe line.sozai
+cp known.exr $'raw\xff\xe2\x80\xa8line.exr'
+works match $'raw\xff\xe2\x80\xa8line.exr' --preset keyaki -o raw.sozai
+works describe raw.sozai
+check "what is no text of a name is not in it" grep -q 'photograph *raw??line.exr' raw.sozai
+works match known.exr --preset keyaki -p $'object=\xc2\x85 \xc3\xa9' -o object.sozai
+works describe object.sozai
+refuses 2 "object|UTF-8" match known.exr --preset keyaki -p $'object=\xff' -o none.sozai
+check "no file of it" test ! -e none.sozai
+# A path is this folder's, wherever the file is.
+mkdir -p sub
+works match known.exr --preset keyaki -p section=known.exr -o sub/path.sozai
+check "a whole path" grep -qF "section: \"$PWD/known.exr\"" sub/path.sozai
+works render sub/path.sozai --res 8x8 --spp 1 -o path.png
 
 # ---- integers, spaces, parts -----------------------------------------------------------------
 OCIO=$shipped oiiotool known.exr --iscolorspace scene_linear --tocolorspace sRGB -d uint8 -o known.png

@@ -41,4 +41,14 @@ check "end: fibres along +z" "$picture" between "$scratch/end.exr" 32 24 fiber.z
 works render wood --preset keyaki -o "$scratch/shown.png" --res 64x48 --spp 4
 works render wood --preset keyaki -o "$scratch/raw.png" --res 64x48 --spp 4 --view Raw
 check "the view is the display's" not cmp -s "$scratch/shown.png" "$scratch/raw.png"
+# Ids are no shares, and go past what a half can say.
+readonly boards=(bake wood -p layout=herringbone --size 2000x2000 --res 64 --outputs board_id)
+refuses 2 "--outputs|'board_id'|0 and 1|EXR" "${boards[@]}" -o "$scratch/id.tif"
+refuses 2 "--outputs|'board_id'|0 and 1|EXR" "${boards[@]}" -o "$scratch/id.png"
+printf 'material: wood\nimage: {format: half}\n' >"$scratch/half.sozai"
+works "${boards[@]}" -o "$scratch/id.exr"
+works "${boards[@]}" -o "$scratch/id16.exr" --bits 16
+works "${boards[@]/#wood/$scratch/half.sozai}" -o "$scratch/idhalf.exr"
+check "ids stay float with --bits 16" cmp -s "$scratch/id.exr" "$scratch/id16.exr"
+check "and with format: half" cmp -s "$scratch/id.exr" "$scratch/idhalf.exr"
 finish

@@ -91,6 +91,7 @@ refuses 2 "--bits|12" render wood -o x.png --bits 12
 refuses 2 "cut|'diagonal'" render wood -o x.png --cut diagonal
 refuses 2 "pitch|-4|0.1|1000" render wood -o x.png -p pitch=-4
 refuses 2 "unknown channel 'shade'" render wood -o x.exr --channels shade
+refuses 2 "unknown channel 'shade'" render wood -o x.png --channels shade
 refuses 2 "cannot write|nowhere" render wood -o nowhere/x.png
 refuses 1 "none.ocio" render wood -o x.png --config none.ocio # the mock has no colour service
 same "nothing is left of them" "" "$(find . -name '*x.png*' -o -name '*x.exr*')"

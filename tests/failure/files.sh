@@ -97,7 +97,7 @@ while IFS='|' read -r ending words; do
   check "half of $size B: sozai $words fails, and exited with $code: $err" \
     test "$code" -ne 0 -a "$code" -lt 126
   same "half: lines of message of sozai $words: $err" 1 "$(printf '%s' "$err" | grep -c '')"
-  check "half: sozai $words names it in: $err" grep -qF "short.$ending" <<<"$err"
+  check "half: sozai $words names it in: $err" grep -qF "made/short.$ending" <<<"$err"
   # what a bake has finished is kept for --resume
   same "half: nothing is left by sozai $words" "" \
     "$(find made -mindepth 1 -not -path '*.bake*')"
@@ -125,6 +125,7 @@ err=$( (
 ) | cat)
 code=${err##*exit }
 check "full: sozai ${sawn[*]} fails: $err" test "$code" -ne 0 -a "$code" -lt 126
+check "full: it names the folder that was asked for: $err" grep -qF "made/set/" <<<"$err"
 same "full: no half file is left by sozai ${sawn[*]}" "" \
   "$(find made -type f \( -name '.*' -o -size 0 -o -size +2 \))"
 rm -rf made

@@ -51,7 +51,8 @@ static void parse(int argc, char **argv) {
       {"up", 0, OPTION_TEXT, &job.up, "S", "", 0, 0},
   };
   static const char *const positional[] = {"material", "file"};
-  const command_line line = {"fuzz", "", table, sizeof table / sizeof *table, positional, 2, 1};
+  const command_line line = {"fuzz",     NULL, "", table, sizeof table / sizeof *table,
+                             positional, 2,    1};
   failure why = {0, ""};
   int r = options_parse(&line, argc, argv, values, &why);
   CHECK(r == OPTIONS_RUN || r == OPTIONS_BAD);

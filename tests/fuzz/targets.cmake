@@ -10,12 +10,12 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(FUZZ_YAML REQUIRED IMPORTED_TARGET yaml-0.1)
 sozai_fuzz_target(recipe LIBS PkgConfig::FUZZ_YAML INCLUDES ${h}/common
   SOURCES recipe.c ${h}/common/recipe.c ${h}/common/recipe_file.c ${h}/common/recipe_image.c
-    ${h}/common/ceilings.c ${h}/common/numbers.c ${h}/common/failure.c)
+    ${h}/common/ceilings.c ${h}/common/numbers.c ${h}/common/utf8.c ${h}/common/failure.c)
 sozai_fuzz_target(csv INCLUDES ${h}/cli ${h}/common
   SOURCES csv.c ${h}/cli/csv.c ${h}/cli/columns.c ${h}/common/failure.c)
 sozai_fuzz_target(options INCLUDES ${h}/cli ${h}/common ${h}/render ${h}/fiber
   SOURCES options.c ${h}/cli/options.c ${h}/cli/job_options.c ${h}/fiber/hulls.c
-    ${h}/common/ceilings.c ${h}/common/numbers.c ${h}/common/failure.c)
+    ${h}/common/ceilings.c ${h}/common/numbers.c ${h}/common/output_file.c ${h}/common/failure.c)
 sozai_fuzz_target(pieces INCLUDES ${h}/bake ${h}/common
   SOURCES pieces.c ${h}/bake/pieces.c ${h}/bake/folder_lock.c ${h}/bake/job_text.c ${h}/bake/checksum.c
     ${h}/common/folder.c ${h}/common/failure.c)

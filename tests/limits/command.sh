@@ -26,7 +26,11 @@ for bad in texture_bytes texture_bytes= =5 texture_bytes=-1 texture_bytes=1e9 \
   refuses 2 "--limit|$bad|NAME=VALUE" limits --limit "$bad"
 done
 SOZAI_LIMITS=nonsense refuses 2 "SOZAI_LIMITS|nonsense" render wood -o a.png "${small[@]}"
-SOZAI_LIMITS=,,texture_bites=1, refuses 2 "texture_bites" grow tree -o a.obj -p age=3
+SOZAI_LIMITS=texture_bites=1 refuses 2 "texture_bites" grow tree -o a.obj -p age=3
+for bad in ',' 'texture_bytes=1M,' ',texture_bytes=1M' 'texture_bytes=1M,,leaves=9'; do
+  SOZAI_LIMITS=$bad refuses 2 "SOZAI_LIMITS|''|NAME=VALUE" grow tree -o a.obj -p age=3
+done
+SOZAI_LIMITS='' works grow tree -o a.obj -p age=3
 
 # ---- the plugin's ---------------------------------------------------------------
 refuses 2 "texture_bytes, 1024" render wood -o a.png "${small[@]}" --limit texture_bytes=1K

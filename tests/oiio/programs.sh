@@ -35,7 +35,7 @@ holds() { # what, word...
 tool iinfo -v "$file"
 holds "iinfo" "512 x  512, 3 channel, float sozai" "channel list: R, G, B" "tile size: 64 x 64" \
   'oiio:ColorSpace: "scene_linear"' 'wrapmodes: "clamp,clamp"' 'textureformat: "Plain Texture"' \
-  'sozai:material: "wood"' 'sozai:preset: "keyaki"' 'sozai:mm_per_pixel: 0.25, 0.25' \
+  'sozai_material: "wood"' 'sozai_preset: "keyaki"' 'sozai_mm_per_pixel: 0.25, 0.25' \
   'ResolutionUnit: "cm"' 'XResolution: 40' \
   "MIP-map levels: 512x512 256x256 128x128 64x64 32x32 16x16 8x8 4x4 2x2 1x1"
 tool iinfo -v -a "$file"
@@ -44,7 +44,10 @@ holds "iinfo -a" 'oiio:subimagename: "albedo"' 'oiio:subimagename: "normal"' "no
   'oiio:ColorSpace: "data"'
 tool iinfo -v "$file?res=4096x2048&format=half&wrap=mirror&outputs=height,albedo&preset=sugi"
 holds "iinfo of a query" "4096 x 2048, 1 channel, float" "[h,h,h]" '"mirror,mirror"' "channel list: height" \
-  'sozai:preset: "sugi"' "2 subimages"
+  'sozai_preset: "sugi"' "2 subimages"
+
+tool iinfo -v "$file?res=256x64&outputs=albedo"
+holds "iinfo of texels that are not square" 'sozai_mm_per_pixel: 0.5, 2' 'PixelAspectRatio: 0.25'
 
 # ---- oiiotool reads what `sozai eval` says, at the same points and footprints
 grid_points() { # step: texels
@@ -102,6 +105,17 @@ works bake "$file" -o "$scratch/baked.exr" --outputs albedo,normal,roughness,hei
 tool oiiotool "$look" --selectmip 0 "$scratch/baked.exr" --diff
 channels() { iinfo -v "$1" | sed -n 's/ *channel list: //p'; }
 check "a baked file has the same channels" test "$(channels "$look")" = "$(channels "$scratch/baked.exr")"
+
+# What is said of a picture stands in files, too, whatever formats OpenImageIO knows of.
+tool iinfo -v "$scratch/whole.exr"
+holds "a file written from one" 'sozai_material: "wood"' 'sozai_preset: "keyaki"'
+tool iinfo -v "$scratch/baked.exr"
+holds "a baked file" 'sozai_material: "wood"' 'sozai_preset: "keyaki"' 'sozai_mm_per_pixel: 0.25, 0.25'
+path=$OIIO_LIBRARY_PATH
+unset OIIO_LIBRARY_PATH
+works bake "$file" -o "$scratch/alone.exr" --outputs albedo,normal,roughness,height,fiber --bits 32
+export OIIO_LIBRARY_PATH=$path
+check "the same file without the reader" cmp -s "$scratch/baked.exr" "$scratch/alone.exr"
 
 # ---- maketx, which wants a name that is a file's
 cat >"$scratch/albedo.sozai" <<'YAML'

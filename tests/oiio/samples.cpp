@@ -104,7 +104,7 @@ void mean_of_parts(void **) {
       return int(std::find(p.spec.channelnames.begin(), p.spec.channelnames.end(), name) -
                  p.spec.channelnames.begin());
     };
-    assert_int_equal(p.spec.get_int_attribute("sozai:samples"), 2);
+    assert_int_equal(p.spec.get_int_attribute("sozai_samples"), 2);
     for (uint32_t x = 0; x < width; x += 3) {
       uint32_t y = (7 * x + 1) % width;
       float albedo[3] = {0}, late = 0, whole;

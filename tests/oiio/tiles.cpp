@@ -164,7 +164,7 @@ void mesh(void **) {
   direct *d = direct_open(file.c_str());
   for (int udim : {1001, 1002}) {
     auto in = opened(file + "?udim=" + std::to_string(udim));
-    assert_int_equal(in->spec().get_int_attribute("sozai:udim"), udim);
+    assert_int_equal(in->spec().get_int_attribute("sozai_udim"), udim);
     for (int level = 0; level < 8; level += 3) {
       int n = 128 >> level;
       std::vector<float> all(size_t(n * n * 3));

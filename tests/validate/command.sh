@@ -9,6 +9,9 @@ readonly plugin=$2
 works validate "$plugin" --only '^symbols\.' --seed 5
 check "groups are headed" grep -q '^symbols: ' "$scratch/out"
 check "the seed is said" grep -q 'seed 5' "$scratch/out"
+refuses 2 "--list|--json" validate --list --json
+refuses 2 "--list|--json" validate --list --json="$scratch/list.json"
+refuses 2 "--list|--junit" validate --list --junit "$scratch/list.xml"
 works validate --list
 check "the list names checks" grep -q '^  evaluate.guard-bands ' "$scratch/out"
 works validate --help

@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# grow: what it takes for a tree, and what it refuses. The files are read back in
+# tests/tree/files.c.
+# shellcheck source=tests/cli/lib.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh" "$@"
+cd "$scratch" || exit 1
+
+# ---- which tree -------------------------------------------------------------------
+works grow tree -o usual.field --age 5
+works grow tree -o sugi.field --age 5 --species sugi
+check "a sugi, where no species is named, as the help says" cmp -s usual.field sugi.field
+works grow tree --help
+check "the help says so" grep -qF '(default: sugi)' out
+
+# ---- a measured one ---------------------------------------------------------------
+works grow tree --field sugi.field -o measured.obj
+: >empty.field
+refuses 2 "--field|'empty.field'|empty" grow tree --field empty.field -o gone.obj
+refuses 2 "--field|'/dev/null'|empty" grow tree --field /dev/null -o gone.obj
+printf 'trunk\n1 2 x 4\n' >bad.field
+refuses 2 "--field: bad.field: line 2|\"x\"" grow tree --field bad.field -o gone.obj
+refuses 2 "--field: bad.field: line 2|\"x\"" saw --field bad.field --wood sugi -o gone
+same "nothing is left of them" "" "$(find . -name '*gone*')"
+finish
