@@ -61,20 +61,26 @@ static void print_material(FILE *to, const bake_job *job) {
   }
 }
 
-static bool print_ground(FILE *to, const bake_job *job, failure *why) {
+/* As it was read, and not its file: a glTF's points are in files beside it. */
+static uint64_t sum_mesh(const mesh *m) {
+  size_t points = m->point_count, corners = 3 * (size_t)m->triangle_count;
+  uint64_t sum = checksum_bytes(0, m->points, 3 * points * sizeof *m->points);
+  sum = checksum_bytes(sum, m->normals, 3 * points * sizeof *m->normals);
+  sum = checksum_bytes(sum, m->uvs, 2 * points * sizeof *m->uvs);
+  return checksum_bytes(sum, m->indices, corners * sizeof *m->indices);
+}
+
+static void print_ground(FILE *to, const bake_job *job) {
   const surface_shape *shape = surface_shape_of(job->ground->surface);
   const recipe_surface *asked = &job->recipe->surface;
   fprintf(to, "surface: %d, %.17g x %.17g mm", asked->shape, shape->size[0], shape->size[1]);
   fprintf(to, ", thickness %.17g, wrap %d\n", asked->size[2], job->recipe->image.wrap);
   if (shape->samples > 1) fprintf(to, "samples: %u\n", shape->samples);
-  uint64_t sum = 0;
-  if (!job->ground->atlas) return true;
-  if (!checksum_file(asked->mesh, &sum))
-    return fail(why, EXIT_BAD_INPUT, "cannot read mesh '%s' any more", asked->mesh);
-  fprintf(to, "mesh: %016" PRIx64 ", scale %.17g\ntiles:", sum, asked->scale);
+  if (!job->ground->atlas) return;
+  fprintf(to, "mesh: %016" PRIx64 ", scale %.17g\ntiles:", sum_mesh(atlas_mesh(job->ground->atlas)),
+          asked->scale);
   for (uint32_t i = 0; i < job->ground->count; i++) fprintf(to, " %d", job->ground->tiles[i]);
   fputc('\n', to);
-  return true;
 }
 
 static void print_files(FILE *to, const bake_job *job) {
@@ -106,7 +112,7 @@ char *bake_describe_job(const bake_job *job, const bake_plan *plan, failure *why
     fprintf(to, "sozai bake: 1\npicture: %u x %u, %u levels, bands of %u, tiles of %u\n",
             plan->width, plan->height, plan->level_count, plan->band, job->tile);
     print_files(to, job);
-    ok = print_ground(to, job, why);
+    print_ground(to, job);
     print_material(to, job);
     if (fclose(to) != 0 && ok) ok = fail(why, EXIT_FAILURE, "out of memory");
   } else

@@ -72,8 +72,11 @@ static bool read_camera(render_job *job, const char *text, failure *why) {
 }
 
 static bool read_target(render_job *job, const char *text, failure *why) {
-  if (numbers_read(text, ',', job->target, 3) != 3)
-    return fail(why, EXIT_BAD_INPUT, "--target: '%s' is not X,Y,Z in mm", text);
+  bool ok = numbers_read(text, ',', job->target, 3) == 3;
+  for (int i = 0; ok && i < 3; i++) ok = fabs(job->target[i]) <= 1e6;
+  if (!ok)
+    return fail(why, EXIT_BAD_INPUT,
+                "--target: '%s' is not X,Y,Z in mm, each from -1000000 to 1000000", text);
   job->has_target = true;
   return true;
 }

@@ -35,7 +35,8 @@ void mesh_free(mesh *m) {
   memset(m, 0, sizeof *m);
 }
 
-/* Points of a part in files are finite more often than not. */
+/* Points of a part in files are numbers more often than not. */
+static float number_or_zero(float x) { return isnan(x) ? 0 : x; }
 static float finite_or_zero(float x) { return isfinite(x) ? x : 0; }
 
 /* The first set of UVs: what other programs show. */
@@ -48,14 +49,25 @@ static void append_uvs(const mesh *m, const struct aiMesh *part) {
   }
 }
 
+/* As of a hull (plugin/fiber/hull.c), and of what textures tell apart. */
+#define FARTHEST 1e6f
+
+static bool check_points(const mesh *m, const char *path, failure *why) {
+  for (size_t i = 0; i < 3 * (size_t)m->point_count; i++)
+    if (!(fabsf(m->points[i]) <= FARTHEST))
+      return fail(why, EXIT_BAD_INPUT, "%s: %c of a point is %g mm: outside -1000000 to 1000000 mm",
+                  path, "xyz"[i % 3], (double)m -> points[i]);
+  return true;
+}
+
 static void append(mesh *m, const struct aiMesh *part, float scale) {
   uint32_t base = m->point_count;
   for (uint32_t i = 0; i < part->mNumVertices; i++) {
     float *p = m->points + 3 * (size_t)(base + i);
     float *n = m->normals + 3 * (size_t)(base + i);
-    p[0] = finite_or_zero(scale * part->mVertices[i].x);
-    p[1] = finite_or_zero(scale * part->mVertices[i].y);
-    p[2] = finite_or_zero(scale * part->mVertices[i].z);
+    p[0] = number_or_zero(scale * part->mVertices[i].x);
+    p[1] = number_or_zero(scale * part->mVertices[i].y);
+    p[2] = number_or_zero(scale * part->mVertices[i].z);
     if (!part->mNormals) continue; /* stays 0: the face's own is used */
     n[0] = finite_or_zero(part->mNormals[i].x);
     n[1] = finite_or_zero(part->mNormals[i].y);
@@ -91,9 +103,11 @@ static bool convert(mesh *m, const struct aiScene *scene, const char *path, floa
   }
   m->point_count = m->triangle_count = 0; /* append counts what it uses */
   for (uint32_t i = 0; i < scene->mNumMeshes; i++) append(m, scene->mMeshes[i], scale);
-  if (m->triangle_count > 0) return true;
+  if (m->triangle_count > 0 ? check_points(m, path, why)
+                            : fail(why, EXIT_BAD_INPUT, "%s has no triangles", path))
+    return true;
   mesh_free(m);
-  return fail(why, EXIT_BAD_INPUT, "%s has no triangles", path);
+  return false;
 }
 
 bool mesh_read(mesh *m, const char *path, double scale, failure *why) {

@@ -4,9 +4,10 @@
 
 #include "failure.h"
 
-/* Whether a PLY file can hold as many elements as its header says: Assimp
- * believes it, and would take minutes and all memory over a few bytes. True of
- * files that are no PLY, which Assimp is left to judge. */
+/* Whether a PLY file holds as many elements as its header says, and its faces no
+ * corner that is none of its points: Assimp believes both, and would take minutes
+ * and all memory over a few bytes, or read where nothing is. True of files that
+ * are no PLY, which Assimp is left to judge. */
 bool mesh_ply_plausible(const char *path, failure *why);
 
 #endif

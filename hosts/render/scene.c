@@ -70,6 +70,36 @@ static bool build(scene *s, const render_job *job, failure *why) {
   return rtcGetDeviceError(s->device) == RTC_ERROR_NONE || embree_failed(s, why);
 }
 
+static bool has_area(const mesh *m) {
+  for (size_t i = 0; i < m->triangle_count; i++) {
+    const float *p[3];
+    for (size_t k = 0; k < 3; k++) p[k] = m->points + 3 * (size_t)m->indices[3 * i + k];
+    double a[3], b[3];
+    for (int k = 0; k < 3; k++) {
+      a[k] = (double)p[1][k] - (double)p[0][k];
+      b[k] = (double)p[2][k] - (double)p[0][k];
+    }
+    for (int k = 0; k < 3; k++)
+      if (a[k] * b[(k + 1) % 3] != a[(k + 1) % 3] * b[k]) return true;
+  }
+  return false;
+}
+
+/* What a camera can be drawn back from: it stands among floats as the points do. */
+static bool has_extent(const scene *s, const char *path, failure *why) {
+  vec size = vec_sub(s->high, s->low), a = s->low, b = s->high;
+  float longest = fmaxf(size.x, fmaxf(size.y, size.z));
+  float farthest = fmaxf(fmaxf(fmaxf(-a.x, b.x), fmaxf(-a.y, b.y)), fmaxf(-a.z, b.z));
+  double least = fmax(1e-3, 1e-5 * (double)farthest);
+  if ((double)longest < least)
+    return fail(why, EXIT_BAD_INPUT,
+                "%s: the longest side of its box is %g mm: at least %g where it is", path,
+                (double)longest, least);
+  return has_area(&s->mesh) ||
+         fail(why, EXIT_BAD_INPUT, "%s: none of its %u triangles has any area", path,
+              s->mesh.triangle_count);
+}
+
 bool scene_open(scene *s, const render_job *job, failure *why) {
   memset(s, 0, sizeof *s);
   s->low = (vec){INFINITY, INFINITY, INFINITY};
@@ -81,7 +111,7 @@ bool scene_open(scene *s, const render_job *job, failure *why) {
     ok = s->sphere ? true : fail(why, EXIT_FAILURE, "out of memory");
   } else
     ok = make_mesh(s, job, why);
-  if (!ok || !build(s, job, why)) {
+  if (!ok || !build(s, job, why) || (job->shape == SHAPE_MESH && !has_extent(s, job->mesh, why))) {
     scene_close(s);
     return false;
   }

@@ -97,6 +97,8 @@ static bool list_tiles(atlas *a, const char *path, failure *why) {
 uint32_t atlas_udim_count(const atlas *a) { return a->udim_count; }
 int atlas_udim(const atlas *a, uint32_t k) { return k < a->udim_count ? a->udims[k] : 0; }
 
+const mesh *atlas_mesh(const atlas *a) { return &a->mesh; }
+
 /* ---- opening ----------------------------------------------------------- */
 
 /* The triangles of use, and a count of the others. */

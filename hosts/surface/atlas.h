@@ -11,6 +11,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include "failure.h"
+#include "mesh.h"
 #include "texels.h"
 
 typedef struct atlas atlas; /* immutable once opened */
@@ -31,6 +32,9 @@ void atlas_close(atlas *a);
 uint32_t atlas_udim_count(const atlas *a);
 /* Of the k-th: 1001 + i + 10 j, ascending; 0: there is no k-th. [thread-safe] */
 int atlas_udim(const atlas *a, uint32_t k);
+
+/* As it was read, with UVs. [thread-safe] */
+const mesh *atlas_mesh(const atlas *a);
 
 typedef struct atlas_counts {
   uint32_t triangles;  /* of the mesh; the rest are counts of these */

@@ -69,6 +69,31 @@ refuses 2 "of another bake|pitch: 10|pitch: 12" "${long[@]}" -p pitch=12 -o canc
 works "${long[@]}" -o cancelled.exr --resume
 check "resumed" cmp whole.exr cancelled.exr
 
+# ---- a mesh whose points are in a file beside it ----------------------------------------------
+triangle() { # the first corner's x, a float's bytes
+  printf "$1"'%b' '\0\0\0\0\0\0\0\0' # x 0 0
+  printf '%b' '\0\0\x20\x41\0\0\0\0\0\0\0\0' '\0\0\0\0\0\0\x20\x41\0\0\0\0' # 10 0 0, 0 10 0
+  printf '%b' '\0\0\0\0\0\0\0\0' '\0\0\x80\x3f\0\0\0\0' '\0\0\0\0\0\0\x80\x3f' # UVs
+}
+cat >beside.gltf <<'JSON'
+{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}}]}],
+ "buffers": [{"uri": "beside.bin", "byteLength": 60}],
+ "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 36},
+                 {"buffer": 0, "byteOffset": 36, "byteLength": 24}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                "min": [0, 0, 0], "max": [10, 10, 0]},
+               {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC2"}]}
+JSON
+readonly beside=(bake wood --shape beside.gltf --res 64 --outputs albedo -o 'beside.exr')
+triangle '\0\0\0\0' >beside.bin
+works "${beside[@]}" --shard 1/2
+triangle '\0\0\x80\x3f' >beside.bin # 1 mm
+refuses 2 "beside.exr.bake|of another bake|mesh: " "${beside[@]}" --shard 2/2
+triangle '\0\0\0\0' >beside.bin
+works "${beside[@]}" --shard 2/2
+works "${beside[@]}" --merge
+
 # ---- damage ----------------------------------------------------------------------------------
 works "${exr[@]}" -o damaged.exr --shard 1/1
 readonly journal=damaged.exr.bake/1-of-1.pieces

@@ -81,6 +81,38 @@ refuses 2 "--shape|'cube'" render wood -o x.png --shape cube
 refuses 2 "cannot read mesh 'none.obj'" render wood -o x.png --shape none.obj
 echo 'v 1 2 3' >empty.obj
 refuses 2 "empty.obj" render wood -o x.png --shape empty.obj
+printf 'v 0 0 0\nv 1 0 0\nvt 0 0\nf 1/1 1/1 1/1\n' >flat.obj
+refuses 2 "flat.obj|longest side|0 mm|0.001" render wood -o x.png --shape flat.obj
+printf 'v nan nan nan\nv nan nan nan\nv nan nan nan\nf 1 2 3\n' >nan.obj
+refuses 2 "nan.obj|longest side" render wood -o x.png --shape nan.obj
+printf 'v 900000 0 0\nv 900001 0 0\nv 900000 1 0\nf 1 2 3\n' >afar.obj
+refuses 2 "afar.obj|longest side|1 mm|9" render wood -o x.png --shape afar.obj
+printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n' >line.obj
+refuses 2 "line.obj|any area" render wood -o x.png --shape line.obj
+for far in 1e20 -1e38 1.1e6; do
+  printf 'v 0 0 0\nv 1 0 0\nv 0 %s 0\nf 1 2 3\n' $far >far.obj
+  refuses 2 "far.obj|y of a point|1000000" render wood -o x.png --shape far.obj
+done
+ply() { # first property's element and count, corners...
+  printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n'
+  printf 'property float z\nelement %s\nproperty list uchar int vertex_indices\nend_header\n' "$1"
+  printf '0 0 0\n90 0 0\n0 90 0\n'
+  printf '%s\n' "${@:2}"
+}
+ply 'face 1' '3 0 1 2' >good.ply
+works render wood -o ply.exr --shape good.ply --res 8x8 --spp 1
+for corner in 2000000000 3 -1; do
+  ply 'face 2' '3 0 1 2' "3 0 1 $corner" >bad.ply
+  refuses 2 "bad.ply|'face' 1|vertex index $corner|3 vertices" render wood -o x.png --shape bad.ply
+done
+ply 'face 1' '3 0 1' >bad.ply
+refuses 2 "bad.ply|'face' 0|fewer" render wood -o x.png --shape bad.ply
+ply 'face 2' '3 0 1 2' 0 >bad.ply
+refuses 2 "bad.ply|'face' 1|no corner" render wood -o x.png --shape bad.ply
+ply 'face 2' '3 0 1 2' >bad.ply
+refuses 2 "bad.ply|'face' 1|end" render wood -o x.png --shape bad.ply
+refuses 2 "--target|'1e20,0,0'|1000000" render wood -o x.png --target 1e20,0,0
+refuses 2 "--target|'0,0,-1000001'|1000000" render wood -o x.png --target 0,0,-1000001
 refuses 2 "--size|'10x20'|WxHxT" render wood -o x.png --size 10x20
 refuses 2 "--size|'10x20x-3'|0.01" render wood -o x.png --size 10x20x-3
 refuses 2 "--res|'0x5'|1 to 32768" render wood -o x.png --res 0x5

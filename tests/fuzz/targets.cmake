@@ -23,10 +23,12 @@ sozai_fuzz_target(saw INCLUDES ${h}/saw ${h}/tree ${h}/common
   SOURCES saw.c ${h}/saw/plan.c ${h}/saw/live.c ${h}/saw/quarter.c ${h}/saw/rift.c
     ${h}/saw/rotary.c ${h}/common/failure.c)
 sozai_fuzz_target(ply INCLUDES ${h}/common
-  SOURCES ply.c ${h}/common/mesh_ply.c ${h}/common/ceilings.c ${h}/common/failure.c)
+  SOURCES ply.c ${h}/common/mesh_ply.c ${h}/common/mesh_ply_data.c ${h}/common/numbers.c
+    ${h}/common/ceilings.c ${h}/common/failure.c)
 pkg_check_modules(FUZZ_ASSIMP REQUIRED IMPORTED_TARGET assimp)
 sozai_fuzz_target(mesh LIBS PkgConfig::FUZZ_ASSIMP INCLUDES ${h}/common
-  SOURCES mesh.c ${h}/common/mesh_ply.c ${h}/common/ceilings.c ${h}/common/failure.c)
+  SOURCES mesh.c ${h}/common/mesh_ply.c ${h}/common/mesh_ply_data.c ${h}/common/numbers.c
+    ${h}/common/ceilings.c ${h}/common/failure.c)
 sozai_fuzz_target(alias INCLUDES ${SOZAI_SOURCE}/colour
   SOURCES alias.cpp ${SOZAI_SOURCE}/colour/aliases.cpp)
 sozai_fuzz_target(png INCLUDES ${SOZAI_SOURCE}/colour/images
