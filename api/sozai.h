@@ -286,9 +286,10 @@ typedef struct sozai_textures_1 {
 
   /* Answer a batch. Any size, any thread, any number at once; allocates
    * nothing, locks nothing, takes at most 384 KB of the calling thread's stack (whose
-   * host has less calls from a thread that has more), and the answer to a point depends on nothing but
-   * that point: same bits whatever the batch, thread or machine. (Of a texture
-   * with a picture, as far as the image service keeps to that.)
+   * host has less calls from a thread that has more), and the answer to a point
+   * depends on nothing but that point: same bits whatever the batch, thread or
+   * machine. (Of a texture with a picture, as far as the image service keeps to
+   * that.)
    * Checked before any output is written: ARGUMENT if a wanted channel needs
    * an input that is NULL. An input that a channel only `uses` may be NULL:
    * without a normal the footprint is a ball, not a square. After the look-ups, all

@@ -264,6 +264,7 @@ static int32_t evaluate(const sozai_texture *t, const sozai_batch *batch) {
     if (!(has & SOZAI_INPUT_VIEW)) memset(copy.view, 0, sizeof copy.view);
   }
   if (!wanted || !batch->count) return SOZAI_OK;
+  if (t->images.count) images_forget();
   uint64_t mode = float_mode_enter();
   t->kind->evaluate(t->state, batch, out, wanted);
   float_mode_leave(mode);

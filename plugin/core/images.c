@@ -59,8 +59,9 @@ static int32_t open_one(image_set *set, uint32_t i, const sozai_host *host,
   }
   char message[512] = "";
   r = set->service->open(set->service->self, &q, &set->list[i], message, sizeof message);
-  if (r == SOZAI_OK) return check_pixels(set, i, host, p->id);
+  if (r == SOZAI_OK && set->list[i]) return check_pixels(set, i, host, p->id);
   set->list[i] = NULL;
+  if (r >= SOZAI_OK || r < SOZAI_ERROR_LIMIT) r = SOZAI_ERROR_FILE; /* what no service may answer */
   return fail(r, "%s: %s", p->id, message[0] ? message : "the image service refused the picture");
 }
 
@@ -88,9 +89,10 @@ void images_answered(int32_t result) {
   if (result != SOZAI_OK && unanswered == SOZAI_OK) unanswered = result;
 }
 
+void images_forget(void) { unanswered = SOZAI_OK; }
+
 int32_t images_looked(void) {
   if (unanswered == SOZAI_OK) return SOZAI_OK;
-  unanswered = SOZAI_OK;
   return fail(SOZAI_ERROR_FILE, "evaluate: a picture could not be looked up; it is black there");
 }
 

@@ -21,7 +21,8 @@ int32_t images_open(image_set *set, const sozai_host *host, const sozai_texture_
 void images_close(image_set *set, const sozai_host *host);
 /* From a kernel: what a look-up came to. */
 void images_answered(int32_t result);
-/* What the look-ups of this thread came to since the last call. */
+/* Before look-ups that are to be asked about; and what those of this thread came to since. */
+void images_forget(void);
 int32_t images_looked(void);
 /* Of the host's memory; pictures are the service's. */
 uint64_t images_bytes(const image_set *set);

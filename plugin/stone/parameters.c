@@ -85,19 +85,19 @@ static const sozai_parameter grain_blur = {
 
 static const sozai_parameter second_share = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
-   .id = "second_share", .label = "Second mineral", .group = "grains", .unit = "",
-   .doc = "Its share of the grains.",
+   .id = "second_share", .label = "Second mineral's share", .group = "grains", .unit = "",
+   .doc = "Share of the grains that are of the second mineral.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
 
 static const sozai_parameter third_share = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
-   .id = "third_share", .label = "Third mineral", .group = "grains", .unit = "",
-   .doc = "Its share of the grains.",
+   .id = "third_share", .label = "Third mineral's share", .group = "grains", .unit = "",
+   .doc = "Share of the grains that are of the third mineral.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
 
 static const sozai_parameter grain_variation = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
-   .id = "grain_variation", .label = "Variation", .group = "grains", .unit = "",
+   .id = "grain_variation", .label = "Crystals' variation", .group = "grains", .unit = "",
    .doc = "How much lighter or darker than its mineral a grain, or a part of one, may be; strays "
    "to three times this.",
    .hard_min = 0, .hard_max = 0.35, .soft_min = 0, .soft_max = 0.2, .default_number = {0.1}};
@@ -176,13 +176,13 @@ static const sozai_parameter inclusion_size = {
 
 static const sozai_parameter inclusion_share = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
-   .id = "inclusion_share", .label = "Inclusions", .group = "inclusions", .unit = "",
+   .id = "inclusion_share", .label = "Inclusions' share", .group = "inclusions", .unit = "",
    .doc = "Share of area of inclusions of the first kind.",
    .hard_min = 0, .hard_max = 0.9, .soft_min = 0, .soft_max = 0.6, .default_number = {0}};
 
 static const sozai_parameter inclusion_second_share = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
-   .id = "inclusion_second_share", .label = "Inclusions, second", .group = "inclusions", .unit = "",
+   .id = "inclusion_second_share", .label = "Second inclusions' share", .group = "inclusions", .unit = "",
    .doc = "Share of area of inclusions of the second kind.",
    .hard_min = 0, .hard_max = 0.9, .soft_min = 0, .soft_max = 0.6, .default_number = {0}};
 
@@ -219,7 +219,7 @@ static const sozai_parameter inclusion_interlock = {
 static const sozai_parameter inclusion_variation = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "inclusion_variation", .label = "Inclusion variation", .group = "inclusions", .unit = "",
-   .doc = "The same of inclusions.",
+   .doc = "How much lighter or darker than its kind an inclusion may be; strays to three times this.",
    .hard_min = 0, .hard_max = 0.35, .soft_min = 0, .soft_max = 0.2, .default_number = {0.1}};
 
 static const sozai_parameter inclusion_blur = {
@@ -270,13 +270,13 @@ static const sozai_parameter speck_size = {
 
 static const sozai_parameter black_share = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
-   .id = "black_share", .label = "Black specks", .group = "specks", .unit = "",
+   .id = "black_share", .label = "Black specks' share", .group = "specks", .unit = "",
    .doc = "Share of area: mica, hornblende, ore.",
    .hard_min = 0, .hard_max = 0.5, .soft_min = 0, .soft_max = 0.2, .default_number = {0}};
 
 static const sozai_parameter white_share = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
-   .id = "white_share", .label = "White specks", .group = "specks", .unit = "",
+   .id = "white_share", .label = "White specks' share", .group = "specks", .unit = "",
    .doc = "Share of area: quartz, shell, calcite.",
    .hard_min = 0, .hard_max = 0.5, .soft_min = 0, .soft_max = 0.2, .default_number = {0}};
 
@@ -352,7 +352,7 @@ static const sozai_parameter hole_size = {
 
 static const sozai_parameter hole_share = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
-   .id = "hole_share", .label = "Holes", .group = "holes", .unit = "",
+   .id = "hole_share", .label = "Holes' share", .group = "holes", .unit = "",
    .doc = "Share of area.",
    .hard_min = 0, .hard_max = 0.4, .soft_min = 0, .soft_max = 0.2, .default_number = {0}};
 
@@ -419,26 +419,26 @@ static const sozai_parameter inclusion_colour = {
 
 static const sozai_parameter inclusion_second_colour = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
-   .id = "inclusion_second_colour", .label = "Inclusions, second", .group = "colour", .unit = "",
+   .id = "inclusion_second_colour", .label = "Second inclusions", .group = "colour", .unit = "",
    .doc = "Of the second kind.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.3529, 0.3137, 0.2745}, .default_text = "sRGB"};
 
 static const sozai_parameter black_colour = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
    .id = "black_colour", .label = "Black specks", .group = "colour", .unit = "",
-   .doc = "Their colour.",
+   .doc = "Of the black specks.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.1098, 0.1059, 0.1059}, .default_text = "sRGB"};
 
 static const sozai_parameter white_colour = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
    .id = "white_colour", .label = "White specks", .group = "colour", .unit = "",
-   .doc = "Their colour.",
+   .doc = "Of the white specks.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.9333, 0.9255, 0.9098}, .default_text = "sRGB"};
 
 static const sozai_parameter vein_colour = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
    .id = "vein_colour", .label = "Veins", .group = "colour", .unit = "",
-   .doc = "Their colour.",
+   .doc = "Of the veins.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.4706, 0.4784, 0.4941}, .default_text = "sRGB"};
 
 static const sozai_parameter hole_colour = {
@@ -455,13 +455,13 @@ static const sozai_parameter paper_texel = {
 
 static const sozai_parameter paper_base = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT3,
-   .id = "paper_base", .label = "Base", .group = "paper", .unit = "code",
+   .id = "paper_base", .label = "Paper's base", .group = "paper", .unit = "code",
    .doc = "R, G and B of display-referred sRGB, 8 bits.",
    .hard_min = 0, .hard_max = 255, .soft_min = 0, .soft_max = 255, .default_number = {50, 50, 50}};
 
 static const sozai_parameter paper_variation = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT3,
-   .id = "paper_variation", .label = "Variation", .group = "paper", .unit = "code",
+   .id = "paper_variation", .label = "Paper's variation", .group = "paper", .unit = "code",
    .doc = "paper_rgb: the most that R, G and B each depart from the base.",
    .hard_min = 0, .hard_max = 255, .soft_min = 0, .soft_max = 100, .default_number = {30, 30, 30}};
 

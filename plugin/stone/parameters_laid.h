@@ -115,12 +115,12 @@ static const sozai_parameter tile_pattern = {
    .choices = tile_pattern_choices, .choice_docs = tile_pattern_docs, .choice_count = COUNT(tile_pattern_choices), .default_number = {0}};
 static const sozai_parameter tile_length = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_INT,
-   .id = "paper_length", .label = "Stone length", .group = "paper", .unit = "texel",
+   .id = "paper_length", .label = "Paper's stone length", .group = "paper", .unit = "texel",
    .doc = "Of a stone with its joint, along x; even.",
    .hard_min = 16, .hard_max = 1024, .soft_min = 64, .soft_max = 512, .default_number = {200}};
 static const sozai_parameter tile_width = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_INT,
-   .id = "paper_width", .label = "Stone width", .group = "paper", .unit = "texel",
+   .id = "paper_width", .label = "Paper's stone width", .group = "paper", .unit = "texel",
    .doc = "Likewise, along y.",
    .hard_min = 16, .hard_max = 1024, .soft_min = 64, .soft_max = 512, .default_number = {200}};
 static const sozai_parameter tile_levels = {
@@ -131,11 +131,11 @@ static const sozai_parameter tile_levels = {
    .hard_min = 1, .hard_max = 4, .soft_min = 3, .soft_max = 4, .default_number = {4}};
 NUMBER_(tile_dh, "paper_dh", "Fine roughness dh", "paper", "code", 0, 1024, 0, 128, 30,
         "H' = alpha (H + e dh), e uniform on 0 to 1 for each texel, H within 0 to 128, alpha such that the highest is 256.");
-NUMBER_(tile_relief, "paper_relief", "Relief", "paper", "mm", 0, 1000, 0, 20, 8,
+NUMBER_(tile_relief, "paper_relief", "Paper's relief", "paper", "mm", 0, 1000, 0, 20, 8,
         "Height of 256 codes.");
 NUMBER_(tile_joint, "paper_joint", "Joint", "paper", "texel", 0, 200, 0, 20, 6,
         "Least width between neighbours.");
-NUMBER_(tile_wander, "paper_joint_wander", "Joint wander", "paper", "", 0, 0.2, 0, 0.1, 0.06,
+NUMBER_(tile_wander, "paper_joint_wander", "Paper's joint wander", "paper", "", 0, 0.2, 0, 0.1, 0.06,
         "Range in which each division point of a stone's outline lies further in, of the stone's width.");
 static const sozai_parameter tile_parts = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_INT,
@@ -148,7 +148,7 @@ NUMBER_(tile_joint_height, "paper_joint_height", "Joint height", "paper", "code"
         "Of all joints.");
 static const sozai_parameter tile_joint_colour = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT3,
-   .id = "paper_joint_colour", .label = "Joint colour", .group = "paper", .unit = "code",
+   .id = "paper_joint_colour", .label = "Paper's joint colour", .group = "paper", .unit = "code",
    .doc = "R, G and B of display-referred sRGB, 8 bits; rounded.",
    .hard_min = 0, .hard_max = 255, .soft_min = 0, .soft_max = 255, .default_number = {110, 105, 98}};
 /* clang-format on */

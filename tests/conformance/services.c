@@ -134,6 +134,87 @@ static void beside(void **state) {
   unload(&l);
 }
 
+/* The program's folder when it is looked for is not that of init. */
+static void beside_a_relative_path(void **state) {
+  (void)state;
+  char folder[4096], here[4096];
+  snprintf(folder, sizeof folder, "%s", SOZAI_TEST_PLUGIN);
+  char *slash = strrchr(folder, '/');
+  assert_non_null(slash);
+  *slash = '\0';
+  assert_non_null(getcwd(here, sizeof here));
+  assert_int_equal(chdir(folder), 0);
+  if (access("sozai-colour.so", R_OK) != 0) skip();
+  unsetenv("OCIO");
+  loaded l = load("./sozai.so");
+  assert_int_equal(chdir("/"), 0);
+  float wide[3];
+  assert_int_equal(albedo(&l, NULL, "ACEScg", wide), SOZAI_OK);
+  unload(&l);
+  assert_int_equal(chdir(here), 0);
+}
+
+/* Pictures of a host's that can be opened and, after a while, no more be looked up. */
+static int32_t picture_state;
+static int32_t open_picture(void *self, const sozai_image_request *q, sozai_image **out,
+                            char *message, size_t size) {
+  (void)q;
+  snprintf(message, size, "no picture");
+  *out = picture_state == 2 ? NULL : (sozai_image *)self;
+  return picture_state == 1 ? 5 : SOZAI_OK;
+}
+static void close_picture(void *self, sozai_image *image) { assert_ptr_equal(self, image); }
+static int32_t sides(void *self, const sozai_image *image, uint32_t *width, uint32_t *height) {
+  assert_ptr_equal(self, image);
+  *width = *height = 100;
+  return SOZAI_OK;
+}
+static int32_t sample_picture(void *self, const sozai_image *image, uint32_t count, const float *s,
+                              const float *t, const float *dsdx, const float *dtdx,
+                              const float *dsdy, const float *dtdy, float *const *out) {
+  (void)self, (void)image, (void)dsdx, (void)dtdx, (void)dsdy, (void)dtdy;
+  for (uint32_t i = 0; i < count; i++) { /* rings */
+    float ring = 0.5f + 0.3f * sinf(60.0f * hypotf(s[i] - 0.5f, t[i] - 0.5f));
+    for (int c = 0; c < 3; c++) out[c][i] = picture_state == 3 ? 0.0f : ring;
+  }
+  return picture_state == 3 ? SOZAI_ERROR_FILE : SOZAI_OK;
+}
+static int picture_self;
+static const sozai_images_1 pictures = {sizeof pictures, 0,     &picture_self,  open_picture,
+                                        close_picture,   sides, sample_picture, NULL};
+static const void *picture_service(void *user, const char *id) {
+  (void)user;
+  return strcmp(id, SOZAI_IMAGES_1) == 0 ? &pictures : NULL;
+}
+
+static void a_picture_that_has_gone(void **state) {
+  (void)state;
+  loaded l = load(SOZAI_TEST_PLUGIN);
+  sozai_host host = {.size = sizeof host, .get_service = picture_service};
+  const sozai_value value = {.id = "section", .kind = SOZAI_KIND_STRING, .text = "end.tif"};
+  sozai_texture *t = NULL;
+  for (picture_state = 1; picture_state <= 2; picture_state++) {
+    assert_int_equal(l.textures->create(&host, "wood", NULL, &value, 1, &t), SOZAI_ERROR_FILE);
+    if (!strstr(l.textures->last_error(), "section")) fail_msg("%s", l.textures->last_error());
+  }
+  picture_state = 0;
+  if (l.textures->create(&host, "wood", NULL, &value, 1, &t))
+    fail_msg("%s", l.textures->last_error());
+  const float p[3] = {40, 50, 3};
+  float rgb[3];
+  float *const out[3] = {&rgb[0], &rgb[1], &rgb[2]};
+  sozai_batch b = {.size = sizeof b, .count = 1, .point = {p, p + 1, p + 2}, .out = out};
+  b.out_count = 3;
+  assert_int_equal(l.textures->evaluate(t, &b), SOZAI_OK);
+  picture_state = 3;
+  assert_int_equal(l.textures->evaluate(t, &b), SOZAI_ERROR_FILE);
+  if (!strstr(l.textures->last_error(), "picture")) fail_msg("%s", l.textures->last_error());
+  picture_state = 0;
+  assert_int_equal(l.textures->evaluate(t, &b), SOZAI_OK);
+  l.textures->destroy(t);
+  unload(&l);
+}
+
 /* A host's own: it knows one space, which swaps red and blue. */
 static int calls;
 static const char *own_name(void *self) { return self ? "own" : "?"; }
@@ -219,6 +300,8 @@ int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(neither),
       cmocka_unit_test(beside),
+      cmocka_unit_test(beside_a_relative_path),
+      cmocka_unit_test(a_picture_that_has_gone),
       cmocka_unit_test(the_hosts_own),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

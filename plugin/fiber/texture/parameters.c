@@ -175,7 +175,7 @@ static const sozai_parameter twist = {
 static const sozai_parameter slub = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "slub", .label = "Unevenness", .group = "cloth", .unit = "",
-   .doc = "Of the yarns' width and course.",
+   .doc = "How unevenly yarns are spun: how much their width and course vary.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.4}};
 
 static const sozai_parameter hollow = {

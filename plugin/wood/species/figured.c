@@ -40,9 +40,12 @@ SPECIES(quilted_maple, "Quilted maple (Acer macrophyllum)",
         PANSHIN "; " BEALS);
 
 static const sozai_value values_birdseye_maple[] = {
-    RINGS(1.9, 0.22, 0.7),       LATEWOOD(0.06, 0.7),
-    NUMBER("slope_noise", 0.03), NUMBER("slope_noise_length", 45.0),
-    EYES(1.0, 3.4, 0.3, 70.0),   LUSTRE,
+    RINGS(1.9, 0.22, 0.7),
+    LATEWOOD(0.06, 0.7),
+    NUMBER("slope_noise", 0.03),
+    NUMBER("slope_noise_length", 45.0),
+    EYES(1.0, 3.4, 0.3, 70.0),
+    LUSTRE,
     MAPLE_TISSUE,
 };
 SPECIES(birdseye_maple, "Bird's-eye maple (Acer saccharum var. saccharum)",

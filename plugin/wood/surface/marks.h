@@ -25,8 +25,6 @@ typedef struct {
 #define MARK_STRAY 30.0f /* mm along a mark in which its depth changes */
 #define MARK_MEAN 0.6f   /* of the deepest, the mean; and how far it strays */
 #define MARK_VARIES 0.4f
-#define MARK_SCORE 0.16f /* size of the scores, of the pitch; and height, of the depth */
-#define MARK_SCORE_DEPTH 0.22f
 #define MARK_SHAPE (8.0f / 15.0f) /* mean of a groove's q^2 */
 
 /* What is left of a detail of that frequency: all under a quarter of it,
@@ -65,23 +63,6 @@ INLINE vf marks_uneven(const wood_surface *m, vu seed, vf t, vf *ta) {
   vf d, k = splat(0.4f * m->pitch / HASH_ONE), n = noise_value1(&along, seed, &d);
   *ta = splat(1.0f) + k * splat(1.0f / size) * d;
   return k * n;
-}
-
-/* Fine scores beside the grooves: every tooth's own corners. */
-INLINE void marks_scores(const wood_surface *m, vu seed, float depth, vf travel, vf tb, vf b, vf e,
-                         marks_relief *r) {
-  float size = MARK_SCORE * m->pitch, height = MARK_SCORE_DEPTH * depth;
-  vf one = splat(1.0f), steep2 = one + tb * tb, slope = splat(height / size);
-  vf keep = one - smooth_step(splat(0.25f * size), splat(size), e * vsqrt(steep2));
-  r->lost = r->lost + (one - keep * keep) * (slope * slope * splat(0.59428571f) * steep2);
-  if (!any(gt(keep, splat(0.0f)))) return;
-  noise_axis at = noise_split_cubic(travel * splat(1.0f / size), HASH_X);
-  noise_axis along = noise_split_cubic(b * splat(0.4f / MARK_STRAY), HASH_Z);
-  vf dt, db, k = keep * splat(height / HASH_ONE);
-  r->height = r->height + k * noise_value2(&at, &along, seed + splatu(HASH_Z), &dt, &db);
-  vf by_travel = k * dt * splat(1.0f / size);
-  r->a = r->a + by_travel;
-  r->b = r->b + by_travel * tb + k * db * splat(0.4f / MARK_STRAY);
 }
 
 /* Grooves at every pitch of the travel, whose gradient is (1, tb): teeth are
