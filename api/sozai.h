@@ -274,7 +274,8 @@ typedef struct sozai_textures_1 {
    *   values  value_count of them; of two for one parameter the later counts.
    *   out     the texture; NULL when anything failed, and then nothing is kept.
    * Colours are converted into the working space here, once; pictures are
-   * opened here. The host's callbacks are called on this thread.
+   * opened here. The host's callbacks are called on this thread, progress from its
+   * thread pool's too.
    * Errors: ARGUMENT, UNKNOWN, KIND, RANGE, LIMIT, MEMORY, FILE, COLOUR, CANCELLED,
    * STATE, and UNSUPPORTED for an instruction set that SOZAI_CPU asks for and
    * this machine lacks, or for a picture where there is no image service.
@@ -324,8 +325,8 @@ typedef struct sozai_wood_1 {
   /* The ring surface r = R(t, theta, y): distance in mm from the pith, at
    * azimuth theta (radians; x = r cos theta, z = r sin theta about the pith)
    * and height y (mm), of the wood formed at time t (years from the pith's
-   * first, >= 0). The inverse of the channel `time`, to 1e-5 of r. count
-   * numbers each. ARGUMENT: NULL, or not a wood. [thread-safe] */
+   * first, >= 0; less, or NaN, is read as 0). The inverse of the channel `time`, to
+   * 1e-5 of r. count numbers each. ARGUMENT: NULL, or not a wood. [thread-safe] */
   int32_t (*ring_radius)(const sozai_texture *texture, uint32_t count, const float *t,
                          const float *theta, const float *y, float *out_r);
   /* The pith at height y: x and z in mm, log space. [thread-safe] */
@@ -443,8 +444,9 @@ typedef struct sozai_geometry_1 {
    * sozai_textures_1.create. The same values give the same bits on every
    * machine, with or without the host's thread pool. Calls host.progress, from
    * the pool's threads too. On failure *out is NULL and nothing is kept.
-   * Errors: ARGUMENT, UNKNOWN, KIND, RANGE, LIMIT, MEMORY, FILE (a malformed
-   * table), CANCELLED, STATE. [thread-safe] */
+   * Errors: ARGUMENT, UNKNOWN, KIND, RANGE (a hull's or a table's numbers in a buffer,
+   * too), LIMIT, MEMORY, FILE (a malformed table as text), CANCELLED, STATE.
+   * [thread-safe] */
   int32_t (*grow)(const struct sozai_host *host, const char *generator_id, const char *preset,
                   const sozai_value *values, uint32_t value_count, sozai_geometry **out);
   /* Meshes and curves made of it stay. NULL is allowed. [exclusive] */
@@ -484,7 +486,8 @@ typedef struct sozai_geometry_1 {
 #define SOZAI_LOG_ERROR 3
 
 /* What a host offers. Every member may be NULL. Callbacks may come from any
- * thread that calls the plugin, and must not throw or unwind. */
+ * thread that calls the plugin, progress from any of the pool's, several at once;
+ * and they must not throw or unwind. */
 typedef struct sozai_host {
   uint32_t size; /* sizeof(sozai_host) */
   uint32_t reserved;
@@ -494,7 +497,8 @@ typedef struct sozai_host {
   void *(*alloc)(void *user, size_t size, size_t align);
   void (*free)(void *user, void *memory, size_t size, size_t align);
   /* Run task(context, i) for every i below count, in any order, and return
-   * when all are done. Not 0: refused, and the plugin runs them itself. */
+   * when all are done. Not 0: refused, and the plugin runs them all itself, also
+   * those that have run: that changes nothing. */
   int32_t (*parallel)(void *user, uint32_t count, void (*task)(void *context, uint32_t i),
                       void *context);
   /* Long work, 0 to 1. Not 0: cancel. */

@@ -53,10 +53,12 @@ static void append_uvs(const mesh *m, const struct aiMesh *part) {
 #define FARTHEST 1e6f
 
 static bool check_points(const mesh *m, const char *path, failure *why) {
-  for (size_t i = 0; i < 3 * (size_t)m->point_count; i++)
-    if (!(fabsf(m->points[i]) <= FARTHEST))
+  for (size_t i = 0; i < 3 * (size_t)m->point_count; i++) {
+    double at = (double)m->points[i];
+    if (!(fabs(at) <= (double)FARTHEST))
       return fail(why, EXIT_BAD_INPUT, "%s: %c of a point is %g mm: outside -1000000 to 1000000 mm",
-                  path, "xyz"[i % 3], (double)m -> points[i]);
+                  path, "xyz"[i % 3], at);
+  }
   return true;
 }
 
