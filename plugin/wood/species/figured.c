@@ -57,7 +57,6 @@ static const sozai_value values_pommele_sapele[] = {
     LATEWOOD(0.2, 0.3),
     INTERLOCKED(0.1, 12.0, 900.0),
     QUILT(0.1, 9.0, 10.0),
-    LUSTRE,
     NUMBER("slope_noise", 0.06),
     NUMBER("slope_noise_length", 12.0),
     DIFFUSE_POROUS(14.0, 125.0, 0.2),

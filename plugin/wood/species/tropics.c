@@ -33,7 +33,6 @@ static const sozai_value values_sapele[] = {
     RINGS(2.4, 0.28, 1.0),
     LATEWOOD(0.2, 0.3),
     INTERLOCKED(0.13, 10.0, 900.0),
-    LUSTRE,
     NUMBER("slope_noise", 0.035),
     NUMBER("slope_noise_length", 45.0),
     DIFFUSE_POROUS(14.0, 125.0, 0.2),
