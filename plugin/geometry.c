@@ -72,9 +72,9 @@ static void release(sozai_geometry *g) {
 }
 
 /* Grows it, or rehearses that: then *out is NULL, and *memory what it would take. */
-static int32_t make(const sozai_host *host, const char *id, const char *preset,
-                    const sozai_value *values, uint32_t value_count, sozai_geometry **out,
-                    sozai_memory *memory) {
+static int32_t make_in_mode(const sozai_host *host, const char *id, const char *preset,
+                            const sozai_value *values, uint32_t value_count, sozai_geometry **out,
+                            sozai_memory *memory) {
   if (!textures_ready()) return fail(SOZAI_ERROR_STATE, "grow: called before init");
   if (!id) return fail(SOZAI_ERROR_ARGUMENT, "grow: the generator's id is NULL");
   if (value_count && !values) return fail(SOZAI_ERROR_ARGUMENT, "grow: values is NULL");
@@ -113,14 +113,20 @@ static int32_t make(const sozai_host *host, const char *id, const char *preset,
   return SOZAI_OK;
 }
 
+static int32_t make(const sozai_host *host, const char *id, const char *preset,
+                    const sozai_value *values, uint32_t value_count, sozai_geometry **out,
+                    sozai_memory *memory) {
+  uint64_t mode = float_mode_enter();
+  int32_t r = make_in_mode(host, id, preset, values, value_count, out, memory);
+  float_mode_leave(mode);
+  return r;
+}
+
 static int32_t grow(const sozai_host *host, const char *id, const char *preset,
                     const sozai_value *values, uint32_t value_count, sozai_geometry **out) {
   if (!out) return fail(SOZAI_ERROR_ARGUMENT, "grow: out is NULL");
   *out = NULL;
-  uint64_t mode = float_mode_enter();
-  int32_t r = make(host, id, preset, values, value_count, out, NULL);
-  float_mode_leave(mode);
-  return r;
+  return make(host, id, preset, values, value_count, out, NULL);
 }
 
 int32_t geometry_memory(const sozai_host *host, const char *id, const char *preset,

@@ -88,9 +88,9 @@ static void collect_needs(sozai_texture *t) {
 }
 
 /* Makes it, or rehearses that: then *out is NULL, and *memory what it would take. */
-static int32_t make(const sozai_host *host, const char *id, const char *preset,
-                    const sozai_value *values, uint32_t value_count, sozai_texture **out,
-                    sozai_memory *memory) {
+static int32_t make_in_mode(const sozai_host *host, const char *id, const char *preset,
+                            const sozai_value *values, uint32_t value_count, sozai_texture **out,
+                            sozai_memory *memory) {
   if (!textures_ready()) return fail(SOZAI_ERROR_STATE, "create: called before init");
   if (!id) return fail(SOZAI_ERROR_ARGUMENT, "create: the texture's id is NULL");
   if (host && host->size < 8) {
@@ -124,14 +124,20 @@ static int32_t make(const sozai_host *host, const char *id, const char *preset,
   return SOZAI_OK;
 }
 
+static int32_t make(const sozai_host *host, const char *id, const char *preset,
+                    const sozai_value *values, uint32_t value_count, sozai_texture **out,
+                    sozai_memory *memory) {
+  uint64_t mode = float_mode_enter();
+  int32_t r = make_in_mode(host, id, preset, values, value_count, out, memory);
+  float_mode_leave(mode);
+  return r;
+}
+
 static int32_t create(const sozai_host *host, const char *id, const char *preset,
                       const sozai_value *values, uint32_t value_count, sozai_texture **out) {
   if (!out) return fail(SOZAI_ERROR_ARGUMENT, "create: out is NULL");
   *out = NULL;
-  uint64_t mode = float_mode_enter();
-  int32_t r = make(host, id, preset, values, value_count, out, NULL);
-  float_mode_leave(mode);
-  return r;
+  return make(host, id, preset, values, value_count, out, NULL);
 }
 
 int32_t texture_memory(const sozai_host *host, const char *id, const char *preset,

@@ -14,17 +14,15 @@
 #if defined(__x86_64__)
 #include <immintrin.h>
 
-/* MXCSR: rounding and masks; what stays: flush to zero, denormals are zero. */
-#define FLOAT_MODE_BITS 0x7f80u
+/* MXCSR: rounding and masks. */
+#define FLOAT_MODE_BITS UINT64_C(0x7f80)
 #define FLOAT_MODE_WANTED 0x1f80u
-#define FLOAT_MODE_KEPT 0x8040u
 static inline uint64_t float_mode_read(void) { return _mm_getcsr(); }
 static inline void float_mode_write(uint64_t mode) { _mm_setcsr((uint32_t)mode); }
 #elif defined(__aarch64__)
 /* FPCR: rounding, and what traps. */
-#define FLOAT_MODE_BITS 0xc09f00u
+#define FLOAT_MODE_BITS UINT64_C(0xc09f00)
 #define FLOAT_MODE_WANTED 0u
-#define FLOAT_MODE_KEPT 0xffffffffu & ~FLOAT_MODE_BITS
 static inline uint64_t float_mode_read(void) {
   uint64_t mode;
   __asm__ volatile("mrs %0, fpcr" : "=r"(mode));
@@ -41,7 +39,7 @@ static inline void float_mode_write(uint64_t mode) {
 static inline uint64_t float_mode_enter(void) {
   uint64_t was = float_mode_read();
   if (__builtin_expect((was & FLOAT_MODE_BITS) != FLOAT_MODE_WANTED, 0)) {
-    float_mode_write((was & (FLOAT_MODE_KEPT)) | FLOAT_MODE_WANTED);
+    float_mode_write((was & ~FLOAT_MODE_BITS) | FLOAT_MODE_WANTED);
   }
   return was;
 }

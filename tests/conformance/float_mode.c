@@ -85,10 +85,13 @@ static void trees_grow_alike(void **state) {
   sozai_geometry *g[2];
   const sozai_detail detail = {.size = sizeof detail};
   const sozai_geometry_1 *geometry = p.entry->get_factory(SOZAI_GEOMETRY_1);
+  const sozai_memory_1 *memory = p.entry->get_factory(SOZAI_MEMORY_1);
   for (int k = 0; k < 2; k++) {
     if (k) fesetround(FE_UPWARD);
     if (k) feenableexcept(TRAPS);
-    int32_t r = geometry->grow(NULL, "tree", "sugi", &age, 1, &g[k]);
+    sozai_memory told = {.size = sizeof told};
+    int32_t r = memory->geometry(NULL, "tree", "sugi", &age, 1, &told);
+    if (!r) r = geometry->grow(NULL, "tree", "sugi", &age, 1, &g[k]);
     if (!r) r = geometry->mesh(g[k], &detail, &mesh[k]);
     fedisableexcept(FE_ALL_EXCEPT);
     fesetround(FE_TONEAREST);
