@@ -618,7 +618,7 @@ static void build_rays(wood_constants *w, const settings *s) {
   w->inverse_ray_cell = (float)(1.0 / cell);
   w->ray_tall = (float)(0.5 * height / cell);
   /* broad rays are uneven: fibres pass between their cells */
-  double broad = limited((height - 3.0) / 9.0, 0.0, 1.0), uneven = 0.35 * broad;
+  double broad = limited((height - 3.0) / 9.0, 0.0, 1.0), uneven = 0.55 * broad;
   w->ray_uneven = (float)uneven;
   /* a footprint with few of them in it is not one with their mean */
   w->ray_sides = broad > 0.5 ? 2 : 1;
@@ -635,12 +635,13 @@ static void build_rays(wood_constants *w, const settings *s) {
   if (half > room / most * arc) half = room / most * arc;
   w->ray_half = (float)half;
   w->ray_ragged = (float)ragged;
+  w->ray_blunt = (float)broad;
   w->ray_room = (float)room;
   w->ray_thickest = (float)(most * half);
   /* Sheets sway along the fibre: fine ones little, broad ones by slopes of some degrees
    * over more than their height, for which a cut along them shows ribbons. Along the
    * radius they are nearly straight. */
-  double along = (0.4 + 1.1 * broad) * height, slope = 0.05 + 0.05 * broad;
+  double along = (0.4 + 0.7 * broad) * height, slope = 0.05 + 0.02 * broad;
   w->ray_stray = (float)(slope * along / 2147483648.0);
   w->ray_wave_radial = (float)(1.0 / (8.0 + 3.5 * height));
   w->ray_wave_along = (float)(1.0 / along);
@@ -649,7 +650,8 @@ static void build_rays(wood_constants *w, const settings *s) {
   w->ray_sharp2 = (float)(sharp * sharp);
   /* two thirds of a lens's height and width, less what the ends' taper takes; and the mean
    * of thickness times density */
-  w->ray_cover = (float)(density * height * 2.0 * half * 2.0 / 3.0 * 11.0 / 12.0 * 0.82);
+  w->ray_cover = (float)(density * height * 2.0 * half * (2.0 / 3.0 + 2.0 / 15.0 * broad) * 11.0 /
+                         12.0 * 0.82);
 }
 
 /* ---- canals, cells, spalting ------------------------------------------- */

@@ -212,8 +212,8 @@ INLINE vf cells_tissue(const wood_constants *w, const vessel_place *p, const cel
 }
 
 /* What its cells add to a ray's colour, likewise. */
-INLINE vf cells_ray(const wood_constants *w, const ray_place *p, const ray_seat *seat,
-                    const ray_body *r, const cell_face *face) {
+INLINE vf cells_ray(const wood_constants *w, const ray_place *p, vu h, const ray_body *r,
+                    const cell_face *face) {
   vf zero = splat(0.0f), one = splat(1.0f), on = splat(w->fine_open);
   vf e2 = p->aa + p->bb, gone2 = splat(w->cell_gone * w->cell_gone);
   vf keep = one - smooth_step(splat(0.25f) * gone2, gone2, e2);
@@ -224,7 +224,6 @@ INLINE vf cells_ray(const wood_constants *w, const ray_place *p, const ray_seat 
   vf across[3] = {face->fibre, face->arc, face->radius};
   vf lumen = one, shade = one;
   vi i[3];
-  vu h = seat->hash;
   for (int k = 0; k < 3; k++) {
     /* the cells of a row, of one layer, begin where they like along the radius */
     vf x = at[k] * splat(1.0f / size[k]);

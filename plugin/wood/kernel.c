@@ -180,7 +180,7 @@ typedef struct {
   vf lost;                                              /* variance of the surface's slopes */
   ray_turn ray_from;
   ray_cells ray_at;
-  ray_seat ray_on;
+  vu ray_on;
   ray_body ray_in;
   int rays_gone; /* no lane asks for the last two */
   canal_cover canal;
@@ -757,7 +757,8 @@ INLINE ray_place ray_place_here(int boards, const block *k) {
 }
 
 INLINE void stage_ray_turn(const wood_constants *w, int boards, block *k) {
-  k->ray_from = ray_turn_of(w, own_of(boards, k), k->stem.rho, k->turn, k->p[1]);
+  k->ray_from =
+      ray_turn_of(w, own_of(boards, k), k->stem.rho, k->turn, k->p[1], k->stem.c, k->stem.s);
 }
 
 INLINE void stage_ray_shell(const wood_constants *w, int boards, block *k) {
@@ -769,13 +770,13 @@ INLINE void stage_ray_seat(const wood_constants *w, int boards, block *k) {
   ray_place p = ray_place_here(boards, k);
   ray_cell_size(w, &p, &k->ray_at);
   k->rays_gone = rays_gone(w, &p);
-  if (!k->rays_gone) k->ray_on = ray_seat_of(w, &p, &k->ray_at);
+  if (!k->rays_gone) k->ray_on = ray_seat_of(&k->ray_at);
 }
 
 INLINE void stage_ray_body(const wood_constants *w, int boards, block *k) {
   if (k->rays_gone) return;
   ray_place p = ray_place_here(boards, k);
-  k->ray_in = ray_body_of(w, &p, &k->ray_at, &k->ray_on);
+  k->ray_in = ray_body_of(w, &p, &k->ray_at, k->ray_on);
 }
 
 INLINE void stage_rays(const wood_constants *w, int boards, const wood_io *io, block *k) {
@@ -812,7 +813,7 @@ INLINE void stage_cells(const wood_constants *w, int boards, block *k) {
   if (w->has_rays && !k->rays_gone && any(gt(k->ray, splat(0.0f)))) {
     ray_place p = ray_place_here(boards, k);
     vf far, fade = rays_fade(w, &p, &far); /* what is expected of rays has no cells */
-    k->ray_cells = (splat(1.0f) - fade) * cells_ray(w, &p, &k->ray_on, &k->ray_in, &face);
+    k->ray_cells = (splat(1.0f) - fade) * cells_ray(w, &p, k->ray_on, &k->ray_in, &face);
   }
   if (!any(gt(k->cover, splat(0.0f)))) return;
   vu own = own_of(boards, k);

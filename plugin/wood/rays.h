@@ -9,9 +9,10 @@
  * one cell. A ray begins in the inner quarter of its shell, or anywhere in the one round
  * the pith, and ends in the outer quarter. Round the pith there are sectors, each with shells of
  * its own and, where the wood that is cut mostly lies, a cell or a few to a shell: a sector of many
- * would show as a patch of rays that begin and end together. By a sector's own chance there is one
- * cell more or less, and where it should have less than one mostly none: then its one cell is
- * empty. theta' moves with the grain.
+ * would show as a patch of rays that begin and end together. By the chance of a sector's row there
+ * is one cell more or less, so that rays do not stand above one another in columns, which a cut
+ * along them would show as rows of dots; where there should be less than one there is mostly none:
+ * then its one cell is empty. theta' moves with the grain.
  */
 #ifndef SOZAI_WOOD_RAYS_H
 #define SOZAI_WOOD_RAYS_H
@@ -39,24 +40,28 @@ INLINE vf ray_overlap(vf lo, vf hi, vf w) {
   return vmax(in, splat(0.0f)) / (hi - lo);
 }
 
-/* The integral of 1 - x^2 from 0, held beyond +-1. */
-INLINE vf ray_lens(vf x) {
+/* The integral from 0 of a ray's outline, held beyond +-1: 1 - x^2, of blunt ones 1 - x^4. */
+INLINE vf ray_lens(const wood_constants *w, vf x) {
   x = clamp(x, splat(-1.0f), splat(1.0f));
-  return x - x * x * x * splat(1.0f / 3.0f);
+  vf square = x * x, blunt = splat(0.2f * w->ray_blunt);
+  return x - x * square * (splat((1.0f / 3.0f) * (1.0f - w->ray_blunt)) + blunt * square);
 }
 
 /* The cells at a point, and where in them it is. */
 typedef struct {
-  vi sector, shell, column;
-  vf within, x;  /* of the shell, of the cell: 0..1; of a shell without a ray -1 */
+  vi sector, shell, row, column;
+  vf within, x;  /* of the shell, of the cell: 0..1 */
+  vf y;          /* 0..1: of the row */
   vf arc, at;    /* mm: of a cell; and the point in it */
   vf reach;      /* mm: of the footprint to either side */
   vf middle;     /* mm: the radius that the shell's count is for */
-  vf from, span; /* of the shell, in which its rays begin */
-  vf chance;     /* 0..1: the sector's, in that shell */
-  vf count;      /* of the sector's cells in it, 1 or more */
+  vf from, span; /* of the shell, in which its rays begin; from RAY_NONE on where it has none */
+  vf chance;     /* 0..1: the row's */
+  vf count;      /* of the row's cells in it, 1 or more */
   vu seed;
 } ray_cells;
+
+#define RAY_NONE 2.0f
 
 /* In three steps, as what follows on them is, so that the kernel can take a few
  * blocks through each: the shell, */
@@ -66,6 +71,10 @@ INLINE void ray_sector_at(const wood_constants *w, const ray_place *p, vi sector
   q->seed = wood_seed(w, p->own, SEED_RAYS) + (vu)sector * splatu(HASH_Y);
   vu hash = hash_upper(q->seed);
   vf offset = to_float((vi)(hash >> 8)) * k24;
+  /* and rows at heights of its own, by steps of 0.5698 as the chance below */
+  vf rows = p->y * splat(w->inverse_ray_cell) +
+            to_float((vi)((vu)sector * splatu(0x91e10da5u) >> 8)) * k24;
+  q->y = rows - vfloor(rows, &q->row);
   vf shells = p->rho * splat(w->inverse_ray_length) + offset;
   vf low = vfloor(shells, &q->shell), inner = low - offset, one = splat(1.0f);
   q->within = shells - low;
@@ -76,8 +85,10 @@ INLINE void ray_sector_at(const wood_constants *w, const ray_place *p, vi sector
   q->middle = middle * splat(w->ray_length);
   q->from = sel(first, offset, splat(0.0f));
   q->span = sel(first, one - offset, splat(0.25f));
-  /* by steps of the golden ratio, which are spread evenly over any few sectors */
-  vu chance = (vu)sector * splatu(0x9e3779b9u) + ((vu)q->shell << 31);
+  /* by steps of the golden ratio round the pith, and of the root of 2 along it, which are spread
+   * evenly over any few sectors and rows */
+  vu chance =
+      (vu)sector * splatu(0x9e3779b9u) + (vu)q->row * splatu(0x6a09e667u) + ((vu)q->shell << 31);
   q->chance = to_float((vi)(chance >> 8)) * k24;
 }
 
@@ -96,7 +107,7 @@ INLINE void ray_count_of(const wood_constants *w, ray_cells *q) {
   vf count = vfloor(q->middle * splat(w->ray_per_radius) + q->chance, &unused);
   vm some = gt(count, splat(0.5f));
   q->count = sel(some, count, splat(1.0f));
-  q->within = sel(some, q->within, splat(-1.0f));
+  q->from = sel(some, q->from, splat(RAY_NONE));
 }
 
 INLINE void ray_cell_at(const wood_constants *w, ray_cells *q) {
@@ -156,30 +167,16 @@ INLINE vf ray_raggedness(const wood_constants *w, const ray_place *p, vu hash) {
   return splat(1.0f) + splat(w->ray_ragged) * filter_keep(p->along, RAY_ROW) * part;
 }
 
-/* Which ray a cell has, and where along the fibre the point is in it. */
-typedef struct {
-  vu root, hash; /* of the column, and of the ray */
-  vf y;          /* 0..1 */
-} ray_seat;
-
-INLINE ray_seat ray_seat_of(const wood_constants *w, const ray_place *p, const ray_cells *q) {
-  ray_seat seat;
-  vf k16 = splat(1.0f / 65536.0f);
-  vi iy;
-  vu root = hash_mix((vu)q->column * splatu(HASH_X) + (vu)q->shell * splatu(HASH_Z) + q->seed);
-  /* columns of cells stand at heights of their own */
-  vf rows = p->y * splat(w->inverse_ray_cell) + to_float((vi)(root >> 16)) * k16;
-  seat.root = root;
-  seat.y = rows - vfloor(rows, &iy);
-  seat.hash = hash_mix((vu)iy * splatu(HASH_Y) + root);
-  return seat;
+/* The hash of the ray that a cell has. */
+INLINE vu ray_seat_of(const ray_cells *q) {
+  vu row = (vu)q->row * splatu(0x6a09e667u);
+  return hash_mix((vu)q->column * splatu(HASH_X) + (vu)q->shell * splatu(HASH_Z) + row + q->seed);
 }
 
-INLINE ray_body ray_body_of(const wood_constants *w, const ray_place *p, const ray_cells *q,
-                            const ray_seat *seat) {
+INLINE ray_body ray_body_of(const wood_constants *w, const ray_place *p, const ray_cells *q, vu h) {
   ray_body r;
-  vf one = splat(1.0f), half = splat(0.5f), k16 = splat(1.0f / 65536.0f), y = seat->y;
-  vu h = seat->hash, g = hash_upper(h + splatu(HASH_Z));
+  vf one = splat(1.0f), half = splat(0.5f), k16 = splat(1.0f / 65536.0f);
+  vu g = hash_upper(h + splatu(HASH_Z));
 
   vf u = to_float((vi)(h >> 16)) * k16, v = to_float((vi)(h & splatu(0xffffu))) * k16;
   vf tall = splat(w->ray_tall) * (half + u); /* half the height, in cells */
@@ -200,11 +197,11 @@ INLINE ray_body ray_body_of(const wood_constants *w, const ray_place *p, const r
    * can, is asked for both, or it would depend on the lanes beside it whether it is */
   vf most = r.thick * splat((1.0f + w->ray_uneven) * (1.0f + w->ray_ragged)) + q->reach;
   if (any(lt(vabs(r.a), most))) {
-    if (w->ray_uneven > 0.0f) r.thick = r.thick * ray_unevenness(w, p, seat->root);
+    if (w->ray_uneven > 0.0f) r.thick = r.thick * ray_unevenness(w, p, h);
     if (any(lt(p->along, splat(2.0f * RAY_ROW)))) r.thick = r.thick * ray_raggedness(w, p, h);
   }
   r.inverse_tall = one / tall;
-  r.at = (y - centre) * r.inverse_tall;
+  r.at = (q->y - centre) * r.inverse_tall;
   return r;
 }
 
@@ -213,13 +210,12 @@ INLINE vf ray_body_cover(const wood_constants *w, const ray_place *p, const ray_
                          const ray_body *r) {
   vf e = splat(0.5f) * p->along * splat(w->inverse_ray_cell) * r->inverse_tall;
   e = vmax(e, splat(1e-3f));
-  vf lens = (ray_lens(r->at + e) - ray_lens(r->at - e)) / (e + e);
+  vf lens = (ray_lens(w, r->at + e) - ray_lens(w, r->at - e)) / (e + e);
   return r->dense * ray_overlap(r->a - q->reach, r->a + q->reach, r->thick * lens);
 }
 
 INLINE vf ray_of_cell(const wood_constants *w, const ray_place *p, const ray_cells *q) {
-  ray_seat seat = ray_seat_of(w, p, q);
-  ray_body r = ray_body_of(w, p, q, &seat);
+  ray_body r = ray_body_of(w, p, q, ray_seat_of(q));
   return ray_body_cover(w, p, q, &r);
 }
 
@@ -252,7 +248,7 @@ INLINE vf ray_clear(const wood_constants *w, const ray_place *p) {
 /* Whether the ray of a cell whose edge is `far` away might reach into the footprint. */
 INLINE vm ray_may_reach(const wood_constants *w, const ray_cells *q, vf far) {
   vf gap = far + splat(w->ray_room) * q->arc - splat(w->ray_thickest);
-  return and_(lt(gap, q->reach), not_(lt(q->within, splat(0.0f))));
+  return and_(lt(gap, q->reach), lt(q->from, splat(RAY_NONE)));
 }
 
 /* Cover by rays, nearest: by that of the point's own cell. A ray keeps clear of
@@ -280,21 +276,25 @@ INLINE vf rays_cover(const wood_constants *w, const ray_place *p, const ray_cell
 }
 
 /* Cover to be expected in a shell, over its mean: its cells widen outwards, and a
- * radius meets more rays the nearer it is to the shell's middle. */
-INLINE vf rays_share(const wood_constants *w, const ray_cells *q) {
-  vf one = splat(1.0f), zero = splat(0.0f);
+ * radius meets more rays the nearer it is to the shell's middle. fade: how far over all rows, and
+ * not in the point's own. */
+INLINE vf rays_share(const wood_constants *w, const ray_place *p, const ray_cells *q, vf fade) {
+  vf one = splat(1.0f), zero = splat(0.0f), all = q->middle * splat(w->ray_per_radius);
   vf inside = clamp(vmin(q->within, one - q->within) * splat(4.0f), zero, one);
-  return inside * splat(4.0f / 3.0f) / (q->arc * splat(w->inverse_ray_arc));
+  vf own = sel(lt(q->from, splat(RAY_NONE)), q->count, zero);
+  return inside * splat(4.0f / 3.0f) * mix(own, all, fade) /
+         (ray_sector_arc(w, p) * splat(w->inverse_ray_arc));
 }
 
 #define RAY_SWAY_FROM 20.0f /* mm */
 
-/* turn: theta' / 2 pi. */
-INLINE ray_turn ray_turn_of(const wood_constants *w, vu own, vf rho, vf turn, vf y) {
+/* turn: theta' / 2 pi. c, s: the direction from the pith. */
+INLINE ray_turn ray_turn_of(const wood_constants *w, vu own, vf rho, vf turn, vf y, vf c, vf s) {
   ray_turn p;
   vi unused;
-  noise_axis out = noise_split_cubic(rho * splat(w->ray_wave_radial), HASH_X);
-  noise_axis up = noise_split_cubic(y * splat(w->ray_wave_along), HASH_Y);
+  /* by c and s, or the two sides of a board with the pith in it would mirror each other */
+  noise_axis out = noise_split_cubic(rho * splat(w->ray_wave_radial) + c, HASH_X);
+  noise_axis up = noise_split_cubic(y * splat(w->ray_wave_along) + s, HASH_Y);
   /* The sheets are not flat: they sway with the bundles of fibres that go round them,
    * together all round the stem, so that a cut along them leaves them and meets them
    * again. Nearer to the pith than RAY_SWAY_FROM they sway by an angle. */
@@ -330,7 +330,7 @@ INLINE vf rays_faded(const wood_constants *w, const ray_place *p, const ray_cell
   vf one = splat(1.0f), far, fade = rays_fade(w, p, &far);
   if (!any(gt(fade, splat(0.0f)))) return vmin(found, one);
   /* across several sectors their shells' shares are of all kinds */
-  vf expected = splat(w->ray_cover) * mix(rays_share(w, q), one, far);
+  vf expected = splat(w->ray_cover) * mix(rays_share(w, p, q, fade), one, far);
   return vmin(sel(lt(fade, one), mix(found, expected, fade), expected), one);
 }
 

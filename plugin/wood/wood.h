@@ -267,6 +267,7 @@ typedef struct {
   float inverse_ray_arc, inverse_ray_cell; /* 1/mm: of a cell, along the arc and along y */
   float ray_tall;                          /* half the mean height, in cells */
   float ray_half;                          /* mm: half the mean width */
+  float ray_blunt;                         /* 0: a lens; 1: of even width but for the tips */
   int32_t ray_sides;                       /* cells to either side that are looked at */
   float ray_room;     /* of its cell's arc, that a ray's middle keeps from the edge */
   float ray_thickest; /* mm: half the width of the widest */

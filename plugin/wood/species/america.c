@@ -17,7 +17,7 @@ static const sozai_value values_white_oak[] = {
     SRGB("sapwood_latewood_colour", 200, 174, 136),
     NUMBER("heartwood_years", 120.0),
     NUMBER("specular", 0.06),
-    COMPOUND_RAYS(0.019, 20.0, 360.0, 100.0),
+    COMPOUND_RAYS(0.015, 30.0, 360.0, 100.0),
     SRGB("ray_colour", 211, 180, 139),
     AGED(172, 130, 84, 4.0),
     FIBRES(18.0, 600.0),

@@ -41,7 +41,7 @@ static const sozai_value values_oak[] = {
     SRGB("sapwood_latewood_colour", 196, 170, 128),
     NUMBER("heartwood_years", 140.0),
     NUMBER("specular", 0.06),
-    COMPOUND_RAYS(0.026, 16.0, 370.0, 100.0),
+    COMPOUND_RAYS(0.021, 21.0, 370.0, 100.0),
     SRGB("ray_colour", 203, 170, 125),
     AGED(168, 124, 76, 4.0),
     FIBRES(18.0, 570.0),

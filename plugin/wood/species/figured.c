@@ -9,7 +9,7 @@
       SRGB("vessel_colour", 217, 188, 149), SRGB("sapwood_earlywood_colour", 236, 212, 178),       \
       SRGB("sapwood_latewood_colour", 210, 178, 138), NUMBER("heartwood_years", 110.0),            \
       NUMBER("heartwood_edge", INDISTINCT), NUMBER("diffuse", 0.8), NUMBER("specular", 0.3),       \
-      NUMBER("shininess", 14.0), RAYS(2.2, 0.6, 70.0, 28.0), SRGB("ray_colour", 219, 187, 148),    \
+      NUMBER("shininess", 14.0), RAYS(2.2, 0.6, 70.0, 28.0), SRGB("ray_colour", 221, 189, 150),    \
       FIBRES(20.0, 540.0), AGED(206, 162, 110, 4.0)
 
 static const sozai_value values_curly_maple[] = {
