@@ -847,9 +847,6 @@ static void build_cone(wood_constants *w, const settings *s) {
   w->ior = (float)number_at(s, P_IOR);
   w->inverse_ior = 1.0f / w->ior;
   w->cone_width = (float)(number_at(s, P_CONE_WIDTH) * TWO_PI / 360.0);
-  w->coat = (float)number_at(s, P_COAT);
-  double a = number_at(s, P_COAT_ROUGHNESS);
-  w->coat_alpha = (float)(a * a);
   for (int c = 0; c < 3; c++) {
     double k = number_at(s, P_FIBRE_REFLECTANCE) * surface_fibres(s) * (double)w->tint_colour[c];
     w->fibre_colour[c] = (float)(k > 0.0 ? k : 0.0);

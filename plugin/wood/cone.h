@@ -37,18 +37,29 @@ INLINE vf fresnel(vf eta, vf ci, vf ct) {
   return splat(0.5f) * (parallel * parallel + across * across);
 }
 
+/* The cosine below the surface, of one above it. */
+INLINE vf cone_refracted(const wood_constants *w, vf cosine) {
+  vf one = splat(1.0f), k = splat(w->inverse_ior);
+  return vsqrt(vmax(one - (one - cosine * cosine) * k * k, splat(0.0f)));
+}
+
+/* What the coat lets through. ct: the cosine below the surface. */
+INLINE vf coat_through(const wood_constants *w, vf cosine, vf ct) {
+  return splat(1.0f) - splat(w->coat) * fresnel(splat(w->ior), vmax(cosine, splat(1e-4f)), ct);
+}
+
 /* d, n: unit. f: unit, the fibre's axis. */
 INLINE cone_ray cone_enter(const wood_constants *w, const vf d[3], const vf n[3], const vf f[3]) {
   vf one = splat(1.0f), k = splat(w->inverse_ior);
   cone_ray r;
   r.cosine = clamp01(d[0] * n[0] + d[1] * n[1] + d[2] * n[2]);
-  vf ct = vsqrt(vmax(one - (one - r.cosine * r.cosine) * k * k, splat(0.0f)));
+  vf ct = cone_refracted(w, r.cosine);
   vf shift = ct - r.cosine * k;
   vf s = splat(0.0f);
   for (int c = 0; c < 3; c++) s = s + (d[c] * k + n[c] * shift) * f[c];
   r.sine = clamp(s, splat(-1.0f), one);
   r.psi = arcsin(r.sine);
-  r.through = one - splat(w->coat) * fresnel(splat(w->ior), vmax(r.cosine, splat(1e-4f)), ct);
+  r.through = coat_through(w, r.cosine, ct);
   return r;
 }
 

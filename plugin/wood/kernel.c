@@ -874,9 +874,10 @@ INLINE void stage_knot_colour(const wood_constants *w, block *k, vf late) {
   if (!any(gt(q->cover + q->bark + q->halo, splat(0.0f)))) return;
   /* of what bark leaves, the knot's share; and of the wood beside both, the resin's */
   vf rest = vmax(one - q->bark, least), cover = vmin(q->cover / rest, one);
-  vf beside = vmax(rest - q->cover, least), ripe = vmin(q->heart / vmax(q->cover, least), one);
+  vf beside = vmax(rest - q->cover, least), ripe = q->heart / vmax(q->cover, least);
   vf stain = splat(w->knot_stain), full = splat(KNOT_RESIN) * stain;
   vf resin = clamp01((q->halo - q->cover - q->bark) / beside) * full;
+  ripe = clamp(ripe, splat(-KNOT_TONE), splat(1.0f + KNOT_TONE));
   ripe = one - splat(KNOT_HEART) * ripe;
   for (int c = 0; c < 3; c++) {
     vf own = mix(splat(w->knot_early[c]), splat(w->knot_late[c]), late) * (k->shift * ripe);
@@ -1130,10 +1131,42 @@ INLINE void stage_cone_radiance(const wood_constants *w, int boards, const wood_
 
 INLINE void stage_gloss(block *k) { k->power = power01_log2(k->tilted, k->exponent); }
 
-INLINE void stage_radiance(const wood_constants *w, const wood_io *io, block *k) {
+/* The coat over Kawai's equation: what it reflects itself, and the share of the rest that it lets
+ * in and out again. What lies in the joint has none. */
+INLINE vf stage_coat(const wood_constants *w, int boards, const wood_io *io, const block *k,
+                     vf *through) {
+  vf v[3], one = splat(1.0f), coat2 = splat(w->coat_alpha * w->coat_alpha);
+  if (w->surface.relief) coat2 = vmin(coat2 + k->lost, one);
+  view_of(w, boards, io, k, v);
+  vf ci = clamp01(k->incident);
+  vf cr = clamp01(v[0] * k->nrm[0] + v[1] * k->nrm[1] + v[2] * k->nrm[2]);
+  vf in = coat_through(w, ci, cone_refracted(w, ci));
+  vf out = coat_through(w, cr, cone_refracted(w, cr));
+  vf coat = coat_highlight(w, k->light, v, k->nrm, ci, cr, coat2);
+  coat = sel(gt(cr, splat(0.0f)), coat, splat(0.0f));
+  *through = in * out;
+  if (boards) {
+    vf joint = k->board.unit.joint;
+    coat = coat * (one - joint);
+    *through = mix(*through, one, joint);
+  }
+  return coat;
+}
+
+INLINE void stage_radiance(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf zero = splat(0.0f);
   vf gloss = k->strength * exp2_(k->power);
   vf diffuse = splat(w->diffuse) * vmax(k->incident, zero);
+  if (w->coat > 0.0f) {
+    vf through, coat = stage_coat(w, boards, io, k, &through);
+    gloss = gloss * through;
+    diffuse = diffuse * through;
+    UNROLL(3)
+    for (int c = 0; c < 3; c++) {
+      store_lit(io, k, c, coat + diffuse * k->albedo[c] + gloss * splat(w->tint_colour[c]));
+    }
+    return;
+  }
   UNROLL(3)
   for (int c = 0; c < 3; c++) {
     store_lit(io, k, c, diffuse * k->albedo[c] + gloss * splat(w->tint_colour[c]));
@@ -1339,7 +1372,7 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
       EACH(stage_cone_radiance(w, boards, io, &blocks[k]));
     } else {
       if (!lit) EACH(stage_gloss(&blocks[k]));
-      EACH(stage_radiance(w, io, &blocks[k]));
+      EACH(stage_radiance(w, boards, io, &blocks[k]));
     }
   }
 }

@@ -20,7 +20,7 @@ typedef struct {
   vf own;                          /* its own latewood */
   vf cover, bark, check;           /* shares of the footprint; a check is within its knot */
   vf halo;                         /* 0..1: resin in the wood about it, and in the knot wholly */
-  vf heart;                        /* cover times 1 at its pith to 0 at its edge */
+  vf heart;                        /* cover times 1 at its pith to 0 at its edge, and its tone */
   vf near;                         /* 1: within reach of a knot */
   vf turn, turn_x, turn_y, turn_z; /* radians by which the fibres part; as rho's derivatives */
   vf inside;                       /* 1: the point is in a knot, and what follows is of it */
@@ -370,7 +370,7 @@ INLINE void knot_see(const wood_knots *all, const wood_knot *k, const knot_secti
   if (all->check > 0.0f) {
     out->check = vmax(out->check, knot_checked(all, k, o, &q, rho, radius) * share);
   }
-  out->heart = out->heart + heart * share;
+  out->heart = out->heart + (heart + splat(k->tone)) * share;
   out->cover = knot_union(out->cover, share);
 }
 

@@ -35,6 +35,7 @@
 #define KNOT_HALO_NEAR 1.139592f /* their radii over the knot's, */
 #define KNOT_HALO_FAR 1.580408f
 #define KNOT_HALO_OF_NEAR 0.636083f /* and the nearer one's weight */
+#define KNOT_TONE 0.8f /* by which knots differ, of how far the heart is darker than the edge */
 #define KNOT_LEVELS 5
 #define KNOT_COARSE 2 /* the level whose cells say what wide footprints see */
 
@@ -65,6 +66,7 @@ typedef struct {
   float sees;              /* and p of what a point sees */
   float check_c, check_s;  /* across the check, in its section; */
   float split_c, split_s;  /* and across one that runs from the pith to one side */
+  float tone;              /* by which it is darker or lighter than others, as its heart is */
   float apart;             /* its section is looked up so far from the stem's */
 } wood_knot;
 

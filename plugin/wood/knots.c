@@ -162,6 +162,7 @@ static int make_knot(wood_knot *k, const wood_constants *w, const knot_source *f
   double turned = 2.0 * PI * (even(seed, 4) + 0.17 + 0.16 * even(seed, 7));
   k->split_c = (float)scalar_cos(turned);
   k->split_s = (float)scalar_sin(turned);
+  k->tone = (float)(KNOT_TONE * (2.0 * even(seed, 9) - 1.0));
   k->apart = (float)(300.0 + 3000.0 * even(seed, 3));
   return 1;
 }
@@ -172,7 +173,7 @@ int32_t wood_build_knots(wood_constants *w, const sozai_host *host, const settin
   w->knot_stain = (float)stain;
   for (int c = 0; c < 3; c++) {
     w->knot_early[c] = colours[P_KNOT_COLOUR][c];
-    w->knot_late[c] = 0.5f * colours[P_KNOT_COLOUR][c];
+    w->knot_late[c] = 0.6f * colours[P_KNOT_COLOUR][c];
     w->knot_bark[c] = colours[P_KNOT_BARK_COLOUR][c];
   }
   if (!from->knots.count) return SOZAI_OK;

@@ -397,15 +397,15 @@ static const sozai_parameter knot_checks = {
 static const sozai_parameter knot_colour = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
    .id = "knot_colour", .label = "Knot colour", .group = "knots", .unit = "",
-   .doc = "Of a knot's earlywood; its latewood has half of it.",
-   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.58, 0.36, 0.20},
+   .doc = "Of a knot's earlywood; its latewood has three fifths of it. Knots are up to a quarter darker or lighter than each other.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.65, 0.37, 0.18},
    .default_text = "sRGB"};
 
 static const sozai_parameter knot_stain = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "knot_stain", .label = "Knot stain", .group = "knots", .unit = "",
    .doc = "From the wood's own colour, 0, to knot_colour, 1.",
-   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.75}};
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.7}};
 
 static const sozai_parameter knot_bark_colour = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
@@ -884,19 +884,19 @@ static const sozai_parameter cone_width = {
 static const sozai_parameter ior = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "ior", .label = "Index of refraction", .group = "figure", .unit = "",
-   .doc = "fibre_cone: of the surface, through which light enters and leaves.",
+   .doc = "Of the surface: of a coat, and for fibre_cone of that through which light enters and leaves.",
    .hard_min = 1.01, .hard_max = 3, .soft_min = 1.3, .soft_max = 1.7, .default_number = {1.55}};
 
 static const sozai_parameter coat = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "coat", .label = "Coat", .group = "figure", .unit = "",
-   .doc = "fibre_cone: share of the surface's own reflection: 0 raw wood, 1 a film of varnish.",
+   .doc = "Share of the surface's own reflection over the wood's: 0 raw wood, 1 a film of varnish.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
 
 static const sozai_parameter coat_roughness = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "coat_roughness", .label = "Coat roughness", .group = "figure", .unit = "",
-   .doc = "fibre_cone: of the coat; its square is the width of the facets' distribution (GGX).",
+   .doc = "Of the coat; of oil and char, which are no films, 0.45 or more. Its square is the width of the facets' distribution (GGX).",
    .hard_min = 0.03, .hard_max = 1, .soft_min = 0.05, .soft_max = 0.6, .default_number = {0.25}};
 
 static const char *const surface_choices[] = {
@@ -923,8 +923,8 @@ static const sozai_parameter surface = {
 static const char *const finish_choices[] = {"raw", "oiled", "lacquered"};
 static const char *const finish_docs[] = {
    "nothing on it",
-   "oil in the fibres scatters less: darker and more saturated",
-   "a film that fills vessels and scratches: likewise, and coat is 1"};
+   "oil in the fibres scatters less: darker and more saturated; a satin coat of 0.3",
+   "a film that fills vessels and scratches: likewise, and a coat of 1, as glossy as coat_roughness"};
 static const sozai_parameter finish = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_CHOICE,
    .id = "finish", .label = "Finish", .group = "surface", .unit = "",
@@ -1364,8 +1364,8 @@ static const sozai_channel channel_radiance = {
    .uses = SOZAI_INPUT_LIGHT_COLOUR | SOZAI_INPUT_VIEW | SOZAI_INPUT_FOOTPRINT,
    .id = "radiance", .unit = "", .suffixes = "rgb",
    .doc = "Towards the eye under the light, times light_colour, as `reflection` says: Kawai's "
-   "equation (4), kd albedo cos(delta) + ks cos^n(delta - alpha), cosines clamped at 0; or the "
-   "fibres' cone, which uses the view."};
+   "equation (4), kd albedo cos(delta) + ks cos^n(delta - alpha), cosines clamped at 0, below the "
+   "coat where there is one; or the fibres' cone. Cone and coat use the view."};
 
 static const sozai_channel channel_fiber = {
    .size = sizeof(sozai_channel), .first = WOOD_FIBER, .components = 3,

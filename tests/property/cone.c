@@ -164,6 +164,77 @@ static void both_ways(void **state) {
   CHECK(worst < 1e-4, "light and eye exchanged: %.2g relative\n", worst);
 }
 
+/* Over Kawai's equation (4): what the coat reflects, by GGX and Smith in double, and the rest as
+ * far as it lets light in and out. */
+static double coat_of(const double l[3], const double v[3], double eta, double alpha) {
+  double h[3], a2 = alpha * alpha, size = 0;
+  for (int c = 0; c < 3; c++) h[c] = l[c] + v[c], size += h[c] * h[c];
+  for (int c = 0; c < 3; c++) h[c] /= sqrt(size);
+  double d = h[2] * h[2] * (a2 - 1) + 1, a = l[2], b = v[2];
+  double smith = a * sqrt(b * b * (1 - a2) + a2) + b * sqrt(a * a * (1 - a2) + a2);
+  return fresnel_of(dot(v, h), eta) * a2 * l[2] / (2 * d * d * smith);
+}
+
+static void over_kawai(void **state) {
+  (void)state;
+  sozai_texture *bare = wood_make("keyaki", "cut=rift; grain=compound");
+  sozai_texture *clad = wood_make("keyaki", "cut=rift; grain=compound; coat=0.7; ior=1.5; "
+                                            "coat_roughness=0.4");
+  points p = {0}, q = {0};
+  uniform_seed(63);
+  for (unsigned i = 0; i < 4000; i++) {
+    double x = 50 * uniform(), y = 50 * uniform(), l[3], v[3];
+    direction(0.05 + 0.95 * uniform(), 2 * PI * uniform(), l);
+    direction(0.05 + 0.95 * uniform(), 2 * PI * uniform(), v);
+    points_add(&p, x, y, 0, 0);
+    points_add(&q, x, y, 0, 0);
+    set(p.light, i, l), set(p.view, i, v);
+    set(q.light, i, l), set(q.view, i, v);
+  }
+  points_ask(&p, bare);
+  points_ask(&q, clad);
+  double worst = 0, most = 0;
+  for (unsigned i = 0; i < p.count; i++) {
+    double l[3], v[3];
+    for (int c = 0; c < 3; c++) l[c] = (double)p.light[c][i], v[c] = (double)p.view[c][i];
+    double through = (1 - 0.7 * fresnel_of(l[2], 1.5)) * (1 - 0.7 * fresnel_of(v[2], 1.5));
+    double coat = 0.7 * coat_of(l, v, 1.5, 0.16);
+    double want = (double)p.out[RADIANCE][i] * through + coat;
+    worst = fmax(worst, fabs((double)q.out[RADIANCE][i] - want) / (1e-3 + want));
+    most = fmax(most, coat);
+  }
+  points_free(&p);
+  points_free(&q);
+  textures->destroy(bare);
+  textures->destroy(clad);
+  CHECK(worst < 2e-4 && most > 0.2, "a coat over equation (4), up to %.2f: %.2g relative\n", most,
+        worst);
+}
+
+/* The least coat of each finish, and of char; a parameter's own where that is more. */
+static void of_finishes(void **state) {
+  (void)state;
+  static const struct {
+    const char *text;
+    double coat;
+  } cases[] = {{"finish=raw", 0},
+               {"finish=oiled", 0.3},
+               {"finish=lacquered", 1},
+               {"finish=oiled; coat=0.6", 0.6},
+               {"finish=lacquered; reflection=fibre_cone", 1},
+               {"surface=charred; charring=1", 0.5}};
+  for (unsigned k = 0; k < sizeof cases / sizeof *cases; k++) {
+    sozai_texture *t = wood_make("keyaki", cases[k].text);
+    points p = {0};
+    points_add(&p, 10, 20, 0, 0);
+    points_ask(&p, t);
+    double coat = (double)p.out[COAT][0];
+    CHECK(fabs(coat - cases[k].coat) < 1e-6, "%s: coat %.2f\n", cases[k].text, coat);
+    points_free(&p);
+    textures->destroy(t);
+  }
+}
+
 /* ---- the furnace ------------------------------------------------------- */
 
 /* Reflected radiance under a white sky of radiance 1, by a grid of lights. */
@@ -258,7 +329,8 @@ static void kawai_as_before(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(the_papers_lobe), cmocka_unit_test(on_the_cone),
-      cmocka_unit_test(both_ways),       cmocka_unit_test(white_furnace),
+      cmocka_unit_test(both_ways),       cmocka_unit_test(over_kawai),
+      cmocka_unit_test(of_finishes),     cmocka_unit_test(white_furnace),
       cmocka_unit_test(nothing_lost),    cmocka_unit_test(kawai_as_before)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

@@ -393,7 +393,7 @@ SPECIES(knotty_pine, "Pine, knotty (Pinus densiflora)",
         FFPRI "; " GYMNOSPERMS);
 
 static const sozai_value values_knotty_sugi[] = {SUGI, TREE("sugi", 45.0, 5000.0),
-                                                 SRGB("knot_colour", 150, 86, 56)};
+                                                 SRGB("knot_colour", 164, 88, 56)};
 SPECIES(knotty_sugi, "Sugi, knotty (Cryptomeria japonica)",
         "Many small red-brown knots all along the board: sugi that was not pruned.",
         FFPRI "; " GYMNOSPERMS);

@@ -57,6 +57,8 @@ static void treat(float colour[3], const settings *s, const float early[3], cons
   }
 }
 
+#define SATIN 0.45 /* roughness of what is not a film: oil in the fibres, char */
+
 void surface_build_colour(wood_constants *w, const settings *s, const float (*colours)[3]) {
   int surface = choice_at(s, P_SURFACE), finish = choice_at(s, P_FINISH);
   const surface_finish *f = &surface_finishes[surface];
@@ -86,7 +88,11 @@ void surface_build_colour(wood_constants *w, const settings *s, const float (*co
   w->specular = (float)(specular > 1.0 ? 1.0 : specular);
   w->shininess = (float)(shininess < 1.0 ? 1.0 : shininess);
   w->roughness = __builtin_sqrtf(2.0f / (w->shininess + 2.0f));
-  if ((double)w->coat < coat) w->coat = (float)coat;
+  double asked = number_at(s, P_COAT), rough = number_at(s, P_COAT_ROUGHNESS);
+  /* only a film is glossy */
+  if (coat > 0.0 && coat > asked && finish != FINISH_LACQUERED && rough < SATIN) rough = SATIN;
+  w->coat_alpha = (float)(rough * rough);
+  w->coat = (float)(asked > coat ? asked : coat);
 }
 
 double surface_fibres(const settings *s) {
