@@ -91,6 +91,10 @@ def figures_of(described, group, base, programme):
     figures["ior"] = getattr(group, "p_ior", 1.5)
     figures.setdefault("coat", 1.0)  # a stone's surface reflects all that it does
     figures["roughness"] = getattr(group, "p_coat_roughness", 0.5)
+    # a finish that is no film is satin, as the texture has it
+    own = getattr(group, "p_coat", 1.0)  # of wood alone
+    if figures["coat"] > own and group.p_finish != "lacquered":
+        figures["roughness"] = max(figures["roughness"], 0.45)
     return figures
 
 
