@@ -3,7 +3,7 @@
  * How fibres lie in use: what a preset says beyond the catalogue's entry of its
  * fibre. Lengths in mm, angles in degrees. 0, or what is left out, stands for
  *   the fibre's own       packing, crimp, crimp_height, transmission, variation
- *   the default           thickness, bundle, darkening
+ *   the default           waver, thickness, bundle, nap_reach, darkening, hollow
  *   0                     all else
  */
 #ifndef SOZAI_FIBERTEX_ARRANGEMENTS_H
@@ -18,11 +18,12 @@ typedef struct {
                             and what colours are said here, are set by eye */
   double thickness, packing, bundle;
   double alignment, elevation, elevation_spread; /* degrees */
+  double nap_drift, nap_reach;
   double flyaway, flyaway_height;
-  double crimp, crimp_height; /* 1/cm; mm */
+  double crimp, crimp_height, waver; /* 1/cm; mm */
   double darkening, transmission;
   const char *weave; /* NULL: an aggregate */
-  double spacing, weft_spacing, width, flatness, twist, slub;
+  double spacing, weft_spacing, width, flatness, twist, slub, hollow;
   int32_t coloured, weft_coloured; /* the colours below stand */
   uint8_t colour[3], second[3], weft[3];
   double second_share, variation;

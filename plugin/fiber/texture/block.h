@@ -64,6 +64,8 @@ typedef struct {
   lane_filter filter;
   ground ground;
   vf s;
+  vf nap[2], nap_lost; /* the nap's turn, and how much steeper it is, log2; what the footprint holds
+                        * of them, over all, standard deviations */
   sums sum;
   vf hole;                     /* what of it neither yarns nor what is below them cover */
   vf shade;                    /* what is left of light by strands close above */

@@ -156,6 +156,7 @@ static void measure_layers(fibertex_constants *w, const settings *s, const fiber
     w->layer[l].soft_wide = few ? 0.0f : (float)((full.soft[l] - m.soft[l]) / parabola);
   }
   double above = 0.0, darkening = number_at(s, P_DARKENING);
+  double around = 1.3 * (w->pile ? fibertex_pile_met(w) : 1.0);
   for (int l = 0; l < w->layers; l++) {
     fibertex_layer *c = &w->layer[l];
     c->mean = (float)m.point[l];
@@ -166,7 +167,7 @@ static void measure_layers(fibertex_constants *w, const settings *s, const fiber
     if (n->luck > 0.0) c->counted_luck = (float)((n->near[1] - n->near[0]) / n->luck);
     for (int k = 0; k < 2; k++) c->beyond[k] = (float)(m.point[l] * n->beyond[k]);
     c->beyond_widen = (float)(0.97 / scalar_most((double)c->beyond[0], 0.1));
-    c->ambient = (float)(1.0 - darkening * (1.0 - scalar_exp(-1.3 * above)));
+    c->ambient = (float)(1.0 - darkening * (1.0 - scalar_exp(-around * above)));
     above -= scalar_log(1.0 - scalar_least(m.point[l], 0.99));
   }
   double left = 1.0;
@@ -188,7 +189,7 @@ static void measure_layers(fibertex_constants *w, const settings *s, const fiber
   w->deep_above = (float)above;
   /* what is too deep to be told apart is darker than the last that is */
   w->deep_ambient =
-      (float)((1.0 - darkening * (1.0 - scalar_exp(-1.3 * above))) * (1.0 - 0.4 * darkening));
+      (float)((1.0 - darkening * (1.0 - scalar_exp(-around * above))) * (1.0 - 0.4 * darkening));
   w->deep_depth = w->layer[w->layers - 1].depth;
 }
 
@@ -206,20 +207,22 @@ static double build_shell(fibertex_constants *w, const settings *s, const fibert
   int bulk = flown > 0.0 ? 1 : 0, woven = w->structure == STRUCTURE_WOVEN;
   w->layers = woven ? bulk + ON_YARN : FIBERTEX_LAYERS;
   int count = w->layers - bulk;
-  double most_of = 0.0;
-  for (int k = 0; k < count; k++) most_of += densest(k, count);
+  /* a pile's are so dense where it is looked at from the side, and have room for it */
+  double thin = w->pile ? 1.0 / fibertex_pile_met(w) : 1.0;
+  double apart_most = w->pile ? 2.0 : 0.0, most_of = 0.0;
+  for (int k = 0; k < count; k++) most_of += thin * densest(k, count);
   double scale = scalar_least(1.0, total / most_of), seen = 0.0, shown = thickness / total;
   if (bulk) place_layer(w, 0, 2.6 * size, 0.5 * d, 10.0, flown, 0.0);
   for (int k = 0; k < count; k++) {
     int l = bulk + k;
-    double each = woven ? 0.4 : scale * densest(k, count);
+    double each = woven ? 0.4 : scale * thin * densest(k, count);
     wanted[l] = 1.0 - scalar_exp(-each);
     if (woven) {
       double twist = number_at(s, P_TWIST) * RADIANS + 0.12 * ((k * 3) % 5 - 2.0) / 2.0;
       place_round(w, l, 0.5 * d, wanted[l], over + d * k, twist);
     } else { /* sizes apart, lest lattices of one layer and the next keep step */
       double apart = 0.8 + 0.4 * (double)((k * 5) % 7) / 6.0;
-      place_layer(w, l, size * apart, 0.5 * d, closest(k, count), wanted[l],
+      place_layer(w, l, size * apart, 0.5 * d, closest(k, count) + apart_most, wanted[l],
                   over + shown * (seen + 0.5 * each));
       /* the lower, the more end where the next bundle begins: nobody sees them so sharply, and
        * gaps between bundles of all layers would be cobbles from afar */
@@ -258,6 +261,16 @@ static void build_bundles(fibertex_constants *w, const settings *s) {
   w->lean = (float)tangent(mean);
   w->rise = (float)(tangent(up) - tangent(mean));
   w->rise2 = (float)((double)w->rise * (double)w->rise / 3.0);
+  w->pile = w->structure == STRUCTURE_AGGREGATE && w->lean > 0.0f;
+  w->steep2 = w->lean * w->lean + w->rise2;
+  /* a direction that strays by an angle turns about the normal by more of it, the steeper it is;
+   * and of its elevation's tangent that is so much more or less */
+  double drift = number_at(s, P_NAP_DRIFT) * RADIANS, flat = scalar_cos(mean);
+  w->nap = (float)scalar_least(drift / flat, 60.0 * RADIANS);
+  w->nap_steeper =
+      w->pile ? (float)scalar_least(drift / (flat * scalar_sin(mean) * 0.693147), 1.0) : 0.0f;
+  w->nap_frequency = (float)(1.0 / number_at(s, P_NAP_REACH));
+  w->nap_seed = hash1(w->seed ^ 0x6e6170u);
 }
 
 /* Variance of an angle whose tangent is spread evenly with that variance. */

@@ -9,6 +9,7 @@
 
 #include "../../core/vectors.h"
 #include "lanes.h"
+#include "pile.h"
 
 /* The axes on the surface that directions are counted from, its normal, and
  * what is seen and lit by: components along the three. */
@@ -18,6 +19,7 @@ typedef struct {
   vf between;
   vf step[3];  /* how far the ray has gone sideways per depth */
   vf lean2[2]; /* tangent of the view's slant along e1 and e2 */
+  pile_lean pile;
 } hull_frame;
 
 /* The same turned into the lattice's space, which no face or diagonal of an object
@@ -131,7 +133,10 @@ INLINE void bundle_middle(const fibertex_constants *w, const fibertex_layer *c,
   direction[0] = co;
   direction[1] = si;
   p->widen = splat(1.0f);
-  if (!level) p->widen = widening(hull->lean2[1] * co - hull->lean2[0] * si, c->widen_most);
+  if (!level) {
+    p->widen = w->pile ? pile_widening(&hull->pile, hull->lean2, co, si, c->widen_most)
+                       : widening(hull->lean2[1] * co - hull->lean2[0] * si, c->widen_most);
+  }
   p->x = x1 * co + x2 * si;
   p->y = x2 * co - x1 * si;
   /* half of the bundle's extent along x, squared: what lies off x counts, not what for */

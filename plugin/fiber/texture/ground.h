@@ -19,7 +19,8 @@ INLINE void light_in_bulk(const fibertex_constants *w, block *k) {
   vf in = vmax(k->f.light[2], zero), out = vmax(k->f.view[2], zero);
   vf deep = splat(w->slab) * (k->inverse[0] + k->inverse[1]), most = deep * deep;
   vf slab = most / (most + splat(w->slab_linear) * deep + splat(w->slab_square));
-  vf x = one - in, y = one - out;
+  /* how a pile looks from one side and another is in its layers' shade: here the mean of all */
+  vf x = one - in, y = w->pile ? splat(1.0f / 3.0f) : one - out;
   g->around = in * slab * (one - splat(w->graze) * (x + y) + splat(w->graze_both) * x * y);
   g->onward = in * in * splat(w->chain) / (in + splat(0.25f));
 }

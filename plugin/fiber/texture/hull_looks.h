@@ -22,20 +22,21 @@ INLINE look_flat look_flat_of(const fibertex_look *o, const vf v[3]) {
 /* A look and its mirror image. level: the eye looks squarely; the same result in fewer steps. */
 INLINE void look_angles(const fibertex_constants *w, const fibertex_look *o, int level,
                         const hull_frame *f, strand_angles q[2]) {
-  const float up = o->up[2], out = o->along[2];
-  const float steep = up * (1.0f - 0.5f * (o->across2 + o->up2));
-  const float rise = out * (1.0f - 0.5f * (o->across2 + o->up2));
+  const vf shrink = splat(1.0f - 0.5f * (o->across2 + o->up2));
+  vf up = w->nap > 0.0f ? f->pile.up : splat(o->up[2]);
+  vf out = w->nap > 0.0f ? f->pile.out : splat(o->along[2]);
+  vf steep = up * shrink, rise = out * shrink;
   look_flat l = look_flat_of(o, f->light), v = l;
   if (!level) v = look_flat_of(o, f->view);
   vf across2 = splat(o->across2), up2 = splat(o->up2);
   for (int i = 0; i < 2; i++) {
-    vf sl = l.along[i] * splat(steep) + f->light[2] * splat(rise);
-    vf lu = f->light[2] * splat(up) - l.along[i] * splat(out);
+    vf sl = l.along[i] * steep + f->light[2] * rise;
+    vf lu = f->light[2] * up - l.along[i] * out;
     vf a = across2 * l.across[i], u = up2 * lu, sl2 = a * l.across[i] + u * lu;
-    vf sv = splat(rise), sv2 = splat(o->up2 * (up * up)), both = u * splat(up);
+    vf sv = rise, sv2 = up2 * (up * up), both = u * up;
     if (!level) {
-      sv = v.along[i] * splat(steep) + f->view[2] * splat(rise);
-      vf out_of = f->view[2] * splat(up) - v.along[i] * splat(out);
+      sv = v.along[i] * steep + f->view[2] * rise;
+      vf out_of = f->view[2] * up - v.along[i] * out;
       sv2 = across2 * (v.across[i] * v.across[i]) + up2 * (out_of * out_of);
       both = a * v.across[i] + u * out_of;
     }
@@ -47,13 +48,16 @@ INLINE void look_angles(const fibertex_constants *w, const fibertex_look *o, int
 INLINE void look_add(const fibertex_constants *w, const fibertex_look *o, int level,
                      const hull_frame *f, const strand_angles a[2], strand_parts *sum,
                      vf *straight) {
+  const vf zero = splat(0.0f);
   for (int i = 0; i < 2; i++) {
     strand_parts p;
     strand_parts_of(w, &a[i], &p);
     if (!level) {
       const float most = w->layer[w->layers - 1].widen_most, side = i ? -1.0f : 1.0f;
-      vf share = widening(
-          f->lean2[0] * splat(side * o->across[0]) + f->lean2[1] * splat(o->across[1]), most);
+      vf co = splat(o->across[1]), si = splat(side * o->across[0]);
+      /* a strand of either lies along (co, -si) */
+      vf share = w->pile ? pile_widening(&f->pile, f->lean2, co, zero - si, most)
+                         : widening(f->lean2[0] * si + f->lean2[1] * co, most);
       p.reflected = p.reflected * share;
       p.through = p.through * share;
       p.back = p.back * share;

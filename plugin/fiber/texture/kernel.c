@@ -6,9 +6,18 @@
 #include "hull_looks.h"
 #include "measure.h"
 #include "measure_both.h"
+#include "nap.h"
 #include "output.h"
 
 extern const fibertex_kernel KERNEL_NAME(fibertex_kernel_);
+
+/* Where a footprint holds some of the nap's patches. */
+INLINE void show_nap(const fibertex_constants *w, const block *k, int light, shown *far) {
+  if (!any(gt(k->nap_lost, splat(0.0f)))) return;
+  shown of = *far;
+  show_far_of_nap(w, k, light, &of);
+  blend(far, &of, sel(gt(k->nap_lost, splat(0.0f)), splat(1.0f), splat(0.0f)), 0, light);
+}
 
 /* From what is summed up to what is seen. */
 INLINE void stage_show(const fibertex_constants *w, int woven, block *k, const looks *q,
@@ -22,10 +31,12 @@ INLINE void stage_show(const fibertex_constants *w, int woven, block *k, const l
     if (!any(gt(k->far, zero))) return;
     far_sums(w, k, light, &sum);
     show_far(w, woven, k, &sum, q, &mean);
+    if (!woven && w->nap > 0.0f) show_nap(w, k, light, &mean);
     blend(near, &mean, k->far, woven, light);
   } else { /* nothing near is left of it */
     far_sums(w, k, light, &sum);
     show_far(w, woven, k, &sum, q, near);
+    if (!woven && w->nap > 0.0f) show_nap(w, k, light, near);
   }
   if (!(wants & WANTS_STRAND)) return;
   vm nothing = le(one, k->far);
@@ -50,13 +61,14 @@ INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io 
       of[b].n = to - of[b].i < LANES ? to - of[b].i : LANES;
       stage_point(w, woven, io, &of[b]);
     }
+    if (!woven && w->nap > 0.0f) EACH(b, count) nap_turn(w, &of[b]);
     EACH(b, count) stage_view(io, &of[b]);
     if (light) {
       EACH(b, count) stage_light(w, io, &of[b]);
     } else {
       EACH(b, count) stage_dark(&of[b]);
     }
-    int level = eye_level(of, count);
+    int level = (woven || !(w->nap > 0.0f)) && eye_level(of, count);
     EACH(b, count) stage_bundles(w, level, &of[b]);
     if (light) {
       EACH(b, count) stage_reach(w, &of[b]);

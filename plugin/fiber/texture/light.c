@@ -16,16 +16,48 @@
 
 /* ---- amounts ----------------------------------------------------------- */
 
-/* What of the light from around reaches what is seen squarely, the mean. */
-double fibertex_ambient(const fibertex_constants *w) {
+/* The i-th of VIEWS by VIEWS rays, even over the hemisphere as a surface has them; how broad a
+ * pile's strands look by it, over what they are squarely: pile.h. steep2, lean: 0 of what lies
+ * flat. */
+#define VIEWS 12
+static double pile_look(int i, double steep2, double lean) {
+  double sine2 = (i % VIEWS + 0.5) / VIEWS, round = 2.0 * PI * (i / VIEWS + 0.5) / VIEWS;
+  double t2 = sine2 / (1.0 - sine2), a = scalar_root(t2) * scalar_cos(round), b2 = t2 - a * a;
+  return scalar_root(scalar_most(1.0 + a * (a * steep2 - 2.0 * lean) + b2 * (1.0 + steep2), 0.05));
+}
+
+double fibertex_pile_met(const fibertex_constants *w) {
+  double pile = 0.0, flat = 0.0;
+  for (int i = 0; i < VIEWS * VIEWS; i++) {
+    pile += pile_look(i, (double)w->steep2, (double)w->lean);
+    flat += pile_look(i, 0.0, 0.0);
+  }
+  return pile / flat;
+}
+
+/* What of the light from around reaches what is seen, where strands look so broad. */
+static double ambient_at(const fibertex_constants *w, double wide) {
   double left = 1.0, sum = 0.0;
   for (int l = 0; l < w->layers; l++) {
-    double share = left * (double)w->layer[l].mean;
+    double mean = (double)w->layer[l].mean;
+    if (w->pile)
+      mean = scalar_least(mean * scalar_least(wide, (double)w->layer[l].widen_most), 0.97);
+    double share = left * mean;
     sum += share * (double)w->layer[l].ambient;
     left -= share;
   }
   double under = left * (double)w->deep;
   return (sum + under * (double)w->deep_ambient) / scalar_most(1.0 - left + under, 1e-3);
+}
+
+/* The mean: of what is seen squarely, of a pile from all sides. */
+double fibertex_ambient(const fibertex_constants *w) {
+  if (!w->pile) return ambient_at(w, 1.0);
+  double sum = 0.0;
+  for (int i = 0; i < VIEWS * VIEWS; i++) {
+    sum += ambient_at(w, pile_look(i, (double)w->steep2, (double)w->lean));
+  }
+  return sum / (VIEWS * VIEWS);
 }
 
 /* Optical depth for what is scattered often: the clearer strands are, the more of them

@@ -10,4 +10,7 @@
 int32_t fibertex_build_light(fibertex_constants *w, const sozai_host *host, const settings *s,
                              double depth);
 
+/* How much more of a pile light from around meets than of strands that lie flat. */
+double fibertex_pile_met(const fibertex_constants *w);
+
 #endif

@@ -35,6 +35,8 @@ STAGE void far_sums(const fibertex_constants *w, const block *k, int light, sums
   /* widening's mean over all directions */
   vf x = vmin(k->f.lean2[0] * k->f.lean2[0] + k->f.lean2[1] * k->f.lean2[1], splat(3.5f));
   vf wide = one + x * (splat(0.24f) + x * (splat(-0.03225f) + x * splat(0.00266f)));
+  if (w->pile)
+    wide = pile_widening_mean(w, &k->f.pile, k->f.lean2, w->layer[w->layers - 1].widen_most);
   vf left = one, lit = zero, ambient = zero, depth = zero, reach = k->front;
   vf step = zero;
   if (light) step = exp2_(splat(-1.442695f * w->step) * k->inverse_up);

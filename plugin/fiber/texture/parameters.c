@@ -115,6 +115,18 @@ static const sozai_parameter elevation_spread = {
    .doc = "How much steeper or flatter a strand may be.",
    .hard_min = 0, .hard_max = 60, .soft_min = 0, .soft_max = 45, .default_number = {15}};
 
+static const sozai_parameter nap_drift = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "nap_drift", .label = "Nap's drift", .group = "aggregate", .unit = "deg",
+   .doc = "How far strands' direction strays from patch to patch, as in a nap that was brushed, stroked or crushed: of that angle the standard deviation.",
+   .hard_min = 0, .hard_max = 60, .soft_min = 0, .soft_max = 30, .default_number = {0}};
+
+static const sozai_parameter nap_reach = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "nap_reach", .label = "Nap's reach", .group = "aggregate", .unit = "mm",
+   .doc = "How wide such patches are, about.",
+   .hard_min = 1, .hard_max = 10000, .soft_min = 5, .soft_max = 300, .default_number = {30}};
+
 static const sozai_parameter flyaway = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "flyaway", .label = "Flyaway", .group = "aggregate", .unit = "",
@@ -264,6 +276,8 @@ const sozai_parameter *const fibertex_parameters[FIBERTEX_PARAMETERS] = {
    [P_ALIGNMENT] = &alignment,
    [P_ELEVATION] = &elevation,
    [P_ELEVATION_SPREAD] = &elevation_spread,
+   [P_NAP_DRIFT] = &nap_drift,
+   [P_NAP_REACH] = &nap_reach,
    [P_FLYAWAY] = &flyaway,
    [P_FLYAWAY_HEIGHT] = &flyaway_height,
    [P_WEAVE] = &weave,

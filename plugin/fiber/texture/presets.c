@@ -9,7 +9,7 @@
 #include "arrangements.h"
 
 #define PRESETS_MAX 64
-#define VALUES_MAX 34
+#define VALUES_MAX 36
 
 typedef struct {
   sozai_value list[VALUES_MAX];
@@ -47,6 +47,7 @@ static void set_strand(values *v, const fiber_arrangement *a, const fiber_materi
   double height = either(a->crimp_height, f->crimp_height);
   number(v, "crimp", height > 0.0 ? either(a->crimp, f->crimp) : 0.0);
   number(v, "crimp_height", height);
+  perhaps(v, "waver", a->waver);
   number(v, "ior", f->index);
   number(v, "roughness", f->roughness);
   number(v, "tilt", f->tilt);
@@ -62,6 +63,8 @@ static void set_aggregate(values *v, const fiber_arrangement *a, const fiber_mat
   number(v, "alignment", a->alignment);
   number(v, "elevation", a->elevation);
   number(v, "elevation_spread", a->elevation_spread);
+  perhaps(v, "nap_drift", a->nap_drift);
+  perhaps(v, "nap_reach", a->nap_reach);
   number(v, "flyaway", a->flyaway);
   number(v, "flyaway_height", a->flyaway_height);
   perhaps(v, "darkening", a->darkening);
@@ -77,6 +80,7 @@ static void set_cloth(values *v, const fiber_arrangement *a) {
   number(v, "yarn_flatness", a->flatness);
   number(v, "twist", a->twist);
   number(v, "slub", a->slub);
+  perhaps(v, "hollow", a->hollow);
 }
 
 static void set_colours(values *v, const fiber_arrangement *a, const fiber_material *f) {

@@ -50,6 +50,7 @@ INLINE void best_axes(const fibertex_constants *w, int woven, const block *k, st
   vf slope = k->best.slope, lost = one - k->best.detail;
   vf rise =
       splat(w->lean) + splat(w->rise * FIELD(1.0f)) * field_of(k->best.id, 2) * k->best.detail;
+  if (!woven && w->nap > 0.0f) rise = rise * k->f.pile.over;
   vf flat = inverse_root(one + slope * slope), steep = inverse_root(one + rise * rise);
   vf x = (k->best.direction[0] - slope * k->best.direction[1]) * flat;
   vf y = (k->best.direction[1] + slope * k->best.direction[0]) * flat;

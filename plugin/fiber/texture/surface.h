@@ -18,6 +18,7 @@ INLINE void frame_axes(const fibertex_constants *w, const vf given[3], hull_fram
   vf k = inverse_root(vmax(dot3(f->e1, f->e1), splat(1e-6f)));
   for (int c = 0; c < 3; c++) f->e1[c] = f->e1[c] * k;
   cross3(f->n, f->e1, f->e2);
+  if (w->pile || w->nap > 0.0f) pile_lean_of(w, splat(1.0f), &f->pile);
 }
 
 INLINE void into_frame(const hull_frame *f, const vf v[3], vf out[3]) {
@@ -77,6 +78,23 @@ INLINE void stage_bundles(const fibertex_constants *w, int level, block *k) {
   k->filter = lane_filter_of(w->layer[0].radius, k->s);
 }
 
+/* What of a pile light meets on its way, over what it meets squarely: to strands that lie every way
+ * as to all the amounts are fitted for, inverse (1 over the cosine), as the widths go. */
+INLINE vf met_of_pile(const fibertex_constants *w, const hull_frame *f, vf inverse) {
+  const vf lean2[2] = {f->light[0] * inverse, f->light[1] * inverse};
+  vf flat = splat(0.5f) * (lean2[0] * lean2[0] + lean2[1] * lean2[1]) + splat(1.0f);
+  return inverse * inverse_root(flat) * pile_widening_mean(w, &f->pile, lean2, 30.0f);
+}
+
+/* The eye sees what is lit, where it looks along the light: the way in is the way out. */
+INLINE void stage_met(const fibertex_constants *w, block *k) {
+  const vf one = splat(1.0f);
+  vf apart = one + (one - k->f.between) * splat(w->opposition_sharp);
+  vf met = k->inverse[0];
+  if (w->pile) met = met_of_pile(w, &k->f, met);
+  k->inverse_up = (one - splat(w->opposition) / (apart * apart)) * met;
+}
+
 INLINE void stage_light(const fibertex_constants *w, const kernel_io *io, block *k) {
   const vf one = splat(1.0f);
   vf v[3];
@@ -84,10 +102,8 @@ INLINE void stage_light(const fibertex_constants *w, const kernel_io *io, block 
   into_frame(&k->f, v, k->f.light);
   k->f.between = dot3(k->f.light, k->f.view);
   k->front = smooth_step(splat(-0.02f), splat(0.22f), k->f.light[2]);
-  /* where the eye looks along the light, what it sees is lit: the way in is the way out */
-  vf apart = one + (one - k->f.between) * splat(w->opposition_sharp);
   k->inverse[0] = one / vmax(k->f.light[2], splat(0.1f));
-  k->inverse_up = (one - splat(w->opposition) / (apart * apart)) * k->inverse[0];
+  stage_met(w, k);
 }
 
 /* No light is asked for, and none that is given looked at. */

@@ -121,6 +121,12 @@ typedef struct {
   float slope2;                             /* variance of the slope of what bundles share */
   float scatter, scatter_up; /* of strands about their bundle's course, when not told apart */
   float lean, rise, rise2;   /* tangent of the elevation: mean, how far from it, variance */
+  int32_t pile;              /* whether strands stand out of the hull: pile.h */
+  float steep2;              /* mean square of the elevation's tangent */
+  /* how far the axis turns in patches, how much steeper strands rise, log2: standard deviations;
+   * and 1/mm: nap.h */
+  float nap, nap_steeper, nap_frequency;
+  uint32_t nap_seed;
   float radius_spread;
   float contact;         /* how much of the light strands take from what is close below */
   float step, step_more; /* optical depth of the first layer; and what each next has more */
