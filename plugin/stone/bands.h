@@ -25,20 +25,37 @@ INLINE vf bed_at(const stone_constants *w, vf y, vf e) {
   return clamp01(share); /* an even clamp keeps the mean */
 }
 
-#define BEDS_WIDE 1.5f   /* beds: a footprint across more is seen in eight parts, */
-#define BEDS_WIDER 6.0f  /* and across more in sixteen */
-#define BEDS_THIN 0.085f /* one across less in one: a quarter of the finest noise's lattice */
-#define BEDS_FINER 2.7f  /* the lesser of the two waves: its frequency over the other's, */
-#define BEDS_LESSER 0.4f /* and its height */
+#define BEDS_WIDE 1.5f     /* beds: a footprint across more is seen in eight parts, */
+#define BEDS_WIDER 6.0f    /* and across more in sixteen */
+#define BEDS_THIN 0.085f   /* one across less in one: a quarter of the finest noise's lattice */
+#define BEDS_LAG_NEAR 0.1f /* of a wave's lattice: no further up its slope tells how it lags */
+#define BEDS_FINER 2.7f    /* the lesser of the two waves: its frequency over the other's, */
+#define BEDS_LESSER 0.4f   /* and its height */
+
+/* Whether a wave that lags is another so far up and down. */
+INLINE vm beds_far(vf reach, float frequency, float lag) {
+  return gt(reach * splat(__builtin_fabsf(lag) * frequency), splat(BEDS_LAG_NEAR));
+}
 
 /* A wave of the beds that a footprint so wide sees: its height, and what it adds to `slope`, the
  * less of it the more of the wave there is; and the square of how far up and down that lies, as
- * an even spread. */
-INLINE vf beds_rise(const vf p[3], float wave, float frequency, uint32_t seed, vf s, vf slope[2],
-                    vf *within2) {
+ * an even spread. reach: how far the footprint goes up and down, or NULL where the wave lags too
+ * little for that to matter: what it is at those two places tells where the beds there are. */
+INLINE vf beds_rise(const vf p[3], float wave, float frequency, float lag, uint32_t seed, vf s,
+                    const vf *reach, vf slope[3], vf *within2) {
   vf one = splat(1.0f), d[2], keep = one / (one + splat(frequency) * s), gone = one - keep;
-  vf y = beds_wave(p, wave, frequency, seed, d);
+  vf y = beds_wave(p, wave, frequency, lag, seed, d), upward = splat(lag) * d[0];
+  if (reach) {
+    const vf up[3] = {p[0], p[1] + *reach, p[2]}, down[3] = {p[0], p[1] - *reach, p[2]};
+    vf unused[2], half = splat(0.5f);
+    vf a = beds_wave(up, wave, frequency, lag, seed, unused);
+    vf b = beds_wave(down, wave, frequency, lag, seed, unused);
+    vm far = beds_far(*reach, frequency, lag);
+    upward = sel(far, half * (a - b) / *reach, upward);
+    y = sel(far, half * (a + b), y);
+  }
   for (int k = 0; k < 2; k++) slope[k] = slope[k] + keep * d[k];
+  slope[2] = slope[2] + upward;
   *within2 = *within2 + splat(12.0f * 0.224f * 0.224f * wave * wave) * gone * gone;
   return y;
 }
@@ -50,18 +67,23 @@ INLINE vf beds_rise(const vf p[3], float wave, float frequency, uint32_t seed, v
 STAGE vf bed_share(const stone_constants *w, const vf p[3], const vf nrm[3], vf s) {
   vf y = p[1], zero = splat(0.0f), one = splat(1.0f), sum = zero, extent2 = zero, side;
   vf away[2] = {zero, zero};
-  vf slope[2] = {zero, zero};
+  vf slope[3] = {zero, zero, one}; /* along x, z and y */
   if (w->bed_wave != 0.0f) {
-    const float f = w->bed_wave_frequency;
-    const vf turned[3] = {p[2], p[1], p[0]};
-    vf lesser[2] = {zero, zero};
-    y = y + beds_rise(p, w->bed_wave, f, w->seed_bed + 7u, s, slope, &extent2);
-    y = y + beds_rise(turned, BEDS_LESSER * w->bed_wave, BEDS_FINER * f, w->seed_bed + 8u, s,
+    const float f = w->bed_wave_frequency, finer = BEDS_FINER * f, lag = w->bed_lag;
+    const vf turned[3] = {p[2], p[1], p[0]}, *reach = NULL;
+    vf lesser[3] = {zero, zero, zero}, half;
+    if (lag > 0.0f) {
+      half = splat(0.5f) * s * vsqrt(vmax(one - nrm[1] * nrm[1], splat(0.01f)));
+      if (any(beds_far(half, finer, lag))) reach = &half;
+    }
+    y = y + beds_rise(p, w->bed_wave, f, lag, w->seed_bed + 7u, s, reach, slope, &extent2);
+    y = y + beds_rise(turned, BEDS_LESSER * w->bed_wave, finer, -lag, w->seed_bed + 8u, s, reach,
                       lesser, &extent2);
     for (int k = 0; k < 2; k++) slope[k] = slope[k] + lesser[1 - k];
+    slope[2] = slope[2] + lesser[2];
   }
-  vf into = nrm[1] + slope[0] * nrm[0] + slope[1] * nrm[2];
-  vf lean2 = one + slope[0] * slope[0] + slope[1] * slope[1] - into * into;
+  vf into = slope[2] * nrm[1] + slope[0] * nrm[0] + slope[1] * nrm[2];
+  vf lean2 = slope[2] * slope[2] + slope[0] * slope[0] + slope[1] * slope[1] - into * into;
   vf e = splat(0.25f) * vsqrt(vmax(s * s * lean2, zero) + extent2);
   side = e;
   vm wide = gt(e * splat(w->bed_frequency), splat(0.25f * BEDS_WIDE));

@@ -10,8 +10,9 @@
 #include "cells.h"
 #include "square.h"
 
-#define CELLS_APART 1.8f /* cells: twice how far centres are apart that share a face, mostly */
-#define CELLS_REACH 0.5f /* cells: the width of what shows through a border from behind it */
+#define CELLS_APART 1.8f   /* cells: twice how far centres are apart that share a face, mostly */
+#define CELLS_ROUNDED 0.2f /* cells: how wide the edges of sorted bodies are rounded */
+#define CELLS_REACH 0.5f   /* cells: the width of what shows through a border from behind it */
 
 /* Whether a cell's mineral is of kind 1, or of kind 2. */
 typedef struct {
@@ -36,7 +37,10 @@ INLINE vf cells_erosion(const stone_cells *c, vu h) {
   return splat(c->erode) + splat(c->erode_spread) * u;
 }
 
+/* Sorted bodies' balls are what their weights are of: then the face between two cuts neither of
+ * them but where both would have the place. */
 INLINE vf cells_radius(const stone_cells *c, vu h) {
+  if (c->sorted) return vsqrt(splat(c->radius * c->radius) - cells_weight(c, h));
   vf u = to_float((vi)(hash_mix(h ^ splatu(0x2545f491u)) >> 8)) * splat(1.0f / 16777216.0f);
   if (c->fines > 0.0f) u = u + splat(c->fines) * u * (splat(1.0f) - u);
   return splat(c->radius) * (splat(1.0f) - splat(c->radius_spread) * u);
@@ -48,12 +52,18 @@ INLINE vf cells_rim(const stone_cells *c, vu h) {
   return splat(c->rim) * (splat(0.4f) + splat(1.2f) * u);
 }
 
-/* The ball about a cell's centre, smaller by `less`. */
+/* How far the point is within the ball about a cell's centre, and how that grows. */
+INLINE vf cells_ball(const stone_cells *c, const cells_near *n, vf g[3]) {
+  vf r2 = dot3(n->x, n->x) + splat(1e-12f), k = inverse_root(r2);
+  for (int i = 0; i < 3; i++) g[i] = n->x[i] * k;
+  return cells_radius(c, n->h) - r2 * k;
+}
+
+/* The ball, smaller by `less`. */
 INLINE cells_edge edge_of_ball(const stone_cells *c, const cells_near *n, vf less,
                                const cells_square *s, const cells_parts *p) {
-  vf r2 = dot3(n->x, n->x) + splat(1e-12f), k = inverse_root(r2), g[3];
-  for (int i = 0; i < 3; i++) g[i] = n->x[i] * k;
-  return edge_of(s, p, cells_radius(c, n->h) - less - r2 * k, g, c->blur);
+  vf g[3], in = cells_ball(c, n, g);
+  return edge_of(s, p, in - less, g, c->blur);
 }
 
 /* The flake about a cell's centre, which lies its own way: how thick it is by half, and how far
@@ -100,11 +110,41 @@ INLINE cells_edge edge_of_face(const stone_cells *c, const cells_near *a, const 
   return edge_of(s, p, in - splat(CELLS_APART) * erosion, g, c->blur);
 }
 
+/* The lesser of a and another number, rounded off where they differ by less than CELLS_ROUNDED (the
+ * polynomial smooth minimum: Quilez I., Smooth minimum, 2013), and how it grows. */
+INLINE vf cells_rounded(vf a, vf g[3], vf b, const vf other[3]) {
+  const float k = CELLS_ROUNDED;
+  vf differ = b - a, near = vmax(splat(k) - vabs(differ), splat(0.0f));
+  vf own = clamp01(splat(0.5f) + differ * splat(0.5f / k));
+  for (int i = 0; i < 3; i++) g[i] = mix(other[i], g[i], own);
+  return vmin(a, b) - near * near * splat(0.25f / k);
+}
+
+/* A sorted body: its ball, as far as its neighbours leave it that, and no edge where two of its
+ * sides meet. */
+INLINE cells_edge edge_of_rounded(const stone_cells *c, const cells_near near[3], int n, vf erosion,
+                                  vf less, const cells_square *s, const cells_parts *p) {
+  const cells_near *a = &near[n];
+  vf side[3], g[3][3], per = splat(1.0f / CELLS_APART);
+  side[0] = cells_differ(a, &near[1 - n], g[0]) * per - erosion;
+  side[1] = cells_differ(a, &near[2], g[1]) * per - erosion;
+  side[2] = cells_ball(c, a, g[2]);
+  for (int i = 0; i < 3; i++) {
+    g[0][i] = g[0][i] * per;
+    g[1][i] = g[1][i] * per;
+  }
+  vf in = cells_rounded(side[0], g[0], side[1], g[1]);
+  in = cells_rounded(in, g[0], side[2], g[2]);
+  return edge_of(s, p, in - less, g[0], c->blur);
+}
+
 /* Those of the cells about a point. together: see cells_find_as. three: of crystals, too. */
 INLINE void cells_find(const stone_cells *c, int together, int three, const vf q[3],
                        cells_near near[3]) {
   three |= cells_asked(c) > 2;
-  if (c->grading > 0.0f) { /* bodies have no weights */
+  if (c->sorted) {
+    cells_find_as(c, CELLS_SORTED, 3, together, q, near);
+  } else if (c->grading > 0.0f) { /* other bodies have no weights */
     if (three)
       cells_find_as(c, 1, 3, together, q, near);
     else
@@ -129,6 +169,11 @@ INLINE void cells_within(const stone_cells *c, const cells_near near[3], int n, 
                          vf cover[4]) {
   int all = cells_asked(c) > 2, rounded = c->radius < 4.0f;
   const cells_near *a = &near[n];
+  if (c->sorted) {
+    cells_edge edge = edge_of_rounded(c, near, n, cells_erosion(c, a->h), less, s, p);
+    for (int i = 0; i < p->count; i++) cover[i] = edge_cover(&edge, p, i);
+    return;
+  }
   vf erosion = cells_erosion(c, a->h) + less;
   cells_edge face = edge_of_face(c, a, &near[1 - n], erosion, s, p), other = face, ball = face;
   if (all || three) other = edge_of_face(c, a, &near[2], erosion, s, p);

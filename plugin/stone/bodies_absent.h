@@ -56,9 +56,9 @@ STAGE int bodies_absent(const stone_cells *c, const vf low[3], const vf high[3],
       at[k] = a[k].own + step;
       middle[k] = to_float(step) + half;
     }
-    vu h = hash_upper((vu)at[0] * splatu(HASH_X) + (vu)at[1] * splatu(HASH_Y) +
-                      (vu)at[2] * splatu(HASH_Z) + splatu(c->seed));
-    cells_centre(h, middle[0], middle[1], middle[2], x);
+    vu h = cells_hash(cells_order(c), (vu)at[0] * splatu(HASH_X) + (vu)at[1] * splatu(HASH_Y) +
+                                          (vu)at[2] * splatu(HASH_Z) + splatu(c->seed));
+    cells_centre(c, h, middle[0], middle[1], middle[2], x);
     for (int k = 0; k < 3; k++) {
       vf out = vmax(vmax(a[k].low - x[k], x[k] - a[k].high), splat(0.0f));
       square = square + out * out;

@@ -52,8 +52,9 @@ INLINE vf height_ball(const height_form *f, vf radius, const vf x[3]) {
 INLINE vf height_lesser(const height_form *f, vf a, vf b) {
   vf least = vmin(a, b);
   if (!f->dome) return least;
-  vf near = vmax(splat(DOME_EDGE) - vabs(a - b), splat(0.0f));
-  return least - near * near * splat(0.25f / DOME_EDGE);
+  const float edge = f->cells->sorted ? CELLS_ROUNDED : DOME_EDGE; /* as the colour's are */
+  vf near = vmax(splat(edge) - vabs(a - b), splat(0.0f));
+  return least - near * near * splat(0.25f / edge);
 }
 
 INLINE vf height_profile(const height_form *f, vf in) {

@@ -13,6 +13,11 @@
 
 /* ---- what varies slowly ----------------------------------------------- */
 
+/* The slope of the beds' two waves (bands.h) along one axis, sd, over height by length: of value
+ * noise it is 1.8 sd to a cell, and the lesser wave's is 0.4 by 2.7 of the other's. */
+#define BEDS_STEEP (0.224 * 1.8 * 1.47)
+#define BEDS_LAG_MOST 50.0 /* steeper, waves would be finer than what they move */
+
 /* Across the first family a direction with equal chances, by its height and azimuth; the
  * others' at angles to it at which fractures of several strains cross, and to each other. */
 static void build_vein_frames(stone_constants *w) {
@@ -41,6 +46,10 @@ static void build_bands(stone_constants *w, const settings *s) {
   w->bed_frequency = (float)(1.0 / number_at(s, P_BED_THICKNESS));
   w->bed_wave = (float)number_at(s, P_BED_WAVE);
   w->bed_wave_frequency = (float)(1.0 / number_at(s, P_BED_WAVELENGTH));
+  double steep = BEDS_STEEP * number_at(s, P_BED_WAVE) / number_at(s, P_BED_WAVELENGTH);
+  double lag = number_at(s, P_BED_PINCHING);
+  lag = lag < BEDS_LAG_MOST * steep ? lag / steep : 0.0;
+  w->bed_lag = (float)lag;
   w->has_beds = w->bed_contrast > 0.0f;
   w->mottle = (float)number_at(s, P_MOTTLE);
   w->mottle_frequency = (float)(1.0 / number_at(s, P_MOTTLE_SIZE));

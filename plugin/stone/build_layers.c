@@ -19,7 +19,11 @@
 typedef struct {
   double size, stretch, grading, interlock, gap, roundness, variation, blur, share[2];
   double depth, cleavage, turbidity, flatness, cluster, rest, rim, fines, clear;
+  int sorted;
 } body;
+
+/* Of the ball that bodies are cut to, in cells. */
+static double radius_of(double roundness) { return 0.9 - 0.42 * roundness; }
 
 static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped) {
   /* a rotation in whole numbers: no axis, no diagonal */
@@ -30,6 +34,7 @@ static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped
     }
   }
   c->grading = (float)(0.35 * b->grading);
+  c->jitter = JITTER_OF(CELLS_JITTER);
   /* noise's gradient is within +-3 and mostly within +-1 */
   c->warp = (float)(0.2 * b->interlock);
   c->warp_fine = (float)(0.045 * b->interlock);
@@ -61,7 +66,7 @@ static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped
     c->erode = (float)(0.5 * b->gap / b->size);
     c->erode_spread = (float)(0.42 * b->grading * (1.0 - b->roundness));
     if (b->roundness > 0.0) {
-      c->radius = (float)(0.9 - 0.42 * b->roundness);
+      c->radius = (float)radius_of(b->roundness);
       c->radius_spread = (float)(b->grading * b->roundness);
       c->fines = (float)b->fines;
     }
@@ -71,6 +76,14 @@ static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped
     c->spread = 0.12f;
     c->least = 1.4f;
     c->grading = 0.0f;
+    if (b->sorted) {
+      /* radii squared are evenly spread, down to that of the least */
+      c->sorted = 1;
+      c->jitter = JITTER_OF(SORTED_JITTER);
+      c->radius = (float)radius_of(b->roundness);
+      c->grading = (float)b->grading * c->radius * c->radius;
+      c->erode_spread = 0.0f;
+    }
   }
 }
 
@@ -119,6 +132,7 @@ static void set_bedding(stone_cells *c, const stone_constants *w, double share) 
   b->frequency[1] = 1.7f * w->bed_frequency;
   b->wave = w->bed_wave;
   b->wave_frequency = w->bed_wave_frequency;
+  b->lag = w->bed_lag;
   b->seed = hash1(c->seed + 77u);
   b->seed_wave = w->seed_bed + 7u; /* bands.h: the beds' own */
 }
@@ -152,6 +166,8 @@ static body inclusions_of(const settings *s) {
             .cleavage = number_at(s, P_INCLUSION_CLEAVAGE),
             .turbidity = number_at(s, P_INCLUSION_TURBIDITY),
             .share = {number_at(s, P_INCLUSION_SHARE), number_at(s, P_INCLUSION_SECOND_SHARE)}};
+  b.sorted = choice_at(s, P_INCLUSION_CONTACT) == CONTACT_TANGENTIAL;
+  if (b.sorted) b.size /= 2.0 * radius_of(b.roundness); /* the largest ball's, not the spacing */
   return b;
 }
 

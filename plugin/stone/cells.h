@@ -22,8 +22,6 @@
 #include "stone.h"
 #include "value.h"
 
-#define CELLS_JITTER 0.86f /* of the lattice cell; more, and a neighbour's neighbour counts */
-
 /* A cell near the point: where its centre is from there, and its hash. */
 typedef struct {
   vf x[3], d;
@@ -33,11 +31,29 @@ typedef struct {
 
 /* Where the centre is of a cell whose middle is `from` away: ten bits of the hash to
  * an axis, and more below them that do no harm. */
-INLINE void cells_centre(vu h, vf x, vf y, vf z, vf out[3]) {
-  const vf k = splat(0.5f * CELLS_JITTER / HASH_ONE);
+INLINE void cells_centre(const stone_cells *c, vu h, vf x, vf y, vf z, vf out[3]) {
+  const vf k = splat(c->jitter);
   out[0] = to_float((vi)h) * k + x;
   out[1] = to_float((vi)(h << 10)) * k + y;
   out[2] = to_float((vi)(h << 20)) * k + z;
+}
+
+/* What cells go by: all alike, by weights, or by weights that are sorted. */
+enum { CELLS_ALIKE, CELLS_GRADED, CELLS_SORTED };
+
+INLINE int cells_order(const stone_cells *c) {
+  return c->sorted ? CELLS_SORTED : c->grading > 0.0f ? CELLS_GRADED : CELLS_ALIKE;
+}
+
+/* A cell's hash. sum: of its axes' parts, all of them odd multiples, so that its lowest bit tells
+ * the two halves of a chequered lattice apart. Where cells are sorted that bit becomes the weight's
+ * first: one half's bodies are large and lie as the closest packing of balls does, the other's are
+ * small and lie in its octahedral voids (Conway and Sloane, Sphere Packings, Lattices and Groups,
+ * Springer, 3rd ed., 1999). */
+INLINE vu cells_hash(int order, vu sum) {
+  vu h = hash_upper(sum);
+  if (order != CELLS_SORTED) return h;
+  return (h & splatu(~(1u << 26))) | ((sum & splatu(1u)) << 26);
 }
 
 /* A cell's weight, 0 or more, and a little, so that no distance is denormal, which
@@ -117,9 +133,9 @@ INLINE void cells_keep(vf d, vi number, int most, vf key[]) {
 /* Cell x, y, z of those, 0 to 2 along each axis. */
 INLINE void cells_try(const stone_cells *c, int graded, int most, const cells_about *a, int x,
                       int y, int z, vf key[]) {
-  vu h = hash_upper(a->hash[0][x] + a->hash[1][y] + a->hash[2][z]);
+  vu h = cells_hash(graded, a->hash[0][x] + a->hash[1][y] + a->hash[2][z]);
   vf at[3];
-  cells_centre(h, a->from[0][x], a->from[1][y], a->from[2][z], at);
+  cells_centre(c, h, a->from[0][x], a->from[1][y], a->from[2][z], at);
   vf d = dot3(at, at) + (graded ? cells_weight(c, h) : splat(1e-6f));
   cells_keep(d, a->number[0][x] + a->number[1][y] + a->number[2][z], most, key);
 }
@@ -175,9 +191,9 @@ INLINE cells_near cells_of_key(const stone_cells *c, int graded, const cells_own
     d[i] = cells_step(bits_of(key), own->whole[i], i);
     o.at[i] = own->whole[i] + d[i];
   }
-  o.h = hash_upper(own->hash[0] + own->hash[1] + own->hash[2] + (vu)d[0] * splatu(HASH_X) +
-                   (vu)d[1] * splatu(HASH_Y) + (vu)d[2] * splatu(HASH_Z));
-  cells_centre(o.h, own->from[0] + to_float(d[0]), own->from[1] + to_float(d[1]),
+  o.h = cells_hash(graded, own->hash[0] + own->hash[1] + own->hash[2] + (vu)d[0] * splatu(HASH_X) +
+                               (vu)d[1] * splatu(HASH_Y) + (vu)d[2] * splatu(HASH_Z));
+  cells_centre(c, o.h, own->from[0] + to_float(d[0]), own->from[1] + to_float(d[1]),
                own->from[2] + to_float(d[2]), o.x);
   o.d = dot3(o.x, o.x);
   if (graded) o.d = o.d + cells_weight(c, o.h);
@@ -208,7 +224,7 @@ INLINE vu cells_block(const stone_cells *c, vi x, vi y, vi z) {
 /* Across the beds, which rise and fall. p: mm, bed space. */
 INLINE vf beds_across(const stone_bedding *b, const vf p[3]) {
   vf unused[2];
-  return p[1] + beds_wave(p, b->wave, b->wave_frequency, b->seed_wave, unused);
+  return p[1] + beds_wave(p, b->wave, b->wave_frequency, b->lag, b->seed_wave, unused);
 }
 
 /* How rich in bodies the beds are at a place across them: mean 1. */

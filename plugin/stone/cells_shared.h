@@ -81,7 +81,7 @@ INLINE int cells_span_make(int count, const cells_own *own, cells_span *span) {
 INLINE void cells_list_make(const stone_cells *c, int graded, int most, const cells_span *span,
                             cells_list *list) {
   static const uint32_t prime[3] = {HASH_X, HASH_Y, HASH_Z};
-  const float k = 0.5f * CELLS_JITTER / HASH_ONE;
+  const float k = c->jitter;
   const vi *base = span->base;
   const int *upper = span->upper;
   vi own = lane_numbers(), x = own & splati(3), y = own >> 2;
@@ -102,7 +102,7 @@ INLINE void cells_list_make(const stone_cells *c, int graded, int most, const ce
   UNROLL(4)
   for (int v = 0; v < 4; v++) {
     if (v == layers) break;
-    vu h = hash_upper(hash + splatu((uint32_t)v * HASH_Z));
+    vu h = cells_hash(graded, hash + splatu((uint32_t)v * HASH_Z));
     vf f = splat(1e-6f), b = splat(0.0f);
     if (graded) f = cells_weight(c, h);
     store(list->weight + 16 * v, f);

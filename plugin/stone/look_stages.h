@@ -150,7 +150,9 @@ INLINE int looks_find_shared(const stone_cells *c, int graded, int most, int eac
 STAGE void looks_find_together(const stone_cells *c, int three, cells_look *looks, int count) {
   for (int l = 0, each = CELLS_GROUP; l < count; l += FIND_LOOKS) {
     int n = count - l < FIND_LOOKS ? count - l : FIND_LOOKS;
-    if (c->grading > 0.0f) {
+    if (c->sorted) {
+      each = looks_find_shared(c, CELLS_SORTED, 3, each, looks + l, n);
+    } else if (c->grading > 0.0f) {
       if (three)
         each = looks_find_shared(c, 1, 3, each, looks + l, n);
       else

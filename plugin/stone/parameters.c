@@ -155,6 +155,13 @@ static const sozai_parameter bed_wavelength = {
    .doc = "Of that rise and fall.",
    .hard_min = 1, .hard_max = 100000, .soft_min = 20, .soft_max = 1000, .default_number = {120}};
 
+static const sozai_parameter bed_pinching = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "bed_pinching", .label = "Pinch and swell", .group = "bedding", .unit = "",
+   .doc = "How much the thickness of beds changes along their way, sd: at 0 all of them wave alike. "
+   "Without waves it is nothing.",
+   .hard_min = 0, .hard_max = 0.5, .soft_min = 0, .soft_max = 0.4, .default_number = {0}};
+
 static const sozai_parameter mottle = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "mottle", .label = "Mottle", .group = "bedding", .unit = "",
@@ -197,6 +204,18 @@ static const sozai_parameter inclusion_roundness = {
    .id = "inclusion_roundness", .label = "Roundness", .group = "inclusions", .unit = "",
    .doc = "0: angular, as crystals and crushed chips; 1: cut to balls.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
+
+static const char *const inclusion_contact_choices[] = {"long", "tangential"};
+static const char *const inclusion_contact_docs[] = {
+   "straight, along the faces by which neighbours cut each other",
+   "at points: each whole and rounded, large ones and small ones between them"};
+
+static const sozai_parameter inclusion_contact = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_CHOICE,
+   .id = "inclusion_contact", .label = "Contact", .group = "inclusions", .unit = "",
+   .doc = "How inclusions meet (grain contacts: Taylor J. M., AAPG Bulletin 34, 1950).",
+   .choices = inclusion_contact_choices, .choice_docs = inclusion_contact_docs,
+   .choice_count = COUNT(inclusion_contact_choices), .default_number = {0}};
 
 static const sozai_parameter inclusion_grading = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -545,6 +564,7 @@ const sozai_parameter *const stone_parameters[STONE_PARAMETERS] = {
    [P_BED_CONTRAST] = &bed_contrast,
    [P_BED_WAVE] = &bed_wave,
    [P_BED_WAVELENGTH] = &bed_wavelength,
+   [P_BED_PINCHING] = &bed_pinching,
    [P_MOTTLE] = &mottle,
    [P_MOTTLE_SIZE] = &mottle_size,
    [P_INCLUSION_SIZE] = &inclusion_size,
@@ -552,6 +572,7 @@ const sozai_parameter *const stone_parameters[STONE_PARAMETERS] = {
    [P_INCLUSION_SECOND_SHARE] = &inclusion_second_share,
    [P_INCLUSION_GAP] = &inclusion_gap,
    [P_INCLUSION_ROUNDNESS] = &inclusion_roundness,
+   [P_INCLUSION_CONTACT] = &inclusion_contact,
    [P_INCLUSION_GRADING] = &inclusion_grading,
    [P_INCLUSION_STRETCH] = &inclusion_stretch,
    [P_INCLUSION_INTERLOCK] = &inclusion_interlock,

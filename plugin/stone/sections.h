@@ -57,7 +57,7 @@ INLINE vf sections_patch(const stone_cells *c, const sections_face *f, const vi 
   for (int k = 0; k < 3; k++) mid[k] = to_float(at[k]) + splat(0.5f) - f->q[k];
   vu h = hash_upper((vu)at[0] * splatu(HASH_X) + (vu)at[1] * splatu(HASH_Y) +
                     (vu)at[2] * splatu(HASH_Z) + splatu(c->seed));
-  cells_centre(h, mid[0], mid[1], mid[2], x);
+  cells_centre(c, h, mid[0], mid[1], mid[2], x);
   vf height = dot3(x, f->up), reach = splat(SECTIONS_CRYSTAL + 0.5f * c->grading);
   if (c->grading > 0.0f) reach = reach - cells_weight(c, h);
   if (c->shaped) {

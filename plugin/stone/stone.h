@@ -46,12 +46,17 @@ enum { LAYER_GRAINS, LAYER_INCLUSIONS, LAYER_SPECKS, LAYER_HOLES, STONE_LAYERS }
 /* What else lies over those. */
 enum { OVER_MOSS = STONE_LAYERS, OVER_VEINS };
 
+#define CELLS_JITTER 0.86f /* of the lattice cell; more, and a neighbour's neighbour counts */
+#define SORTED_JITTER 0.5f /* the same of sorted bodies: more, and they cut each other */
+#define JITTER_OF(share) (0.5f * (share) / 2147483648.0f) /* over hash_signed's reach */
+
 /* Beds that a layer's bodies keep to: two families, of which a part has all that there
  * is in this way. */
 typedef struct {
   float across[3][3];         /* mm: cells to bed space */
   float frequency[2];         /* 1/mm */
   float wave, wave_frequency; /* mm; 1/mm */
+  float lag;                  /* of the wave, over the height: value.h */
   float few, more, part;      /* how many elsewhere; how many more there, of one family */
   uint32_t seed, seed_wave;
 } stone_bedding;
@@ -61,6 +66,7 @@ typedef struct {
 typedef struct {
   float turn[3][3];            /* 1/mm: bed space to cells */
   float grading;               /* spread of the cells' weights */
+  float jitter;                /* how far a centre strays, see JITTER_OF */
   float warp, warp_fine;       /* how far the cells' faces stray, at two sizes */
   float bend_turn[3][3];       /* as turn, of the layer whose noises bend these faces, too */
   float bend_scale;            /* such cells to a cell of this layer */
@@ -89,6 +95,7 @@ typedef struct {
   float whole;         /* cells: wider looks are seen in quarters */
   float sheared;       /* cells: a wider look sees how the bends shear it */
   int32_t on, shaped;  /* shaped: eroded, or cut to a ball */
+  int32_t sorted;      /* bodies that touch: large ones, and small ones between */
   float fours;         /* fours of looks to a cell, where looks come so (sites.h) */
   int32_t grouped;     /* they do */
   int32_t bedded;      /* bodies keep to certain beds */
@@ -163,8 +170,9 @@ typedef struct {
   stone_cells layer[STONE_LAYERS];
 
   float bed_frequency, bed_contrast, bed_wave, bed_wave_frequency; /* 1/mm; mm */
-  float vein_frequency, vein_width, vein_warp, vein_mean;          /* 1/mm; mm */
-  float vein_soft, vein_crossing, vein_variation;                  /* mm; 0..1 */
+  float bed_lag; /* of the waves, over the height: value.h */
+  float vein_frequency, vein_width, vein_warp, vein_mean; /* 1/mm; mm */
+  float vein_soft, vein_crossing, vein_variation;         /* mm; 0..1 */
   float vein_frame[VEIN_FAMILIES][3][3]; /* rows: across a family's veins, and two along; unit */
   float mottle, mottle_frequency;
   int32_t has_beds, has_veins, has_mottle;

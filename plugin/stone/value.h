@@ -184,12 +184,16 @@ INLINE vf value_gradient(const vf p[3], vu seed, vf out[3]) {
 }
 
 /* How far beds rise and fall: a height over the plane that they lay in. sd 0.224 of
- * `wave`. p: bed space; slope: along its x and z, per mm. The lattice stands aslant. */
-INLINE vf beds_wave(const vf p[3], float wave, float frequency, uint32_t seed, vf slope[2]) {
+ * `wave`. p: bed space; slope: along its x and z, per mm; along y it is `lag` of x's. Where there
+ * is a lag each bed's wave lies that much further on, over how high, than that of the bed below:
+ * between two whose waves differ the beds swell and pinch. The lattice stands aslant. */
+INLINE vf beds_wave(const vf p[3], float wave, float frequency, float lag, uint32_t seed,
+                    vf slope[2]) {
   const float high = wave * (0.224f / VALUE_SD_FLAT / HASH_ONE);
   vf along = splat(0.8f * frequency), aside = splat(0.6f * frequency), dx, dz;
-  noise_axis x = noise_split(p[0] * along + p[2] * aside, HASH_X),
-             z = noise_split(p[2] * along - p[0] * aside, HASH_Z);
+  vf on = p[0] + splat(lag) * p[1];
+  noise_axis x = noise_split(on * along + p[2] * aside, HASH_X),
+             z = noise_split(p[2] * along - on * aside, HASH_Z);
   vf n = noise_value2(&x, &z, splatu(seed), &dx, &dz);
   slope[0] = splat(high) * (dx * along - dz * aside);
   slope[1] = splat(high) * (dz * along + dx * aside);

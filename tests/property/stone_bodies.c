@@ -6,6 +6,7 @@
 #include <stdio.h>
 
 #include "cmocka_all.h"
+#include "lines.h"
 #include "wood.h"
 
 /* Bodies alone, of one colour each: those of kind 1 red, of kind 2 and rims green, on black. */
@@ -23,6 +24,10 @@ static void outlines_do_not_jump(void **state) {
       "inclusion_grading=0.95; inclusion_roundness=0.1; inclusion_gap=4",
       "inclusion_grading=0; inclusion_roundness=0; inclusion_gap=6",
       "inclusion_grading=0.95; inclusion_roundness=0.5; inclusion_gap=0; inclusion_rim=2",
+      "inclusion_grading=0.95; inclusion_roundness=0; inclusion_gap=0.4; inclusion_rim=0.5; "
+      "inclusion_contact=tangential",
+      "inclusion_grading=0.9; inclusion_roundness=0.3; inclusion_gap=0.4; "
+      "inclusion_contact=tangential",
   };
   enum { LINES = 600, STEPS = 120 };
   const double s = 0.4, step = 0.02;
@@ -111,8 +116,44 @@ static void rims_are_as_thick(void **state) {
   }
 }
 
+/* A line meets balls by the square of their radius, and lies in them by its cube. Of squares evenly
+ * spread from (1 - g) R^2 to R^2 it meets (3 / 4) E[r^2] / E[r^3] of them to what it covers; the
+ * more, the more of them are cut. */
+static double balls_met(double radius, double g) {
+  double cube = 0.4 / g * (1 - pow(1 - g, 2.5));
+  return 0.75 * (1 - 0.5 * g) / (cube * radius);
+}
+
+/* That bodies in tangential contact are whole: of the size that was asked for, and hardly cut by
+ * neighbours. */
+static void contacts_are_tangential(void **state) {
+  (void)state;
+  static const struct { double roundness, most; } cases[] = {{1, 1.03}, {0.5, 1.12}, {0.3, 1.2}};
+  const double g = 0.9, size = 20;
+  for (unsigned k = 0; k < sizeof cases / sizeof *cases; k++) {
+    char text[600];
+    snprintf(text, sizeof text,
+             PLAIN "inclusion_share=0.1; inclusion_interlock=0; inclusion_gap=0; "
+                   "inclusion_contact=tangential; inclusion_size=%g; inclusion_grading=%g; "
+                   "inclusion_roundness=%g",
+             size, g, cases[k].roundness);
+    sozai_texture *t = stone_make(NULL, text);
+    double covered, begin;
+    uniform_seed(74);
+    lines_meet(&(lines){2000, 2000, 0.1}, t, &covered, &begin);
+    textures->destroy(t);
+    double cut = begin / covered / balls_met(0.5 * size, g);
+    CHECK(
+        fabs(covered - 0.1) < 0.006 && cut > 0.97 && cut < cases[k].most,
+        "inclusion_roundness=%g: bodies take %.4f of a line, which meets %.3f times as many as of "
+        "whole balls\n",
+        cases[k].roundness, covered, cut);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(outlines_do_not_jump),
-                                     cmocka_unit_test(rims_are_as_thick)};
+                                     cmocka_unit_test(rims_are_as_thick),
+                                     cmocka_unit_test(contacts_are_tangential)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

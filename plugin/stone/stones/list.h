@@ -39,6 +39,7 @@
   X(rosso_verona) \
   X(solnhofen) \
   X(portland) \
+  X(bath) \
   X(york) \
   X(teppei) \
   X(porphyry) \
