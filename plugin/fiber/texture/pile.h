@@ -12,8 +12,8 @@
 #include "../../core/maths.h"
 #include "texture.h"
 
-#define PILE_LEAST2                                                                                \
-  0.05f /* how narrow strands look along themselves, squared: none is quite straight */
+/* How narrow strands look along themselves, squared: none is quite straight. */
+#define PILE_LEAST2 0.05f
 
 /* How a pile leans at a place. */
 typedef struct {
