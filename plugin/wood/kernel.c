@@ -770,7 +770,7 @@ INLINE void stage_ray_seat(const wood_constants *w, int boards, block *k) {
   ray_place p = ray_place_here(boards, k);
   ray_cell_size(w, &p, &k->ray_at);
   k->rays_gone = rays_gone(w, &p);
-  if (!k->rays_gone) k->ray_on = ray_seat_of(&k->ray_at);
+  if (!k->rays_gone) k->ray_on = ray_hash_of(&k->ray_at);
 }
 
 INLINE void stage_ray_body(const wood_constants *w, int boards, block *k) {
@@ -1157,19 +1157,18 @@ INLINE void stage_radiance(const wood_constants *w, int boards, const wood_io *i
   vf zero = splat(0.0f);
   vf gloss = k->strength * exp2_(k->power);
   vf diffuse = splat(w->diffuse) * vmax(k->incident, zero);
+  vf coat = zero;
   if (w->coat > 0.0f) {
-    vf through, coat = stage_coat(w, boards, io, k, &through);
+    vf through;
+    coat = stage_coat(w, boards, io, k, &through);
     gloss = gloss * through;
     diffuse = diffuse * through;
-    UNROLL(3)
-    for (int c = 0; c < 3; c++) {
-      store_lit(io, k, c, coat + diffuse * k->albedo[c] + gloss * splat(w->tint_colour[c]));
-    }
-    return;
   }
   UNROLL(3)
   for (int c = 0; c < 3; c++) {
-    store_lit(io, k, c, diffuse * k->albedo[c] + gloss * splat(w->tint_colour[c]));
+    vf r = diffuse * k->albedo[c];
+    if (w->coat > 0.0f) r = r + coat;
+    store_lit(io, k, c, r + gloss * splat(w->tint_colour[c]));
   }
 }
 

@@ -62,6 +62,7 @@ typedef struct {
 } ray_cells;
 
 #define RAY_NONE 2.0f
+#define RAY_ROW_STEP 0x6a09e667u /* the root of 2, less 1 */
 
 /* In three steps, as what follows on them is, so that the kernel can take a few
  * blocks through each: the shell, */
@@ -88,7 +89,7 @@ INLINE void ray_sector_at(const wood_constants *w, const ray_place *p, vi sector
   /* by steps of the golden ratio round the pith, and of the root of 2 along it, which are spread
    * evenly over any few sectors and rows */
   vu chance =
-      (vu)sector * splatu(0x9e3779b9u) + (vu)q->row * splatu(0x6a09e667u) + ((vu)q->shell << 31);
+      (vu)sector * splatu(0x9e3779b9u) + (vu)q->row * splatu(RAY_ROW_STEP) + ((vu)q->shell << 31);
   q->chance = to_float((vi)(chance >> 8)) * k24;
 }
 
@@ -168,8 +169,8 @@ INLINE vf ray_raggedness(const wood_constants *w, const ray_place *p, vu hash) {
 }
 
 /* The hash of the ray that a cell has. */
-INLINE vu ray_seat_of(const ray_cells *q) {
-  vu row = (vu)q->row * splatu(0x6a09e667u);
+INLINE vu ray_hash_of(const ray_cells *q) {
+  vu row = (vu)q->row * splatu(RAY_ROW_STEP);
   return hash_mix((vu)q->column * splatu(HASH_X) + (vu)q->shell * splatu(HASH_Z) + row + q->seed);
 }
 
@@ -215,7 +216,7 @@ INLINE vf ray_body_cover(const wood_constants *w, const ray_place *p, const ray_
 }
 
 INLINE vf ray_of_cell(const wood_constants *w, const ray_place *p, const ray_cells *q) {
-  ray_body r = ray_body_of(w, p, q, ray_seat_of(q));
+  ray_body r = ray_body_of(w, p, q, ray_hash_of(q));
   return ray_body_cover(w, p, q, &r);
 }
 

@@ -22,6 +22,13 @@ static void set(float *const to[3], unsigned i, const double d[3]) {
   for (int c = 0; c < 3; c++) to[c][i] = (float)d[c];
 }
 
+/* A point with a light and an eye. */
+static void add_lit(points *p, double x, double y, const double l[3], const double v[3]) {
+  unsigned i = points_add(p, x, y, 0, 0);
+  set(p->light, i, l);
+  set(p->view, i, v);
+}
+
 static void direction(double cosine, double around, double out[3]) {
   double s = sqrt(fmax(1 - cosine * cosine, 0));
   out[0] = s * cos(around);
@@ -74,11 +81,10 @@ static void the_papers_lobe(void **state) {
       points p = {0};
       double l[2000][3], v[2000][3];
       for (unsigned i = 0; i < 2000; i++) {
-        points_add(&p, 60 * uniform(), 60 * uniform(), 0, 0);
+        double x = 60 * uniform(), y = 60 * uniform();
         direction(0.05 + 0.95 * uniform(), 2 * PI * uniform(), l[i]);
         direction(0.05 + 0.95 * uniform(), 2 * PI * uniform(), v[i]);
-        set(p.light, i, l[i]);
-        set(p.view, i, v[i]);
+        add_lit(&p, x, y, l[i], v[i]);
       }
       points_ask(&p, t);
       for (unsigned i = 0; i < 2000; i++) {
@@ -109,10 +115,8 @@ static void on_the_cone(void **state) {
     double around = 2 * PI * k / 24;
     for (unsigned i = 0; i < 900; i++) {
       double v[3];
-      points_add(&p, 10, 20, 0, 0);
       direction(cos(i * PI / 1800), around, v);
-      set(p.light, i, l);
-      set(p.view, i, v);
+      add_lit(&p, 10, 20, l, v);
     }
     points_ask(&p, t);
     /* without the cosines of T and of the light, both smooth: where g peaks */
@@ -147,10 +151,8 @@ static void both_ways(void **state) {
     double x = 50 * uniform(), y = 50 * uniform(), a[3], b[3];
     direction(0.1 + 0.9 * uniform(), 2 * PI * uniform(), a);
     direction(0.1 + 0.9 * uniform(), 2 * PI * uniform(), b);
-    points_add(&p, x, y, 0, 0);
-    points_add(&p, x, y, 0, 0);
-    set(p.light, i, a), set(p.view, i, b);
-    set(p.light, i + 1, b), set(p.view, i + 1, a);
+    add_lit(&p, x, y, a, b);
+    add_lit(&p, x, y, b, a);
   }
   points_ask(&p, t);
   double worst = 0;
@@ -186,10 +188,8 @@ static void over_kawai(void **state) {
     double x = 50 * uniform(), y = 50 * uniform(), l[3], v[3];
     direction(0.05 + 0.95 * uniform(), 2 * PI * uniform(), l);
     direction(0.05 + 0.95 * uniform(), 2 * PI * uniform(), v);
-    points_add(&p, x, y, 0, 0);
-    points_add(&q, x, y, 0, 0);
-    set(p.light, i, l), set(p.view, i, v);
-    set(q.light, i, l), set(q.view, i, v);
+    add_lit(&p, x, y, l, v);
+    add_lit(&q, x, y, l, v);
   }
   points_ask(&p, bare);
   points_ask(&q, clad);
@@ -244,10 +244,8 @@ static double furnace(sozai_texture *t, const double v[3], int channel) {
   for (int i = 0; i < UP; i++) {
     for (int j = 0; j < ROUND; j++) {
       double l[3];
-      unsigned n = points_add(&p, 10, 20, 0, 0);
       direction((i + 0.5) / UP, 2 * PI * (j + 0.5) / ROUND, l);
-      set(p.light, n, l);
-      set(p.view, n, v);
+      add_lit(&p, 10, 20, l, v);
     }
   }
   points_ask(&p, t);

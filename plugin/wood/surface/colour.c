@@ -90,7 +90,7 @@ void surface_build_colour(wood_constants *w, const settings *s, const float (*co
   w->roughness = __builtin_sqrtf(2.0f / (w->shininess + 2.0f));
   double asked = number_at(s, P_COAT), rough = number_at(s, P_COAT_ROUGHNESS);
   /* only a film is glossy */
-  if (coat > 0.0 && coat > asked && finish != FINISH_LACQUERED && rough < SATIN) rough = SATIN;
+  if (coat > asked && finish != FINISH_LACQUERED && rough < SATIN) rough = SATIN;
   w->coat_alpha = (float)(rough * rough);
   w->coat = (float)(asked > coat ? asked : coat);
 }
