@@ -766,7 +766,7 @@ static const sozai_parameter ageing_years = {
 static const sozai_parameter aged_colour = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
    .id = "aged_colour", .label = "Aged colour", .group = "colour", .unit = "",
-   .doc = "What earlywood comes to; all other tissue changes with it.",
+   .doc = "What earlywood comes to, between its own colour to the power of 0.4 and of 4 in each component; all other tissue changes with it.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.70, 0.51, 0.30},
    .default_text = "sRGB"};
 

@@ -88,19 +88,14 @@ static void build_marks(wood_surface *m, const surface_finish *f, const settings
 
 /* ---- wear -------------------------------------------------------------- */
 
-static double late_profile(const wood_constants *w, double rho) {
+/* ring: where the search begins and ends, of a rho that mostly grows from call to call. */
+static double late_profile(const wood_constants *w, double rho, int *ring) {
   double total = (double)w->start[WOOD_RINGS];
   while (rho < 0.0) rho += total;
   while (rho >= total) rho -= total;
-  int low = 0, high = WOOD_RINGS;
-  while (high - low > 1) {
-    int middle = (low + high) / 2;
-    if ((double)w->start[middle] <= rho) {
-      low = middle;
-    } else {
-      high = middle;
-    }
-  }
+  int low = (double)w->start[*ring] <= rho ? *ring : 0;
+  while (low + 1 < WOOD_RINGS && (double)w->start[low + 1] <= rho) low++;
+  *ring = low;
   double f = (rho - (double)w->start[low]) * (double)w->inverse_width[low];
   double a = (f - (double)w->late_start) * (double)w->inverse_late_before;
   double b = 1.0 - (f - (double)w->late_middle) * (double)w->inverse_late_after;
@@ -122,12 +117,14 @@ static void build_wear_slopes(wood_constants *w) {
   for (int k = 0; k < SURFACE_WEAR_STEPS; k++) {
     double e = (double)m->soft * scalar_exp(0.5 * k * 0.69314718055994531), sum = 0.0;
     double wanted = 10.0 * total / e;
-    int steps = wanted < 2048.0 ? 2048 : wanted > 65536.0 ? 65536 : (int)wanted;
+    int steps = wanted < 2048.0 ? 2048 : wanted > 65536.0 ? 65536 : (int)wanted, ring[4] = {0};
     /* a box as long as all of them leaves nothing */
     for (int i = 0; e < 0.5 * total && i < steps; i++) {
       double rho = (i + 0.5) * total / steps;
-      double rise = 0.5 * (late_profile(w, rho + 0.5 * e) - late_profile(w, rho - 0.5 * e)) +
-                    0.25 * (late_profile(w, rho + e) - late_profile(w, rho - e));
+      double within = late_profile(w, rho + 0.5 * e, &ring[0]) -
+                      late_profile(w, rho - 0.5 * e, &ring[1]),
+             about = late_profile(w, rho + e, &ring[2]) - late_profile(w, rho - e, &ring[3]);
+      double rise = 0.5 * within + 0.25 * about;
       sum += rise * rise / steps;
     }
     m->wear_slope2[k] = (float)(sum / (e * e));
