@@ -16,10 +16,11 @@ static const sozai_value values_isahaya[] = {
     SRGB("second_colour", 134, 127, 115),
     SRGB("third_colour", 172, 164, 150),
     NUMBER("bed_thickness", 18.0),
-    NUMBER("bed_contrast", 0.5),
-    NUMBER("bed_wave", 5.0),
+    NUMBER("bed_contrast", 0.8),
+    NUMBER("bed_wave", 12.0),
     NUMBER("bed_wavelength", 300.0),
     SRGB("bed_colour", 132, 122, 106),
+    NUMBER("bed_pinching", 0.25),
     NUMBER("speck_size", 0.7),
     NUMBER("black_share", 0.02),
     SRGB("black_colour", 82, 76, 68),
@@ -45,9 +46,10 @@ static const sozai_value values_sandstone[] = {
     SRGB("third_colour", 184, 142, 120),
     NUMBER("bed_thickness", 14.0),
     NUMBER("bed_contrast", 0.9),
-    NUMBER("bed_wave", 6.0),
+    NUMBER("bed_wave", 14.0),
     NUMBER("bed_wavelength", 260.0),
     SRGB("bed_colour", 190, 150, 128),
+    NUMBER("bed_pinching", 0.3),
     NUMBER("black_share", 0.008),
     NUMBER("white_share", 0.01),
     NUMBER("speck_size", 0.5),
@@ -56,7 +58,8 @@ static const sozai_value values_sandstone[] = {
     CHOICE("finish", "sawn"),
 };
 STONE(sandstone, "Red sandstone (Indian, Agra)",
-      "Red-brown sandstone, cross-lit by pale laminae; sand grains that one can just see.",
+      "Red-brown sandstone with pale laminae that swell and pinch; sand grains that one can just "
+      "see.",
       PETTIJOHN "; " EN12440);
 
 static const sozai_value values_york[] = {
