@@ -60,7 +60,7 @@ draw_stones() {
 # Red felt, grey felt, fleece, cashmere; denim, tweed, linen, burlap; silk satin, velvet, flannel, coir
 draw_fibres() {
   local number=0 preset size
-  for preset in felt:4x3 felt_grey:60x45 fleece:10x7.5 cashmere:8x6 denim:12x9 tweed:30x22.5 \
+  for preset in felt:12x9 felt_grey:60x45 fleece:10x7.5 cashmere:8x6 denim:12x9 tweed:30x22.5 \
     linen:10x7.5 burlap:24x18 silk_satin:6x4.5 velvet:160x120 flannel:16x12 coir:60x45; do
     size=${preset#*:}
     tile $((number += 1)) fiber "${preset%:*}" --camera front --size "$size"

@@ -2,7 +2,8 @@
  *
  * How fibres lie in use: what a preset says beyond the catalogue's entry of its
  * fibre. Lengths in mm, angles in degrees. 0, or what is left out, stands for
- *   the fibre's own       packing, crimp, crimp_height, transmission, variation
+ *   the fibre's own       diameter, diameter_spread, packing, crimp, crimp_height, roughness,
+ *                         transmission, variation
  *   the default           waver, thickness, bundle, nap_reach, darkening, hollow
  *   0                     all else
  */
@@ -16,13 +17,14 @@ typedef struct {
   const char *label, *doc; /* NULL: the fibre's */
   const char *source;      /* of a weave's figures. NULL: the fibre's own are shown; how it lies,
                             and what colours are said here, are set by eye */
+  double diameter, diameter_spread; /* um; as the parameter has it */
   double thickness, packing, bundle;
   double alignment, elevation, elevation_spread; /* degrees */
   double nap_drift, nap_reach;
   double flyaway, flyaway_height;
-  double crimp, crimp_height, waver; /* 1/cm; mm */
-  double darkening, transmission;
-  const char *weave; /* NULL: an aggregate */
+  double crimp, crimp_height, waver;         /* 1/cm; mm */
+  double darkening, roughness, transmission; /* degrees, the second */
+  const char *weave;                         /* NULL: an aggregate */
   double spacing, weft_spacing, width, flatness, twist, slub, hollow;
   int32_t coloured, weft_coloured; /* the colours below stand */
   uint8_t colour[3], second[3], weft[3];

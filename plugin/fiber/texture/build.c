@@ -212,9 +212,8 @@ static double build_shell(fibertex_constants *w, const settings *s, const fibert
   double apart_most = w->pile ? 2.0 : 0.0, most_of = 0.0;
   for (int k = 0; k < count; k++) most_of += thin * densest(k, count);
   double scale = scalar_least(1.0, total / most_of), seen = 0.0, shown = thickness / total;
-  /* ten radii apart bundles hold all that is usual; what is more lies nearer together */
-  double loose = bulk ? scalar_most(scalar_least(10.0, 0.7 / flown), 2.5) : 0.0;
-  if (bulk) place_layer(w, 0, 2.6 * size, 0.5 * d, loose, flown, 0.0);
+  /* ten radii apart, lest they look combed: no more than 0.08 of the surface is covered so */
+  if (bulk) place_layer(w, 0, 2.6 * size, 0.5 * d, 10.0, flown, 0.0);
   for (int k = 0; k < count; k++) {
     int l = bulk + k;
     double each = woven ? 0.4 : scale * thin * densest(k, count);

@@ -130,8 +130,8 @@ static const sozai_parameter nap_reach = {
 static const sozai_parameter flyaway = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "flyaway", .label = "Flyaway", .group = "aggregate", .unit = "",
-   .doc = "Share of the surface that single strands standing off it cover; they cover 0.3 of it at most.",
-   .hard_min = 0, .hard_max = 0.5, .soft_min = 0, .soft_max = 0.2, .default_number = {0.03}};
+   .doc = "Share of the surface that single strands standing off it cover; 0.08 is about the most, from where on more is the same.",
+   .hard_min = 0, .hard_max = 0.5, .soft_min = 0, .soft_max = 0.08, .default_number = {0.03}};
 
 static const sozai_parameter flyaway_height = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,

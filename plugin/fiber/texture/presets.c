@@ -41,15 +41,16 @@ static void colour(values *v, const char *id, const uint8_t c[3]) {
 }
 
 static void set_strand(values *v, const fiber_arrangement *a, const fiber_material *f) {
-  number(v, "diameter", f->diameter);
+  number(v, "diameter", either(a->diameter, f->diameter));
   /* evenly spread to sqrt(3) standard deviations */
-  number(v, "diameter_spread", f->diameter_spread < 0.4 ? 1.732 * f->diameter_spread : 0.7);
+  double spread = f->diameter_spread < 0.4 ? 1.732 * f->diameter_spread : 0.7;
+  number(v, "diameter_spread", either(a->diameter_spread, spread));
   double height = either(a->crimp_height, f->crimp_height);
   number(v, "crimp", height > 0.0 ? either(a->crimp, f->crimp) : 0.0);
   number(v, "crimp_height", height);
   perhaps(v, "waver", a->waver);
   number(v, "ior", f->index);
-  number(v, "roughness", f->roughness);
+  number(v, "roughness", either(a->roughness, f->roughness));
   number(v, "tilt", f->tilt);
   /* a core of air scatters what a rough wall has let through */
   double clear = 0.55 * (1.0 - 0.8 * f->roughness_round) * (1.0 - 0.7 * f->medulla) + 0.08;
