@@ -164,6 +164,7 @@ const entry entries[] = {
     {.name = "fiber.fit.threads2", .kind = ENTRY_FIBER_THREADS},
     {.name = "wood.threads2.batch1024", .kind = ENTRY_THREADS, .batch = 1024},
     {.name = "wood.create", .kind = ENTRY_CREATE},
+    {.name = "wood.create.brushed", .kind = ENTRY_CREATE, .wood = {.surface = "brushed"}},
     TILE("keyaki", "wood", "keyaki", "cut: flat", 0.0625),
     TILE("keyaki_0.5mm", "wood", "keyaki", "cut: flat", 0.5),
     TILE("mizunara", "wood", "mizunara", "cut: flat", 0.0625),

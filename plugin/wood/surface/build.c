@@ -97,7 +97,8 @@ static double late_profile(const wood_constants *w, double rho, int *ring) {
   while (low + 1 < WOOD_RINGS && (double)w->start[low + 1] <= rho) low++;
   *ring = low;
   double f = (rho - (double)w->start[low]) * (double)w->inverse_width[low];
-  double a = (f - (double)w->late_start) * (double)w->inverse_late_before;
+  double after = f - (double)w->late_start, a = after * (double)w->inverse_late_before;
+  if (after <= 0.0) return 0.0;
   double b = 1.0 - (f - (double)w->late_middle) * (double)w->inverse_late_after;
   a = a < 0.0 ? 0.0 : a > 1.0 ? 1.0 : a;
   b = b < 0.0 ? 0.0 : b > 1.0 ? 1.0 : b;
