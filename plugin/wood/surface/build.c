@@ -88,15 +88,22 @@ static void build_marks(wood_surface *m, const surface_finish *f, const settings
 
 /* ---- wear -------------------------------------------------------------- */
 
-/* ring: where the search begins and ends, of a rho that mostly grows from call to call. */
-static double late_profile(const wood_constants *w, double rho, int *ring) {
+/* Where a place lies in the table of rings. Those to be found mostly follow one another. */
+typedef struct {
+  int number;
+  double start, end;
+} ring_at;
+
+static double late_profile(const wood_constants *w, double rho, ring_at *ring) {
   double total = (double)w->start[WOOD_RINGS];
   while (rho < 0.0) rho += total;
   while (rho >= total) rho -= total;
-  int low = (double)w->start[*ring] <= rho ? *ring : 0;
-  while (low + 1 < WOOD_RINGS && (double)w->start[low + 1] <= rho) low++;
-  *ring = low;
-  double f = (rho - (double)w->start[low]) * (double)w->inverse_width[low];
+  if (rho < ring->start || rho >= ring->end) {
+    int low = rho < ring->start ? 0 : ring->number;
+    while (low + 1 < WOOD_RINGS && (double)w->start[low + 1] <= rho) low++;
+    *ring = (ring_at){low, (double)w->start[low], (double)w->start[low + 1]};
+  }
+  double f = (rho - ring->start) * (double)w->inverse_width[ring->number];
   double after = f - (double)w->late_start, a = after * (double)w->inverse_late_before;
   if (after <= 0.0) return 0.0;
   double b = 1.0 - (f - (double)w->late_middle) * (double)w->inverse_late_after;
@@ -107,7 +114,7 @@ static double late_profile(const wood_constants *w, double rho, int *ring) {
   left = left < 0.0 ? 0.0 : left > 1.0 ? 1.0 : left;
   double missing = (double)w->late_deepening * (left - b * b);
   double rise = f < (double)w->late_middle ? 0.5 * a * a : 1.0 - 0.5 * b * b - missing;
-  return (double)w->late_weight[low + 1] * rise;
+  return (double)w->late_weight[ring->number + 1] * rise;
 }
 
 /* Mean square slope of the rounded profile of wear.h, under boxes from `soft`
@@ -118,7 +125,9 @@ static void build_wear_slopes(wood_constants *w) {
   for (int k = 0; k < SURFACE_WEAR_STEPS; k++) {
     double e = (double)m->soft * scalar_exp(0.5 * k * 0.69314718055994531), sum = 0.0;
     double wanted = 10.0 * total / e;
-    int steps = wanted < 2048.0 ? 2048 : wanted > 65536.0 ? 65536 : (int)wanted, ring[4] = {0};
+    int steps = wanted < 2048.0 ? 2048 : wanted > 65536.0 ? 65536 : (int)wanted;
+    ring_at ring[4] = {{0, 0.0, (double)w->start[1]}};
+    for (int i = 1; i < 4; i++) ring[i] = ring[0];
     /* a box as long as all of them leaves nothing */
     for (int i = 0; e < 0.5 * total && i < steps; i++) {
       double rho = (i + 0.5) * total / steps;
