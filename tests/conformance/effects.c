@@ -18,13 +18,16 @@
 
 #include "batch.h"
 #include "effects_settings.h"
+#include "hashing.h"
+#include "values.h"
 
-#define VALUES 24u /* to a texture */
+#define VALUES 8u /* of a setting */
+#define ROOM 512u /* for the text of one */
 #define ROUNDS 4u
 #define TRIED 32u /* of one parameter */
 
-/* Whose values are tables or pictures of the host's; and what works on such pictures alone. They
- * have tests of their own. */
+/* Beside tables and pictures of the host's, what works on such pictures alone. They have tests of
+ * their own. */
 static const char *const left_out[] = {"section_width",  "section_pith", "section_pith_s",
                                        "section_pith_t", "section_rim",  "section_radius",
                                        "section_detail", "tree_field",   "section_detail_size"};
@@ -37,83 +40,69 @@ static const struct {
 static plugin p;
 static full_batch batches[ROUNDS];
 
-static const sozai_parameter *parameter_of(const sozai_texture_info *info, const char *id,
-                                           size_t length) {
-  for (uint32_t k = 0; k < info->parameter_count; k++) {
-    const char *is = info->parameters[k]->id;
-    if (strlen(is) == length && strncmp(is, id, length) == 0) return info->parameters[k];
-  }
-  fail_msg("%s has no parameter %.*s", info->id, (int)length, id);
-  return NULL;
-}
-
-/* "id=value id=value": into values, the texts into room. How many. */
-static uint32_t parse(const sozai_texture_info *info, const char *from, sozai_value *values,
-                      char *room) {
-  uint32_t count = 0;
-  strcpy(room, from);
-  for (char *rest = NULL, *word = strtok_r(room, " ", &rest); word;
-       word = strtok_r(NULL, " ", &rest)) {
-    char *is = strchr(word, '=');
-    assert_non_null(is);
-    const sozai_parameter *q = parameter_of(info, word, (size_t)(is - word));
-    sozai_value *v = &values[count++];
-    *v = (sozai_value){.id = q->id, .kind = q->kind};
-    if (q->kind == SOZAI_KIND_CHOICE || q->kind == SOZAI_KIND_TEXT)
-      v->text = is + 1;
-    else /* one number, or three with commas between them */
-      sscanf(is + 1, "%lf,%lf,%lf", &v->number[0], &v->number[1], &v->number[2]);
-  }
-  return count;
-}
-
-/* Values of a parameter, as unlike as may be. How many: 0 where none can be tried. */
-static uint32_t values_to_try(const sozai_parameter *q, sozai_value *to) {
-  uint32_t n = 0;
+static int is_left_out(const sozai_parameter *q) {
+  int is = q->kind == SOZAI_KIND_BUFFER || q->kind == SOZAI_KIND_IMAGE;
   for (size_t k = 0; k < sizeof left_out / sizeof *left_out; k++)
-    if (strcmp(q->id, left_out[k]) == 0) return 0;
+    is |= strcmp(q->id, left_out[k]) == 0;
+  return is;
+}
+
+/* The ends and the middle of the usual range, where that is another whole number. */
+static uint32_t numbers_to_try(const sozai_parameter *q, sozai_value *to) {
+  uint32_t n = 0;
+  for (int k = 0; k < 3; k++) {
+    /* below 0 of a size means that something else tells it */
+    double least = k && q->soft_min < 0 && q->default_number[0] == q->soft_min ? 0 : q->soft_min;
+    double x = least + 0.5 * k * (q->soft_max - least);
+    if (q->soft_max - least >= 360.0 && strcmp(q->unit, "deg") == 0) x *= 0.7; /* not round */
+    if (q->kind == SOZAI_KIND_INT) x = floor(x);
+    if (n && x == to[n - 1].number[0]) n--;
+    to[n++].number[0] = x;
+  }
+  return n;
+}
+
+/* Three alike; and each of them higher. */
+static uint32_t triples_to_try(double low, double high, sozai_value *to) {
+  for (uint32_t n = 0; n < 4; n++)
+    for (uint32_t c = 0; c < 3; c++) to[n].number[c] = n == c + 1 ? 0.6 * low + 0.4 * high : low;
+  return 4;
+}
+
+static uint32_t texts_to_try(const sozai_parameter *q, sozai_value *to) {
+  for (size_t k = 0; k < sizeof texts / sizeof *texts; k++) {
+    if (strcmp(q->id, texts[k].parameter)) continue;
+    for (uint32_t n = 0; n < 3; n++) to[n].text = texts[k].values[n];
+    return 3;
+  }
+  return 0;
+}
+
+/* Values of a parameter, as unlike as may be. How many. */
+static uint32_t values_to_try(const sozai_parameter *q, sozai_value *to) {
   for (uint32_t k = 0; k < TRIED; k++) to[k] = (sozai_value){.id = q->id, .kind = q->kind};
   switch (q->kind) {
   case SOZAI_KIND_FLOAT:
   case SOZAI_KIND_INT:
-    for (; n < 3; n++) {
-      /* below 0 of a size means that something else tells it */
-      double least = n && q->soft_min < 0 && q->default_number[0] == q->soft_min ? 0 : q->soft_min;
-      double x = least + 0.5 * n * (q->soft_max - least);
-      if (q->soft_max - least >= 360.0 && strcmp(q->unit, "deg") == 0) x *= 0.7; /* not round */
-      to[n].number[0] = q->kind == SOZAI_KIND_INT ? floor(x) : x;
-      if (n && to[n].number[0] <= to[n - 1].number[0]) break;
-    }
-    return n;
+    return numbers_to_try(q, to);
   case SOZAI_KIND_BOOL:
     to[1].number[0] = 1;
     return 2;
   case SOZAI_KIND_COLOUR:
-  case SOZAI_KIND_FLOAT3: /* one component changed at a time, too */
-    for (; n < 4; n++) {
-      for (uint32_t c = 0; c < 3; c++) {
-        double low = q->kind == SOZAI_KIND_COLOUR ? 0.5 : q->soft_min,
-               high = q->kind == SOZAI_KIND_COLOUR ? 0.9 : q->soft_max;
-        to[n].number[c] = n == c + 1 ? low + 0.4 * (high - low) : low;
-      }
-    }
-    return n;
+    return triples_to_try(0.5, 0.9, to);
+  case SOZAI_KIND_FLOAT3:
+    return triples_to_try(q->soft_min, q->soft_max, to);
   case SOZAI_KIND_CHOICE:
     assert_true(q->choice_count <= TRIED);
-    for (; n < q->choice_count; n++) to[n].text = q->choices[n];
-    return n;
-  case SOZAI_KIND_TEXT:
-    for (size_t k = 0; k < sizeof texts / sizeof *texts; k++)
-      for (; strcmp(q->id, texts[k].parameter) == 0 && n < 3; n++) to[n].text = texts[k].values[n];
-    return n;
+    for (uint32_t n = 0; n < q->choice_count; n++) to[n].text = q->choices[n];
+    return q->choice_count;
   default:
-    return 0;
+    return texts_to_try(q, to);
   }
 }
 
-/* Faces square to the three axes, from fine footprints to coarse ones, near the axis and far; of
- * each round other places. */
-static void places(const sozai_texture_info *info, uint32_t round) {
+/* Faces square to the three axes, from fine footprints to coarse ones, near the axis and far. */
+static void places_of_round(const sozai_texture_info *info, uint32_t round) {
   full_batch *b = &batches[round];
   batch_make(b, info, BATCH_MAX);
   float near = 1.0f / (1.0f + 0.7f * (float)round);
@@ -130,6 +119,10 @@ static void places(const sozai_texture_info *info, uint32_t round) {
   }
 }
 
+static void places(const sozai_texture_info *info) {
+  for (uint32_t round = 0; round < ROUNDS; round++) places_of_round(info, round);
+}
+
 /* A number that answers share only where they are the same. 0: the values do not go together. */
 static uint64_t answers(const sozai_texture_info *info, const char *preset,
                         const sozai_value *values, uint32_t count) {
@@ -139,26 +132,26 @@ static uint64_t answers(const sozai_texture_info *info, const char *preset,
   for (uint32_t round = 0; round < ROUNDS; round++) {
     full_batch *b = &batches[round];
     assert_int_equal(p.textures->evaluate(t, &b->batch), SOZAI_OK);
-    for (uint32_t o = 0; o < b->components; o++) {
-      for (uint32_t i = 0; i < BATCH_MAX; i++) {
-        uint32_t bits;
-        memcpy(&bits, &b->out[o][i], sizeof bits);
-        h = (h ^ bits) * 0x9e3779b97f4a7c15u;
-        h ^= h >> 32;
-      }
-    }
+    for (uint32_t o = 0; o < b->components; o++) h = hash_words(h, b->out[o], BATCH_MAX);
   }
   p.textures->destroy(t);
   return h | 1;
 }
 
+static uint32_t values_of(const char *text, char *room, sozai_value *values) {
+  assert_true(snprintf(room, ROOM, "%s", text) < (int)ROOM);
+  uint32_t count = values_split(room, values, VALUES);
+  assert_true(count < VALUES); /* none was left behind */
+  return count;
+}
+
 /* One setting: which pairs of the values it tells apart, added to `apart`. How many are left. */
 static uint32_t tell_apart(const sozai_texture_info *info, const char *preset, const char *text,
                            const sozai_value *tried, uint32_t n, uint8_t apart[TRIED][TRIED]) {
-  char room[1024];
-  sozai_value values[VALUES];
+  char room[ROOM];
+  sozai_value values[VALUES + 1];
   uint64_t h[TRIED];
-  uint32_t count = parse(info, text, values, room), left = 0;
+  uint32_t count = values_of(text, room, values), left = 0;
   for (uint32_t k = 0; k < n; k++) {
     values[count] = tried[k];
     h[k] = answers(info, preset, values, count + 1);
@@ -178,11 +171,12 @@ static void say_left(const sozai_parameter *q, const sozai_value *tried, uint32_
     for (uint32_t j = k + 1; j < n; j++) {
       if (apart[k][j]) continue;
       if (tried[k].text)
-        print_error("%s: %s is as %s everywhere\n", q->id, tried[k].text, tried[j].text);
+        print_error("%s: %s is as %s everywhere, or refused\n", q->id, tried[k].text,
+                    tried[j].text);
       else
-        print_error("%s: %g %g %g is as %g %g %g everywhere\n", q->id, tried[k].number[0],
-                    tried[k].number[1], tried[k].number[2], tried[j].number[0], tried[j].number[1],
-                    tried[j].number[2]);
+        print_error("%s: %g %g %g is as %g %g %g everywhere, or refused\n", q->id,
+                    tried[k].number[0], tried[k].number[1], tried[k].number[2], tried[j].number[0],
+                    tried[j].number[1], tried[j].number[2]);
     }
   }
 }
@@ -191,8 +185,9 @@ static void say_left(const sozai_parameter *q, const sozai_value *tried, uint32_
 static int without_effect(const sozai_texture_info *info, const sozai_parameter *q, int loud) {
   sozai_value tried[TRIED];
   uint8_t apart[TRIED][TRIED] = {{0}};
+  if (is_left_out(q)) return 0;
   uint32_t n = values_to_try(q, tried), left = n;
-  if (!n) return 0;
+  if (n < 2) fail_msg("%s: what can be tried of it?", q->id);
   for (size_t k = 0; left && k < sizeof settings / sizeof *settings; k++) {
     const setting *s = &settings[k];
     if (strcmp(s->texture, info->id)) continue;
@@ -210,7 +205,7 @@ static int without_effect(const sozai_texture_info *info, const sozai_parameter 
 static void effects_of(const char *id, int loud) {
   const sozai_texture_info *info = p.textures->find(id);
   assert_non_null(info);
-  for (uint32_t round = 0; round < ROUNDS; round++) places(info, round);
+  places(info);
   int without = 0;
   for (uint32_t k = 0; k < info->parameter_count; k++)
     without += without_effect(info, info->parameters[k], loud);
@@ -236,11 +231,11 @@ static void in_any_order(void **state) {
   for (size_t k = 0; k < sizeof settings / sizeof *settings; k++) {
     const setting *s = &settings[k];
     const sozai_texture_info *info = p.textures->find(s->texture);
-    char room[1024];
+    char room[ROOM];
     sozai_value values[VALUES], turned[VALUES];
-    uint32_t count = parse(info, s->values, values, room);
+    uint32_t count = values_of(s->values, room, values);
     for (uint32_t i = 0; i < count; i++) turned[i] = values[count - 1 - i];
-    for (uint32_t r = 0; r < ROUNDS; r++) places(info, r);
+    places(info);
     uint64_t h = answers(info, s->preset, values, count);
     if (!h) fail_msg("%s, %s: %s", s->texture, s->values, p.textures->last_error());
     if (answers(info, s->preset, turned, count) != h)

@@ -10,7 +10,9 @@
 #include <string.h>
 
 #include "hash_sets.h"
+#include "hashing.h"
 #include "identity_points.h"
+#include "values.h"
 
 #define SHARE 256u /* points of each kind of place that identity_points.c has */
 #define KINDS 3u
@@ -21,39 +23,6 @@ static plugin host;
 static const sozai_geometry_1 *geometry;
 static float in[IN_COUNT][POINTS];
 static uint32_t every = 1, turn;
-
-/* ---- hashing ------------------------------------------------------------- */
-
-static uint64_t add(uint64_t h, uint32_t bits) {
-  h = (h ^ bits) * 0xd6e8feb86659fd93u;
-  return h ^ h >> 32;
-}
-
-static uint64_t add_words(uint64_t h, const void *list, uint64_t count) {
-  const char *at = list;
-  for (uint64_t i = 0; i < count; i++) {
-    uint32_t bits;
-    memcpy(&bits, at + 4 * i, sizeof bits);
-    h = add(h, bits);
-  }
-  return add(h, (uint32_t)count);
-}
-
-/* ---- values from text ----------------------------------------------------- */
-
-static uint32_t split(char *text, sozai_value *to) {
-  uint32_t count = 0;
-  while (*text && count < VALUES) {
-    char *equals = strchr(text, '='), *end = strstr(text, "; ");
-    if (!equals) break;
-    *equals = '\0';
-    if (end) *end = '\0';
-    to[count++] = (sozai_value){.id = text, .kind = SOZAI_KIND_STRING, .text = equals + 1};
-    if (!end) break;
-    text = end + 2;
-  }
-  return count;
-}
 
 static int wrong(const char *what, const char *kind, const char *name, const char *why) {
   fprintf(stderr, "%s of %s %s: %s\n", what, kind, name, why);
@@ -92,7 +61,8 @@ static uint64_t hash_texture(const sozai_texture *t, int *failed) {
   }
   *failed = info->component_count > COMPONENTS || host.textures->evaluate(t, &b) != SOZAI_OK;
   uint64_t h = info->component_count;
-  for (uint32_t k = 0; !*failed && k < info->component_count; k++) h = add_words(h, out[k], POINTS);
+  for (uint32_t k = 0; !*failed && k < info->component_count; k++)
+    h = hash_words(h, out[k], POINTS);
   return h;
 }
 
@@ -101,7 +71,7 @@ static int texture(const char *kind, const char *name, const char *preset, const
   char copy[512];
   sozai_value values[VALUES];
   snprintf(copy, sizeof copy, "%s", text);
-  uint32_t count = split(copy, values);
+  uint32_t count = values_split(copy, values, VALUES);
   sozai_texture *t = NULL;
   int32_t r = host.textures->create(NULL, kind, preset, values, count, &t);
   if (r == SOZAI_ERROR_UNSUPPORTED) return 77;
@@ -134,18 +104,18 @@ static int textures(void) {
 /* ---- geometry --------------------------------------------------------------- */
 
 static uint64_t hash_mesh(uint64_t h, const sozai_mesh *m) {
-  h = add_words(h, m->points, 3 * m->point_count);
-  h = add_words(h, m->normals, 3 * m->point_count);
-  h = add_words(h, m->uv, 2 * m->point_count);
-  h = add_words(h, m->owner, m->point_count);
-  return add_words(h, m->indices, 3 * m->triangle_count);
+  h = hash_words(h, m->points, 3 * m->point_count);
+  h = hash_words(h, m->normals, 3 * m->point_count);
+  h = hash_words(h, m->uv, 2 * m->point_count);
+  h = hash_words(h, m->owner, m->point_count);
+  return hash_words(h, m->indices, 3 * m->triangle_count);
 }
 
 static uint64_t hash_curves(uint64_t h, const sozai_curves *c) {
-  h = add_words(h, c->points, 3 * c->point_count);
-  h = add_words(h, c->radii, c->point_count);
-  for (uint64_t i = 0; i <= c->curve_count; i++) h = add(h, (uint32_t)c->first[i]);
-  return add_words(h, c->ids, c->curve_count);
+  h = hash_words(h, c->points, 3 * c->point_count);
+  h = hash_words(h, c->radii, c->point_count);
+  for (uint64_t i = 0; i <= c->curve_count; i++) h = hash_word(h, (uint32_t)c->first[i]);
+  return hash_words(h, c->ids, c->curve_count);
 }
 
 static uint64_t hash_geometry(const sozai_geometry *g, int *failed) {
@@ -165,7 +135,7 @@ static uint64_t hash_geometry(const sozai_geometry *g, int *failed) {
   for (uint32_t i = 0; i < info->table_count; i++) {
     sozai_table t = {.size = sizeof t};
     *failed |= geometry->table(g, info->tables[i]->id, &t) != SOZAI_OK;
-    if (!*failed) h = add_words(h, t.data, t.rows * t.info->column_count);
+    if (!*failed) h = hash_words(h, t.data, t.rows * t.info->column_count);
   }
   return h;
 }
@@ -185,7 +155,7 @@ static int grown(const char *kind, const char *name, const char *preset, const c
   char copy[512];
   sozai_value values[VALUES + 1];
   snprintf(copy, sizeof copy, "%s", text);
-  uint32_t count = split(copy, values);
+  uint32_t count = values_split(copy, values, VALUES);
   if (strcmp(kind, "fiber") == 0)
     values[count++] = (sozai_value){.id = "hull", .kind = SOZAI_KIND_BUFFER, .buffer = &box};
   sozai_geometry *g = NULL;

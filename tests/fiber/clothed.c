@@ -18,10 +18,9 @@ static void add_view(const traced *t, int v, int side, uint32_t rays, clothed *o
   for (int k = 0; k < 3; k++) {
     double sum = 0;
     for (int l = 0; l < LIGHTS; l++) {
-      double mean = s.sum[l][k];
-      sum += mean;
-      o->radiance[v][side][l][k] = mean;
-      o->chance[v][side][l][k] = sqrt(fmax(s.square[l][k] - mean * mean, 0) / rays);
+      sum += s.sum[l][k];
+      o->radiance[v][side][l][k] = s.sum[l][k];
+      o->chance[v][side][l][k] = seen_chance(&s, l, k, rays);
     }
     o->mean[k] += sum * all;
     o->mean_chance[k] += (s.square_of_all[k] - sum * sum) / rays * all * all;

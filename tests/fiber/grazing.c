@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0
- * Cloth that is grazed by the eye, 20 to 5 degrees above it: rays among its yarns' fibres
+ * Cloth that is grazed by the eye, 25 to 5 degrees above it: rays among its yarns' fibres
  * (woven.h) and the texture, light from seven sides. Prints docs/fiber-texture.md's numbers. */
 #include <math.h>
 #include "clothed.h"
@@ -25,9 +25,9 @@ static glance as_curves(const traced *t, double elevation) {
   for (int k = 0; k < 3; k++) {
     double sum = 0;
     for (int l = 0; l < LIGHTS; l++) {
-      double mean = o.light[l][k] = s.sum[l][k];
-      o.chance[l][k] = sqrt(fmax(s.square[l][k] - mean * mean, 0) / RAYS);
-      sum += mean;
+      o.light[l][k] = s.sum[l][k];
+      o.chance[l][k] = seen_chance(&s, l, k, RAYS);
+      sum += s.sum[l][k];
     }
     o.mean[k] = sum / LIGHTS;
     o.mean_chance[k] = sqrt((s.square_of_all[k] - sum * sum) / RAYS) / LIGHTS;

@@ -15,7 +15,7 @@ slabbed slab_as_curves(slab *b, uint32_t seed, uint32_t rays) {
       for (int l = 0; l < LIGHTS; l++) {
         double mean = s.sum[l][k];
         o.radiance[v * LIGHTS + l][k] = mean;
-        o.chance[v * LIGHTS + l][k] = sqrt(fmax(s.square[l][k] - mean * mean, 0) / rays);
+        o.chance[v * LIGHTS + l][k] = seen_chance(&s, l, k, rays);
         sum += mean;
       }
       o.mean[k] += sum / SLAB_LOOKS;

@@ -11,6 +11,11 @@ const float colours[3] = {0.85f, 0.45f, 0.06f};
 const double lights[LIGHTS][2] = {{90, 0}, {45, 0},  {45, 90}, {45, 180},
                                   {20, 0}, {20, 90}, {20, 180}};
 
+double seen_chance(const seen *s, int light, int colour, uint32_t rays) {
+  double mean = s->sum[light][colour];
+  return sqrt(fmax(s->square[light][colour] - mean * mean, 0) / rays);
+}
+
 vec aim(double elevation, double azimuth) {
   double e = elevation * PI / 180, a = azimuth * PI / 180;
   return vec_of(cos(e) * cos(a), cos(e) * sin(a), sin(e));

@@ -40,6 +40,8 @@ typedef struct {
   double around[3], around2[3]; /* under light from everywhere above: what comes back */
 } seen;
 
+/* The chance of one mean of so many rays. */
+double seen_chance(const seen *s, int light, int colour, uint32_t rays);
 vec aim(double elevation, double azimuth);
 seen look_at_curves(const traced *b, eye e, uint32_t rays);
 

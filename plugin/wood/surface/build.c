@@ -126,8 +126,7 @@ static void build_wear_slopes(wood_constants *w) {
     double e = (double)m->soft * scalar_exp(0.5 * k * 0.69314718055994531), sum = 0.0;
     double wanted = 10.0 * total / e;
     int steps = wanted < 2048.0 ? 2048 : wanted > 65536.0 ? 65536 : (int)wanted;
-    ring_at ring[4] = {{0, 0.0, (double)w->start[1]}};
-    for (int i = 1; i < 4; i++) ring[i] = ring[0];
+    ring_at ring[4] = {{0}};
     /* a box as long as all of them leaves nothing */
     for (int i = 0; e < 0.5 * total && i < steps; i++) {
       double rho = (i + 0.5) * total / steps;
