@@ -71,6 +71,7 @@ sozai_texture *cloth_as_texture(const cloth *c, const sozai_textures_1 *textures
                                 NUMBER_("weft_spacing", c->spacing[1]),
                                 NUMBER_("yarn_width", c->width),
                                 NUMBER_("yarn_flatness", c->flatness),
+                                NUMBER_("yarn_swell", c->swell),
                                 NUMBER_("twist", c->twist),
                                 NUMBER_("slub", c->slub),
                                 NUMBER_("diameter", c->diameter),

@@ -114,6 +114,7 @@ static cloth varied(cloth c, uint32_t which) {
   c.flyaway = fmin(c.flyaway * between(&d, 0, 2), 0.45);
   c.transmission = between(&d, 0.18, 0.56);
   c.roughness *= exp(between(&d, -0.35, 0.35));
+  c.swell *= between(&d, 0.5, 1.6);
   return c;
 }
 

@@ -13,7 +13,7 @@ static const char *const names[3] = {"white", "wool", "dark"};
 typedef struct {
   double mean, pale;
 } farthest;
-static const farthest held[GRAZED] = {{0.14, 0.16}, {0.12, 0.16}, {0.23, 0.16}, {0.34, 0.16}};
+static const farthest held[GRAZED] = {{0.1, 0.27}, {0.08, 0.16}, {0.2, 0.16}, {0.32, 0.16}};
 
 typedef struct {
   double light[LIGHTS][3], chance[LIGHTS][3], mean[3], mean_chance[3];
@@ -112,11 +112,13 @@ static void all_of_them(void **unused) {
     cloth c;
     if (cloth_of(info, info->presets[i], &c)) compare(&c, textures, most);
   }
+  bool all = true;
   for (int e = 0; e < GRAZED; e++) {
     print_message("%.0f degrees: means off by at most %.0f %% beyond chance, paleness by %.0f\n",
                   grazed[e], 100 * most[e].mean, 100 * most[e].pale);
-    assert_true(most[e].mean <= held[e].mean && most[e].pale <= held[e].pale);
+    all = all && most[e].mean <= held[e].mean && most[e].pale <= held[e].pale;
   }
+  assert_true(all);
 }
 
 int main(void) {

@@ -16,6 +16,8 @@
 #define WAVES 33.0
 /* How much wider or narrower a yarn is where it has slubs. */
 #define SLUB 0.16
+/* How far it strays from a straight way then, of the spacing. */
+#define COURSE 0.1
 
 /* ---- from the preset --------------------------------------------------- */
 
@@ -44,6 +46,7 @@ bool cloth_of(const sozai_texture_info *info, const sozai_preset *p, cloth *c) {
                .spacing = {number_of(info, p, "yarn_spacing"), number_of(info, p, "weft_spacing")},
                .width = number_of(info, p, "yarn_width"),
                .flatness = number_of(info, p, "yarn_flatness"),
+               .swell = number_of(info, p, "yarn_swell"),
                .twist = number_of(info, p, "twist"),
                .slub = number_of(info, p, "slub"),
                .diameter = number_of(info, p, "diameter"),
@@ -101,8 +104,8 @@ static plan plan_of(const cloth *c) {
   return q;
 }
 
-/* Height of a yarn's middle at a place along it. */
-static double middle(const plan *q, int weft, int mine, double at) {
+/* How high a yarn's middle is at a place along it: 1 on top, -1 below. */
+static double level(const plan *q, int weft, int mine, double at) {
   double t = at / q->of->spacing[1 - weft] - 0.5, low = floor(t), f = t - low;
   int next = (int)low;
   double side[2];
@@ -110,8 +113,7 @@ static double middle(const plan *q, int weft, int mine, double at) {
     bool up = weft ? !over(q->p, next + k, mine) : over(q->p, mine, next + k);
     side[k] = up ? 1 : -1;
   }
-  return (weft ? -q->over : q->over) +
-         q->rise * (side[0] + (side[1] - side[0]) * f * f * (3 - 2 * f));
+  return side[0] + (side[1] - side[0]) * f * f * (3 - 2 * f);
 }
 
 /* ---- curves ------------------------------------------------------------ */
@@ -147,16 +149,20 @@ static void add_fibre(woven *b, const plan *q, int weft, int mine, int shown_at,
   double rate = tan(c->twist * PI / 180) / q->half[weft];
   double phase = 2 * PI * (double)sample_next(d), other = 2 * PI * (double)sample_next(d);
   double waves = fmax(1, round(length / (9.1 * c->spacing[weft]))), at = 2.4 * mine + weft;
+  double bends = fmax(1, round(length / (5.9 * c->spacing[weft]))), to = 3.7 * mine + 1.3 * weft;
   int steps = (int)ceil(length / fmin(c->spacing[1 - weft] / 8, wave / 8));
   double off = (shown_at + 0.5 - 0.5 * q->count) * c->spacing[weft];
   begin_curve(b);
   for (int k = 0; k <= steps; k++) {
     double s = length * k / steps, a = angle - rate * s;
-    double thick = 1 + SLUB * c->slub * sin(2 * PI * waves * s / length + at);
+    double high_up = level(q, weft, mine, s),
+           middle = (weft ? -q->over : q->over) + q->rise * high_up;
+    double thick =
+        1 + SLUB * c->slub * sin(2 * PI * waves * s / length + at) + 0.5 * c->swell * high_up;
     /* to the side that is left of the yarn's way */
-    double side = inside * wide * thick * cos(a) + aside * sin(turn * s + phase);
-    double z =
-        middle(q, weft, mine, s) + inside * high * sin(a) + lift * sin(1.1 * turn * s + other);
+    double side = inside * wide * thick * cos(a) + aside * sin(turn * s + phase) +
+                  COURSE * c->slub * c->spacing[weft] * sin(2 * PI * bends * s / length + to);
+    double z = middle + inside * high * sin(a) + lift * sin(1.1 * turn * s + other);
     double along = s - 0.5 * length;
     if (weft)
       add_point(b, off - side, along, z, r);

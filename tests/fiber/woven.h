@@ -10,7 +10,7 @@
  * the first is the warp's. */
 typedef struct {
   const char *preset, *weave;
-  double spacing[2], width, flatness, twist, slub;
+  double spacing[2], width, flatness, swell, twist, slub;
   double diameter, elevation_spread, flyaway, flyaway_height;
   double roughness, tilt, index, transmission;
 } cloth;

@@ -159,12 +159,44 @@ static void cloth_shows_its_yarns(void **state) {
   }
 }
 
+/* Where a warp yarn lies on top it is as broad as yarn_width says, and half of yarn_swell more. */
+static void what_floats_spreads(void **state) {
+  (void)state;
+  enum { ACROSS = 2000 };
+  static const double swells[] = {0, 0.2, 0.5};
+  for (int k = 0; k < 3; k++) {
+    const double width = 0.4; /* as far out the weft below has not come up yet */
+    const sozai_value values[] = {
+        {.id = "structure", .kind = SOZAI_KIND_CHOICE, .text = "woven"},
+        {.id = "weave", .kind = SOZAI_KIND_CHOICE, .text = "plain"},
+        {.id = "axis", .kind = SOZAI_KIND_CHOICE, .text = "x"},
+        {.id = "yarn_spacing", .kind = SOZAI_KIND_FLOAT, .number = {1}},
+        {.id = "yarn_width", .kind = SOZAI_KIND_FLOAT, .number = {width}},
+        {.id = "yarn_swell", .kind = SOZAI_KIND_FLOAT, .number = {swells[k]}},
+        {.id = "slub", .kind = SOZAI_KIND_FLOAT},
+        {.id = "twist", .kind = SOZAI_KIND_FLOAT},
+        {.id = "crimp", .kind = SOZAI_KIND_FLOAT},
+        {.id = "flyaway", .kind = SOZAI_KIND_FLOAT}};
+    sozai_texture *t = make(NULL, values, sizeof values / sizeof *values);
+    points p = {0};
+    for (int i = 0; i < ACROSS; i++) points_add(&p, 0.5, (i + 0.5) / ACROSS, 0, 0);
+    points_ask(&p, t);
+    double warp = 0;
+    for (unsigned i = 0; i < p.count; i++)
+      warp += fabs((double)p.out[TANGENT][i]) > fabs((double)p.out[TANGENT + 1][i]);
+    warp /= ACROSS;
+    print_message("swell %.1f: on top a yarn is %.3f of the spacing wide\n", swells[k], warp);
+    assert_true(fabs(warp - width * (1 + 0.5 * swells[k])) < 0.003);
+    points_free(&p);
+    textures->destroy(t);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(along_their_tangents),
-      cmocka_unit_test(as_many_as_packed),
-      cmocka_unit_test(in_the_directions_asked_for),
-      cmocka_unit_test(cloth_shows_its_yarns),
+      cmocka_unit_test(along_their_tangents),        cmocka_unit_test(as_many_as_packed),
+      cmocka_unit_test(in_the_directions_asked_for), cmocka_unit_test(cloth_shows_its_yarns),
+      cmocka_unit_test(what_floats_spreads),
   };
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

@@ -25,7 +25,7 @@ typedef struct {
   double crimp, crimp_height, waver;         /* 1/cm; mm */
   double darkening, roughness, transmission; /* degrees, the second */
   const char *weave;                         /* NULL: an aggregate */
-  double spacing, weft_spacing, width, flatness, twist, slub, hollow;
+  double spacing, weft_spacing, width, flatness, swell, twist, slub, hollow;
   int32_t coloured, weft_coloured; /* the colours below stand */
   uint8_t colour[3], second[3], weft[3];
   double second_share, variation;

@@ -321,7 +321,10 @@ static void build_yarns(fibertex_constants *w, const settings *s) {
     y->edge = number_at(s, P_YARN_WIDTH) < 1.0 ? y->height * y->inverse_half : 0.0f;
     y->rise = (float)rise;
     y->over = (float)(i ? -over : over);
+    y->swell = (float)(0.5 * number_at(s, P_YARN_SWELL));
     y->wander = (float)(WAVE * 0.16 * slub);
+    y->sway = (float)(WAVE * 0.1 * slub * spacing[i]);
+    y->course = (float)(0.17 / spacing[i]);
     y->tone = (float)(0.22 * slub / FIELD);
     y->frequency = (float)(0.11 / spacing[i]);
   }
@@ -346,8 +349,8 @@ static two_places places_of(double second, double fourth) {
 
 /* Two faces stand for a yarn's, as its ellipse has them, and two directions for what stands off. */
 static void look_at_yarns(fibertex_constants *w, const fibertex_kernel *kernel, double twist) {
-  fibertex_means m;
-  kernel->measure(w, MEASURED, 0.0f, 0, &m);
+  fibertex_cloth_means m;
+  kernel->measure_cloth(w, 2 * MEASURED, &m);
   double all = scalar_most(m.yarn[0] + m.yarn[1], 1e-9), co = scalar_cos(twist),
          si = scalar_sin(twist);
   w->solid = (float)all;

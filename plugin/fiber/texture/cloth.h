@@ -48,6 +48,7 @@ typedef struct {
   vf along, across; /* mm along the yarn; -1 to 1 across it */
   vf half;
   vf slope; /* of its middle, upwards */
+  vf bend;  /* of its strands, to the side of across */
   vf top;   /* height of its face, mm, about the cloth's middle */
   vf ambient;
   vu h;
@@ -61,16 +62,18 @@ INLINE vf cloth_over(const fibertex_constants *w, vi i, vi j) {
   return sel(lt(part, splat((float)w->over - 0.5f)), splat(1.0f), splat(-1.0f));
 }
 
-/* The mine-th yarn's face at a point: `at` along it, `off` from its middle, in spacings. */
-INLINE void cloth_yarn(const fibertex_constants *w, int which, vi mine, vf at, vf off, vf s,
-                       vf wide, cloth_hit *q) {
+/* Where the mine-th yarn is at a place along it. */
+typedef struct {
+  vf middle, climb; /* how high: 1 on top, -1 below; of that in a mm */
+  vf aside, bend;   /* of its straight way: mm, and the slope */
+  vf uneven, widen; /* how much broader than the mean, relatively; of that in a mm */
+} cloth_way;
+
+INLINE cloth_way cloth_way_of(const fibertex_constants *w, int which, vi mine, vf at, vu h) {
   const fibertex_yarn *y = &w->yarn[which], *x = &w->yarn[1 - which];
   const vf zero = splat(0.0f), one = splat(1.0f), half = splat(0.5f);
+  cloth_way o;
   vi next;
-  q->h = hash_mix((vu)mine * splatu(HASH_X) + splatu(w->seed + (uint32_t)which));
-  vf rate;
-  vf uneven = wave(at * splat(y->frequency) + phase_of(q->h), y->wander, &rate);
-  vf width = one + uneven;
   vf t = at * splat(x->inverse_spacing) - half;
   vf f = t - vfloor(t, &next);
   vf a, b;
@@ -81,10 +84,32 @@ INLINE void cloth_yarn(const fibertex_constants *w, int which, vi mine, vf at, v
     a = zero - cloth_over(w, next, mine);
     b = zero - cloth_over(w, next + splati(1), mine);
   }
-  vf middle = a + (b - a) * f * f * (splat(3.0f) - splat(2.0f) * f);
-  q->slope = splat(6.0f * y->rise * x->inverse_spacing) * (b - a) * f * (one - f);
-  q->half = splat(y->half) * width * wide;
-  q->across = off * splat(y->spacing * y->inverse_half) * (splat(2.0f) - width) / wide;
+  o.middle = a + (b - a) * f * f * (splat(3.0f) - splat(2.0f) * f);
+  o.climb = splat(6.0f * x->inverse_spacing) * (b - a) * f * (one - f);
+  vf rate;
+  o.aside = wave(at * splat(y->course) + phase_of(h << 9), y->sway, &rate);
+  o.bend = rate * splat(y->course);
+  vf slub = wave(at * splat(y->frequency) + phase_of(h), y->wander, &rate);
+  /* what floats spreads, what dives is pressed by its neighbours */
+  o.uneven = slub + splat(y->swell) * o.middle;
+  o.widen = rate * splat(y->frequency) + splat(y->swell) * o.climb;
+  return o;
+}
+
+#define CLOTH_BESIDE 1024.0f /* mm: more than any cloth is high */
+
+/* The mine-th yarn's face at a point: `at` along it, `off` from its middle, in spacings. */
+INLINE void cloth_yarn(const fibertex_constants *w, int which, vi mine, vf at, vf off, vf s,
+                       vf wide, cloth_hit *q) {
+  const fibertex_yarn *y = &w->yarn[which];
+  const vf zero = splat(0.0f), one = splat(1.0f), half = splat(0.5f);
+  q->h = hash_mix((vu)mine * splatu(HASH_X) + splatu(w->seed + (uint32_t)which));
+  cloth_way way = cloth_way_of(w, which, mine, at, q->h);
+  q->slope = splat(y->rise) * way.climb;
+  vf width = (one + way.uneven) * wide;
+  q->half = splat(y->half) * width;
+  q->across = (off * splat(y->spacing) - way.aside) * splat(y->inverse_half) / width;
+  q->bend = way.bend + q->across * splat(y->half) * way.widen;
   vf rest = one - q->across * q->across;
   q->on = gt(rest, zero);
   q->solid = sel(q->on, one, zero);
@@ -95,9 +120,10 @@ INLINE void cloth_yarn(const fibertex_constants *w, int which, vi mine, vf at, v
   vf from_middle = vabs(q->across) * q->half, to = vmin(from_middle + half * box, q->half);
   vf part = clamp01((to - vmax(from_middle - half * box, zero - q->half)) / box);
   q->solid = sel(gt(s, least), part, q->solid);
-  q->top = sel(
-      q->on, splat(y->over) + splat(y->rise) * middle + splat(y->height) * vsqrt(vmax(rest, zero)),
-      splat(-1e3f));
+  /* what lies beside the point is seen of the footprint where nothing is at the point itself */
+  vf face =
+      splat(y->over) + splat(y->rise) * way.middle + splat(y->height) * vsqrt(vmax(rest, zero));
+  q->top = face - sel(q->on, zero, splat(CLOTH_BESIDE));
   q->across = clamp(q->across, splat(-1.0f), one);
   q->along = at;
 }
@@ -110,6 +136,7 @@ INLINE cloth_hit cloth_higher(const cloth_hit *a, const cloth_hit *b) {
   CLOTH_SEL_(across);
   CLOTH_SEL_(half);
   CLOTH_SEL_(slope);
+  CLOTH_SEL_(bend);
   CLOTH_SEL_(top);
   r.on = or_(a->on, b->on);
   r.solid = splat(1.0f) - (splat(1.0f) - a->solid) * (splat(1.0f) - b->solid);
@@ -142,12 +169,14 @@ INLINE void cloth_at(const fibertex_constants *w, vf u, vf v, vf s, const vf bro
   cloth_hit warp = cloth_yarns(w, 0, u, v, s, broad[0]);
   cloth_hit weft = cloth_yarns(w, 1, v, u, s, broad[1]);
   weft.across = zero - weft.across;
+  weft.bend = zero - weft.bend;
   *q = cloth_higher(&warp, &weft);
   q->weft = lt(warp.top, weft.top);
   /* where the faces cross, a footprint has a share of each */
   vf wide = vmax(s * splat(2.0f * w->yarn[0].height * w->yarn[0].inverse_half), splat(1e-6f));
   q->share = clamp01((weft.top - warp.top) / wide + splat(0.5f));
-  q->top = vmax(q->top, splat(w->low));
+  vf beside = sel(gt(q->solid, zero), q->top + splat(CLOTH_BESIDE), q->top);
+  q->top = vmax(sel(q->on, q->top, beside), splat(w->low));
   vf level = clamp01((q->top - splat(w->low)) * splat(w->inverse_range));
   q->ambient = one - splat(w->hollow) * (one - level);
 }
@@ -169,17 +198,20 @@ INLINE void cloth_frame(const fibertex_constants *w, const cloth_hit *q, vf alon
   vf flat = sel(q->weft, splat(w->yarn[1].height * w->yarn[1].inverse_half),
                 splat(w->yarn[0].height * w->yarn[0].inverse_half));
   vf weft = sel(q->weft, one, zero), warp = one - weft;
+  vf turn = inverse_root(one + q->bend * q->bend), aside = q->bend * turn;
+  /* the yarn's way and its side, as it bends */
+  vf way[2] = {warp * turn - weft * aside, weft * turn + warp * aside};
   vf k = inverse_root(one + q->slope * q->slope);
-  along[0] = warp * k;
-  along[1] = weft * k;
+  along[0] = way[0] * k;
+  along[1] = way[1] * k;
   along[2] = q->slope * k;
   /* an ellipse's normal */
   vf e = q->across * flat, top = vsqrt(vmax(one - q->across * q->across, splat(0.04f)));
   vf m = inverse_root(e * e + top * top);
   e = e * m;
   top = top * m;
-  vf side[3] = {zero - weft, warp, zero};
-  vf lift[3] = {zero - q->slope * k * warp, zero - q->slope * k * weft, k};
+  vf side[3] = {zero - way[1], way[0], zero};
+  vf lift[3] = {zero - q->slope * along[0], zero - q->slope * along[1], k};
   for (int c = 0; c < 3; c++) {
     up[c] = side[c] * e + lift[c] * top;
     across[c] = side[c] * top - lift[c] * e;

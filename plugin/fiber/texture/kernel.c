@@ -131,4 +131,5 @@ static void evaluate(const void *constants, const kernel_io *io, uint32_t from, 
     evaluate_hull(w, io, from, to);
 }
 
-const fibertex_kernel KERNEL_NAME(fibertex_kernel_) = {KERNEL_OF(evaluate), measure, measure_both};
+const fibertex_kernel KERNEL_NAME(fibertex_kernel_) = {KERNEL_OF(evaluate), measure, measure_cloth,
+                                                       measure_both};

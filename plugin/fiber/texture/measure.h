@@ -22,8 +22,8 @@ INLINE void set_number(vu *v, uint32_t k, uint32_t x) {
 #endif
 }
 
-/* What the yarns show: warp's and weft's shares, and those in their shade. */
-static void measure_cloth(const fibertex_constants *w, uint32_t count, fibertex_means *out) {
+static void measure_cloth(const fibertex_constants *w, uint32_t count, fibertex_cloth_means *out) {
+  memset(out, 0, sizeof *out);
   const vf zero = splat(0.0f), one = splat(1.0f), squarely[2] = {one, one};
   for (uint32_t i = 0; i < count; i += LANES) {
     cloth_hit q;
@@ -130,7 +130,6 @@ static void measure(const fibertex_constants *w, uint32_t count, float lanes, in
     out->point[l] /= count;
     out->formula[l] /= count;
   }
-  if (w->structure == STRUCTURE_WOVEN) measure_cloth(w, count, out);
 }
 
 #endif

@@ -178,6 +178,12 @@ static const sozai_parameter yarn_flatness = {
    .doc = "Over its width: 1 round, 0.4 pressed flat.",
    .hard_min = 0.1, .hard_max = 1, .soft_min = 0.3, .soft_max = 1, .default_number = {0.6}};
 
+static const sozai_parameter yarn_swell = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "yarn_swell", .label = "Yarn's swell", .group = "cloth", .unit = "",
+   .doc = "How much broader a yarn is where it lies on top, unpressed, than where it lies below, over its width.",
+   .hard_min = 0, .hard_max = 0.6, .soft_min = 0, .soft_max = 0.5, .default_number = {0.2}};
+
 static const sozai_parameter twist = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "twist", .label = "Twist", .group = "cloth", .unit = "deg",
@@ -285,6 +291,7 @@ const sozai_parameter *const fibertex_parameters[FIBERTEX_PARAMETERS] = {
    [P_WEFT_SPACING] = &weft_spacing,
    [P_YARN_WIDTH] = &yarn_width,
    [P_YARN_FLATNESS] = &yarn_flatness,
+   [P_YARN_SWELL] = &yarn_swell,
    [P_TWIST] = &twist,
    [P_SLUB] = &slub,
    [P_HOLLOW] = &hollow,

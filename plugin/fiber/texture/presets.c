@@ -9,7 +9,7 @@
 #include "arrangements.h"
 
 #define PRESETS_MAX 64
-#define VALUES_MAX 36
+#define VALUES_MAX 40
 
 typedef struct {
   sozai_value list[VALUES_MAX];
@@ -79,6 +79,7 @@ static void set_cloth(values *v, const fiber_arrangement *a) {
   number(v, "weft_spacing", a->weft_spacing);
   number(v, "yarn_width", a->width);
   number(v, "yarn_flatness", a->flatness);
+  perhaps(v, "yarn_swell", a->swell);
   number(v, "twist", a->twist);
   number(v, "slub", a->slub);
   perhaps(v, "hollow", a->hollow);

@@ -93,7 +93,9 @@ typedef struct {
   float height;                   /* thickness, half */
   float edge;                     /* the same over the width, where there are holes */
   float rise, over;               /* how far its middle goes up and down, about what */
+  float swell;                    /* how much broader on top than in the middle, of half */
   float wander, frequency;        /* unevenness, of half; 1/mm */
+  float sway, course;             /* to the side of a straight way, mm; 1/mm */
   float tone;                     /* from yarn to yarn, over a field's 2^31 */
 } fibertex_yarn;
 
@@ -197,17 +199,23 @@ typedef struct {
 /* Means over `count` footprints as wide as so many lanes, 0 for points: of each layer's coverage at
  * a point, of its bundles' formula, of what covers its brightness, and of its strands' nearness
  * where they do not cover; if strands are to be counted, also of those, and of how bright the
- * formula's strands are; and of a cloth what share its warp and its weft show, those in the shade
- * of furrows, the same by how level they lie, and sums of the squares and fourth powers of the
- * sines of its face's lean to the side and of its slope. */
+ * formula's strands are. */
 typedef struct {
   double point[FIBERTEX_LAYERS], formula[FIBERTEX_LAYERS], soft[FIBERTEX_LAYERS],
       bright[FIBERTEX_LAYERS], pale[FIBERTEX_LAYERS];
   fibertex_counted counted[FIBERTEX_LAYERS];
-  double yarn[2], shaded[2], level[2], lean2[2], lean4[2], slope2[2], slope4[2];
 } fibertex_means;
 typedef void fibertex_measure(const fibertex_constants *w, uint32_t count, float lanes, int counted,
                               fibertex_means *out);
+
+/* Means over `count` points of a cloth: what share its warp and its weft show, those in the shade
+ * of furrows, the same by how level they lie, and the squares and fourth powers of the sines of its
+ * face's lean to the side and of its slope. */
+typedef struct {
+  double yarn[2], shaded[2], level[2], lean2[2], lean4[2], slope2[2], slope4[2];
+} fibertex_cloth_means;
+typedef void fibertex_measure_cloth(const fibertex_constants *w, uint32_t count,
+                                    fibertex_cloth_means *out);
 
 /* Over `count` places, lights and views, as the places themselves have it and as looks that stand
  * for all have: of a cloth what comes back of what is scattered often, of warp and weft; of an
@@ -221,6 +229,7 @@ typedef void fibertex_measure_both(const fibertex_constants *w, uint32_t count, 
 typedef struct {
   kernel kernel;
   fibertex_measure *measure;
+  fibertex_measure_cloth *measure_cloth;
   fibertex_measure_both *measure_both;
 } fibertex_kernel;
 

@@ -104,6 +104,7 @@ STONE(york, "Yorkstone flags (England)",
       PETTIJOHN "; " EN12440);
 
 static const sozai_value values_slate[] = {
+    CHOICE("bed", "z"),
     NUMBER("grain_size", 0.25),
     NUMBER("grain_grading", 0.5),
     NUMBER("grain_stretch", 4.0),
@@ -111,8 +112,8 @@ static const sozai_value values_slate[] = {
     NUMBER("grain_blur", 0.05),
     NUMBER("second_share", 0.4),
     NUMBER("grain_variation", 0.12),
-    NUMBER("mottle", 0.06),
-    NUMBER("mottle_size", 45.0),
+    NUMBER("mottle", 0.1),
+    NUMBER("mottle_size", 80.0),
     SRGB("base_colour", 50, 52, 55),
     SRGB("second_colour", 57, 59, 62),
     NUMBER("bed_thickness", 9.0),
@@ -120,11 +121,11 @@ static const sozai_value values_slate[] = {
     NUMBER("bed_wave", 1.5),
     NUMBER("bed_wavelength", 150.0),
     SRGB("bed_colour", 64, 66, 69),
-    NUMBER("white_share", 0.003),
+    NUMBER("white_share", 0.0015),
     NUMBER("speck_size", 0.5),
-    SRGB("white_colour", 120, 122, 124),
+    SRGB("white_colour", 92, 93, 94),
     CHOICE("finish", "split"),
-    NUMBER("relief", 0.12),
+    NUMBER("relief", 0.6),
 };
 STONE(slate, "Ogatsu slate (Miyagi)",
       "Black slate, split along its cleavage: even, fine, with a faint banding.",
