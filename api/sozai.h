@@ -243,8 +243,10 @@ typedef struct sozai_batch {
                                    average; its turn about the normal is the
                                    texture's choice. Of a pixel that is longer than
                                    wide: the root of its area, or for less noise its
-                                   length. NULL, negative or NaN: 0, a point.
-                                   Above 1e4: 1e4. */
+                                   length. With n samples spread over a pixel each
+                                   stands for an n-th of it: the side by sqrt(n),
+                                   which is sharper, and often cheaper. NULL,
+                                   negative or NaN: 0, a point. Above 1e4: 1e4. */
   const uint8_t *active;        /* 0: leave that point's outputs untouched. NULL: all active */
   float *const *out;            /* component_count pointers, NULL where not wanted:
                                    what is not wanted is not computed */
