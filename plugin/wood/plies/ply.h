@@ -10,6 +10,7 @@
 #ifndef SOZAI_WOOD_PLY_H
 #define SOZAI_WOOD_PLY_H
 
+#include "../../core/lanes.h"
 #include "../boards.h"
 
 /* What taps.h tells about each ply that is asked, as columns. */
