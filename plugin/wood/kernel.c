@@ -98,16 +98,11 @@ INLINE void evaluate_one(int boards, const wood_constants *restrict w, const woo
     if (rays) stage_rays(w, boards, io, k);
   }
 }
-#endif
-
-/* restrict: what is stored is no constant, so that those are loaded before the
- * loops and not in them. */
-INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood_io *restrict io,
-                        const wood_wants *restrict want, block *blocks, surface_relief *reliefs,
-                        wide_rings *wides, uint32_t count) {
-#if LANES == 1
-  evaluate_one(boards, w, io, want, &blocks[0], &wides[0]);
 #else
+
+/* To the stem, and the year. */
+INLINE void evaluate_stem(int boards, const wood_constants *restrict w, const wood_io *restrict io,
+                          const wood_wants *restrict want, block *blocks, uint32_t count) {
   board_sawn sawn;
   if (boards) memset(&sawn, 0, sizeof sawn);
   EACH(stage_load(w, boards, io, want, &sawn, &blocks[k]));
@@ -128,53 +123,78 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
   }
   EACH(stage_ring_find(w, &blocks[k]));
   EACH(stage_ring(w, io, &blocks[k]));
-  if (want->section) {
-    EACH(stage_years(w, boards, &blocks[k]));
-    if (w->has_wave) EACH(stage_wave(w, &blocks[k]));
-    if (w->has_interlocked) EACH(stage_interlocked(w, boards, &blocks[k]));
-    if (w->has_slope_noise) {
-      grain_octave slopes[2] = {grain_octave_of(w, 0), grain_octave_of(w, 1)};
-      EACH(stage_grain_noise(&slopes[0], boards, &blocks[k]));
-      EACH(stage_grain_noise(&slopes[1], boards, &blocks[k]));
-    }
-    EACH(stage_turn(&blocks[k]));
-    EACH(stage_section(w, io, &blocks[k]));
+}
+
+/* From there to the reference section. */
+INLINE void evaluate_section(int boards, const wood_constants *restrict w,
+                             const wood_io *restrict io, block *blocks, uint32_t count) {
+  EACH(stage_years(w, boards, &blocks[k]));
+  if (w->has_wave) EACH(stage_wave(w, &blocks[k]));
+  if (w->has_interlocked) EACH(stage_interlocked(w, boards, &blocks[k]));
+  if (w->has_slope_noise) {
+    grain_octave slopes[2] = {grain_octave_of(w, 0), grain_octave_of(w, 1)};
+    EACH(stage_grain_noise(&slopes[0], boards, &blocks[k]));
+    EACH(stage_grain_noise(&slopes[1], boards, &blocks[k]));
   }
+  EACH(stage_turn(&blocks[k]));
+  EACH(stage_section(w, io, &blocks[k]));
+}
+
+/* Latewood under the footprint, and the fibres' brightness that it strays with. */
+INLINE void evaluate_late(int boards, const wood_constants *restrict w, const wood_io *restrict io,
+                          const wood_wants *restrict want, block *blocks, wide_rings *wides,
+                          uint32_t count) {
+  EACH(stage_reach(w, boards, io, &blocks[k]));
+  if (has_bent_boards(w, boards)) EACH(stage_wide(w, boards, io, &blocks[k], &wides[k]));
+  if (want->vessel || want->bundle) EACH(stage_section_footprint(w, boards, io, &blocks[k]));
+  if (want->bundle) {
+    UNROLL(3)
+    for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) {
+      fibre_octave octave = fibre_octave_of(w, o);
+      EACH(stage_bundle(&octave, boards, o, &blocks[k]));
+    }
+  }
+  if (w->has_front) EACH(stage_stray(w, &blocks[k]));
+  EACH(stage_rings(w, boards, io, &blocks[k]));
+}
+
+/* Vessels and rays. */
+INLINE void evaluate_vessels(int boards, const wood_constants *restrict w,
+                             const wood_io *restrict io, block *blocks, uint32_t count) {
+  EACH(stage_vessel_parts(w, boards, &blocks[k]));
+  EACH(stage_disc(w, boards, &blocks[k]));
+  EACH(stage_pores(w, boards, &blocks[k]));
+  EACH(stage_rows(w, boards, &blocks[k]));
+  EACH(stage_cover(w, boards, io, &blocks[k]));
+  if (w->has_rays) {
+    EACH(stage_ray_turn(w, boards, &blocks[k]));
+    EACH(stage_ray_shell(w, boards, &blocks[k]));
+    EACH(ray_cell_at(w, &blocks[k].ray_at));
+    EACH(stage_ray_seat(w, boards, &blocks[k]));
+    EACH(stage_ray_body(w, boards, &blocks[k]));
+    EACH(stage_rays(w, boards, io, &blocks[k]));
+  }
+}
+
+INLINE void evaluate_many(int boards, const wood_constants *restrict w, const wood_io *restrict io,
+                          const wood_wants *restrict want, block *blocks, wide_rings *wides,
+                          uint32_t count) {
+  evaluate_stem(boards, w, io, want, blocks, count);
+  if (want->section) evaluate_section(boards, w, io, blocks, count);
   if (want->direction) {
     EACH(stage_fibre(&blocks[k]));
     EACH(stage_direction(w, boards, io, want, &blocks[k]));
   }
-  if (want->late) {
-    EACH(stage_reach(w, boards, io, &blocks[k]));
-    if (has_bent_boards(w, boards)) EACH(stage_wide(w, boards, io, &blocks[k], &wides[k]));
-    if (want->vessel || want->bundle) EACH(stage_section_footprint(w, boards, io, &blocks[k]));
-    if (want->bundle) {
-      UNROLL(3)
-      for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) {
-        fibre_octave octave = fibre_octave_of(w, o);
-        EACH(stage_bundle(&octave, boards, o, &blocks[k]));
-      }
-    }
-    if (w->has_front) EACH(stage_stray(w, &blocks[k]));
-    EACH(stage_rings(w, boards, io, &blocks[k]));
-  }
+  if (want->late) evaluate_late(boards, w, io, want, blocks, wides, count);
   if ((want->vessel || want->relief) && place_has_turn(w)) EACH(stage_turns(&blocks[k]));
-  if (want->vessel) {
-    EACH(stage_vessel_parts(w, boards, &blocks[k]));
-    EACH(stage_disc(w, boards, &blocks[k]));
-    EACH(stage_pores(w, boards, &blocks[k]));
-    EACH(stage_rows(w, boards, &blocks[k]));
-    EACH(stage_cover(w, boards, io, &blocks[k]));
-    if (w->has_rays) {
-      EACH(stage_ray_turn(w, boards, &blocks[k]));
-      EACH(stage_ray_shell(w, boards, &blocks[k]));
-      EACH(ray_cell_at(w, &blocks[k].ray_at));
-      EACH(stage_ray_seat(w, boards, &blocks[k]));
-      EACH(stage_ray_body(w, boards, &blocks[k]));
-      EACH(stage_rays(w, boards, io, &blocks[k]));
-    }
-  }
+  if (want->vessel) evaluate_vessels(boards, w, io, blocks, count);
+}
 #endif
+
+/* What else has a colour, the colour of all, and the surface that it is seen on. */
+INLINE void evaluate_colour(int boards, const wood_constants *restrict w,
+                            const wood_io *restrict io, const wood_wants *restrict want,
+                            block *blocks, surface_relief *reliefs, uint32_t count) {
   if (w->has_canals && want->vessel) EACH(stage_canals(w, boards, io, &blocks[k]));
   if (want->vessel && !w->has_canals) EACH(store_lanes(io, WOOD_CANAL, &blocks[k], splat(0.0f)));
   if (want->colour && w->has_cells && !want->picture) EACH(stage_cells(w, boards, &blocks[k]));
@@ -189,27 +209,43 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
     if (want->colour) EACH(stage_colour(w, boards, io, &blocks[k]));
   }
   if (want->relief) EACH(stage_bump(w, boards, io, &blocks[k], &reliefs[k]));
+}
+
+/* lit: that has been seen to before the rays were. */
+INLINE void evaluate_light(int boards, const wood_constants *restrict w, const wood_io *restrict io,
+                           const wood_wants *restrict want, int lit, block *blocks,
+                           uint32_t count) {
   if (want->cone) EACH(stage_cone(w, io, &blocks[k]));
+  if (want->lobe && !lit) EACH(stage_lobe(w, boards, io, &blocks[k]));
+  if (!want->radiance) return;
+  if (!lit) {
+    EACH({
+      stage_light(w, boards, io, &blocks[k]);
+      stage_tilt(&blocks[k]);
+    });
+  }
+  if (w->cone) {
+    EACH(stage_cone_radiance(w, boards, io, &blocks[k]));
+  } else {
+    if (!lit) EACH(stage_gloss(&blocks[k]));
+    EACH(stage_radiance(w, boards, io, &blocks[k]));
+  }
+}
+
+/* restrict: what is stored is no constant, so that those are loaded before the
+ * loops and not in them. */
+INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood_io *restrict io,
+                        const wood_wants *restrict want, block *blocks, surface_relief *reliefs,
+                        wide_rings *wides, uint32_t count) {
 #if LANES == 1
-  int lit = !want->relief; /* seen to before the rays */
+  int lit = !want->relief;
+  evaluate_one(boards, w, io, want, &blocks[0], &wides[0]);
 #else
   int lit = 0;
+  evaluate_many(boards, w, io, want, blocks, wides, count);
 #endif
-  if (want->lobe && !lit) EACH(stage_lobe(w, boards, io, &blocks[k]));
-  if (want->radiance) {
-    if (!lit) {
-      EACH({
-        stage_light(w, boards, io, &blocks[k]);
-        stage_tilt(&blocks[k]);
-      });
-    }
-    if (w->cone) {
-      EACH(stage_cone_radiance(w, boards, io, &blocks[k]));
-    } else {
-      if (!lit) EACH(stage_gloss(&blocks[k]));
-      EACH(stage_radiance(w, boards, io, &blocks[k]));
-    }
-  }
+  evaluate_colour(boards, w, io, want, blocks, reliefs, count);
+  evaluate_light(boards, w, io, want, lit, blocks, count);
 }
 
 /* Twice in the code, with boards and without: a wood that is one piece pays
