@@ -30,6 +30,9 @@ extern const wood_kernel KERNEL_NAME(wood_kernel_);
 #define EACH(...)                                                                                  \
   for (uint32_t k = 0; k < count; k++) __VA_ARGS__
 
+/* restrict: what is stored is no constant, so that those are loaded before the
+ * loops and not in them. */
+
 #if LANES == 1
 /* For a point alone in another order: the chain from the turn through the rays is the longest,
  * and what does not wait for it stands between its steps, where the processor sees both. */
@@ -232,8 +235,6 @@ INLINE void evaluate_light(int boards, const wood_constants *restrict w, const w
   }
 }
 
-/* restrict: what is stored is no constant, so that those are loaded before the
- * loops and not in them. */
 INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood_io *restrict io,
                         const wood_wants *restrict want, block *blocks, surface_relief *reliefs,
                         wide_rings *wides, uint32_t count) {

@@ -6,11 +6,12 @@
 #define SOZAI_WOOD_STAGES_PICTURE_H
 
 #include "../picture.h"
+#include "colour.h"
 #include "footprint.h"
 #include "knots.h"
 
-/* The same from a picture of the section: it shows rings, vessels and fibres
- * down to its pixels, and the fibres' noise goes on below them. */
+/* It shows rings, vessels and fibres down to its pixels, and the fibres' noise goes on below them.
+ */
 INLINE void stage_picture(const wood_constants *w, int boards, const wood_io *io, block *k) {
   const stem_place *stem = &k->stem;
   stem_row(k);
@@ -27,10 +28,7 @@ INLINE void stage_picture(const wood_constants *w, int boards, const wood_io *io
   for (int c = 0; c < 3; c++) k->albedo[c] = k->albedo[c] * shift;
   k->shift = shift;
   if (k->knot) stage_knot_colour(w, k, picture_late(w, k->albedo));
-  for (int c = 0; c < 3; c++) {
-    if (boards) k->albedo[c] = board_albedo(w, &k->board, c, k->albedo[c]);
-    store_lanes(io, WOOD_ALBEDO + c, k, k->albedo[c]);
-  }
+  store_albedo(w, boards, io, k);
 }
 
 #endif
