@@ -5,7 +5,9 @@
 #ifndef SOZAI_WOOD_STAGES_CELLS_H
 #define SOZAI_WOOD_STAGES_CELLS_H
 
-#include "../cells.h"
+#include "../cells_ray.h"
+#include "../cells_tissue.h"
+#include "../cells_vessel.h"
 #include "rays.h"
 #include "vessels.h"
 
