@@ -343,7 +343,7 @@ static void build_grain(wood_constants *w, const settings *s) {
 
 /* ---- figure of the growth front ---------------------------------------- */
 
-static int32_t build_figure(wood_constants *w, const settings *s) {
+static int32_t build_curl(wood_constants *w, const settings *s) {
   double slope = number_at(s, P_CURL_SLOPE), length = number_at(s, P_CURL_LENGTH);
   w->has_curl = slope > 0.0;
   w->curl_slope = (float)slope;
@@ -363,7 +363,10 @@ static int32_t build_figure(wood_constants *w, const settings *s) {
                 "curl_reach of %.9g mm: rings would cross; 0 to %.9g",
                 slope, length, amount, reach, 0.8 * reach / (length * bound));
   }
+  return SOZAI_OK;
+}
 
+static int32_t build_quilt(wood_constants *w, const settings *s) {
   double quilt = number_at(s, P_QUILT_SLOPE), height = number_at(s, P_QUILT_HEIGHT);
   double width = number_at(s, P_QUILT_WIDTH), most = 0.117 * width / height;
   if (quilt > most * 1.0000001) {
@@ -379,7 +382,10 @@ static int32_t build_figure(wood_constants *w, const settings *s) {
   w->quilt_frequency = (float)(1.0 / width);
   w->quilt_frequency_axis = (float)(1.0 / height);
   w->quilt_size = (float)(width < height ? width : height);
+  return SOZAI_OK;
+}
 
+static int32_t build_eyes(wood_constants *w, const settings *s) {
   double density = number_at(s, P_EYE_DENSITY), diameter = number_at(s, P_EYE_DIAMETER);
   double crowd = 32.0 / (diameter * diameter);
   if (density > crowd * 1.0000001) {
@@ -413,6 +419,13 @@ static int32_t build_figure(wood_constants *w, const settings *s) {
   w->eye_cell = (float)cell;
   w->inverse_eye_cell = (float)(1.0 / cell);
   return SOZAI_OK;
+}
+
+static int32_t build_figure(wood_constants *w, const settings *s) {
+  int32_t r = build_curl(w, s);
+  if (!r) r = build_quilt(w, s);
+  if (!r) r = build_eyes(w, s);
+  return r;
 }
 
 /* ---- vessels ---------------------------------------------------------- */
