@@ -30,7 +30,7 @@ extern const wood_kernel KERNEL_NAME(wood_kernel_);
 #define EACH(...)                                                                                  \
   for (uint32_t k = 0; k < count; k++) __VA_ARGS__
 
-/* restrict: what is stored is no constant, so that those are loaded before the
+/* restrict, from here on: what is stored is no constant, so that those are loaded before the
  * loops and not in them. */
 
 #if LANES == 1
@@ -214,7 +214,8 @@ INLINE void evaluate_colour(int boards, const wood_constants *restrict w,
   if (want->relief) EACH(stage_bump(w, boards, io, &blocks[k], &reliefs[k]));
 }
 
-/* lit: that has been seen to before the rays were. */
+/* The cone, the lobe and the radiance. lit: lobe and light have been seen to before the rays, as
+ * of a point alone. */
 INLINE void evaluate_light(int boards, const wood_constants *restrict w, const wood_io *restrict io,
                            const wood_wants *restrict want, int lit, block *blocks,
                            uint32_t count) {
