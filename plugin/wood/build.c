@@ -343,7 +343,7 @@ static void build_grain(wood_constants *w, const settings *s) {
 
 /* ---- figure of the growth front ---------------------------------------- */
 
-static int32_t build_figure(wood_constants *w, const settings *s) {
+static int32_t build_curl(wood_constants *w, const settings *s) {
   double slope = number_at(s, P_CURL_SLOPE), length = number_at(s, P_CURL_LENGTH);
   w->has_curl = slope > 0.0;
   w->curl_slope = (float)slope;
@@ -363,7 +363,10 @@ static int32_t build_figure(wood_constants *w, const settings *s) {
                 "curl_reach of %.9g mm: rings would cross; 0 to %.9g",
                 slope, length, amount, reach, 0.8 * reach / (length * bound));
   }
+  return SOZAI_OK;
+}
 
+static int32_t build_quilt(wood_constants *w, const settings *s) {
   double quilt = number_at(s, P_QUILT_SLOPE), height = number_at(s, P_QUILT_HEIGHT);
   double width = number_at(s, P_QUILT_WIDTH), most = 0.117 * width / height;
   if (quilt > most * 1.0000001) {
@@ -379,7 +382,10 @@ static int32_t build_figure(wood_constants *w, const settings *s) {
   w->quilt_frequency = (float)(1.0 / width);
   w->quilt_frequency_axis = (float)(1.0 / height);
   w->quilt_size = (float)(width < height ? width : height);
+  return SOZAI_OK;
+}
 
+static int32_t build_eyes(wood_constants *w, const settings *s) {
   double density = number_at(s, P_EYE_DENSITY), diameter = number_at(s, P_EYE_DIAMETER);
   double crowd = 32.0 / (diameter * diameter);
   if (density > crowd * 1.0000001) {
@@ -413,6 +419,13 @@ static int32_t build_figure(wood_constants *w, const settings *s) {
   w->eye_cell = (float)cell;
   w->inverse_eye_cell = (float)(1.0 / cell);
   return SOZAI_OK;
+}
+
+static int32_t build_figure(wood_constants *w, const settings *s) {
+  int32_t r = build_curl(w, s);
+  if (!r) r = build_quilt(w, s);
+  if (!r) r = build_eyes(w, s);
+  return r;
 }
 
 /* ---- vessels ---------------------------------------------------------- */
@@ -506,14 +519,10 @@ static double late_among_rows(const wood_constants *w, double band) {
 #define PART_CLEAR 0.7  /* of a cell */
 #define PART_OF_ROW 1.5 /* of a vessel's radius */
 
-static void build_vessels(wood_constants *w, const settings *s) {
-  int porosity = choice_at(s, P_POROSITY);
-  w->has_pores = porosity != POROSITY_NONE;
-  w->rows = porosity == POROSITY_RING ? (int32_t)number_at(s, P_ROWS) : 0;
-
+/* late: the pores' size at a ring's end, over that at its start. */
+static void build_pores(wood_constants *w, const settings *s, double late) {
   double d = number_at(s, P_PORE_DIAMETER), spread = number_at(s, P_PORE_SPREAD);
   double density = number_at(s, P_PORE_DENSITY);
-  double late = porosity == POROSITY_SEMI_RING ? number_at(s, P_PORE_DIAMETER_LATE) / d : 1.0;
   double square = build_radii(&w->pores, d, spread);
   double largest = (double)w->pores.radius * (1.0 + 2.5 * spread) * (late > 1.0 ? late : 1.0);
   w->pore_cell = (float)(1.0 / __builtin_sqrt(density));
@@ -531,32 +540,25 @@ static void build_vessels(wood_constants *w, const settings *s) {
   w->pore_growth = (float)(late - 1.0);
   double g = late - 1.0;
   w->pore_ring_mean = (float)(1.0 + g + g * g / 3.0);
+}
 
-  double row_d = number_at(s, P_ROW_DIAMETER), row_density = number_at(s, P_ROW_DENSITY);
-  double row_square = build_radii(&w->row, row_d, number_at(s, P_ROW_SPREAD));
-  double row_radius = (double)w->row.radius, row_spacing = 1.05e-3 * row_d;
-  double row_largest = row_radius * (1.0 + 2.5 * number_at(s, P_ROW_SPREAD));
-  w->row.reach = longest_footprint((1.0 - 0.5 * number_at(s, P_ROW_JITTER)) / row_density,
-                                   row_largest, END_SHARP);
-  w->row.part = (float)(PART_OF_ROW * row_radius);
-  if (w->row.part > w->row.reach) w->row.part = w->row.reach;
-  double least_square = 1.0;
-  for (int i = 0; i < WOOD_RADII; i++) {
-    double inverse_square = (double)w->row.inverse_square[i];
-    w->row_inverse[i] = (float)__builtin_sqrt(inverse_square);
-    w->row_square[i] = (float)(1.0 / inverse_square);
-    if (inverse_square < least_square) least_square = inverse_square;
+/* What the pores are expected to take of latewood, over what they do where they are full size: the
+ * mean of size^2 over the profile, by the midpoint rule. late: as of build_pores. */
+static double late_among_pores(const wood_constants *w, double late) {
+  double taken = 0.0, tissue = 0.0, g = late - 1.0;
+  for (int i = 0; i < 256; i++) {
+    double f = (i + 0.5) / 256.0;
+    double l = late_profile_integral(w, (i + 1.0) / 256.0) - late_profile_integral(w, i / 256.0);
+    double size = 1.0 + g * f;
+    taken += l * size * size;
+    tissue += l;
   }
-  w->row_largest = (float)(1.12 * row_radius / __builtin_sqrt(least_square));
-  w->row_density = (float)row_density;
-  w->row_spacing = (float)row_spacing;
-  w->row_start = (float)(0.55e-3 * row_d);
-  w->row_jitter_arc = (float)number_at(s, P_ROW_JITTER);
-  w->row_jitter_radial = (float)(0.4 * row_radius * number_at(s, P_ROW_JITTER));
-  w->row_step_arc = w->row_jitter_arc / 4294967296.0f;
-  w->row_step_radial = w->row_jitter_radial / 4294967296.0f;
-  /* narrow rings have room for a part of the rows alone */
-  double band = w->rows * row_spacing, least = 1e30, room = 0.0, whole = 0.0;
+  return tissue > 0.0 ? taken / tissue : 1.0;
+}
+
+/* band: mm of all rows; narrow rings have room for a part of them alone. */
+static void build_row_band(wood_constants *w, double band) {
+  double least = 1e30, room = 0.0, whole = 0.0;
   for (int j = 0; j < WOOD_RINGS; j++) {
     double width = 1.0 / (double)w->inverse_width[j];
     w->row_before[j] = (float)room;
@@ -567,26 +569,51 @@ static void build_vessels(wood_constants *w, const settings *s) {
   w->row_before[WOOD_RINGS] = w->row_period = (float)room;
   w->rows_alone = (float)(0.999 * (double)WOOD_ROWS_ALONE * least);
   w->band = (float)band;
-  w->row.coverage = 0.0f;
-  if (w->rows) {
-    w->row.coverage =
-        (float)(row_density * 0.5 * TWO_PI * row_radius * row_radius * row_square / row_spacing);
-    build_row_overlap(w, row_density);
-    /* of the latewood within the band, over that of all wood */
-    w->late_row = (float)scalar_least(late_among_rows(w, band) * whole / room, 1.0);
-  }
+  /* of the latewood within the band, over that of all wood */
+  if (w->rows) w->late_row = (float)scalar_least(late_among_rows(w, band) * whole / room, 1.0);
+}
 
-  /* how much of the latewood tissue the pores are expected to take: the mean
-   * of size^2 over the profile, by the midpoint rule */
-  double taken = 0.0, tissue = 0.0;
-  for (int i = 0; i < 256; i++) {
-    double f = (i + 0.5) / 256.0;
-    double l = late_profile_integral(w, (i + 1.0) / 256.0) - late_profile_integral(w, i / 256.0);
-    double size = 1.0 + g * f;
-    taken += l * size * size;
-    tissue += l;
+static void build_rows(wood_constants *w, const settings *s) {
+  double d = number_at(s, P_ROW_DIAMETER), density = number_at(s, P_ROW_DENSITY);
+  double square = build_radii(&w->row, d, number_at(s, P_ROW_SPREAD));
+  double radius = (double)w->row.radius, spacing = 1.05e-3 * d;
+  double largest = radius * (1.0 + 2.5 * number_at(s, P_ROW_SPREAD));
+  w->row.reach =
+      longest_footprint((1.0 - 0.5 * number_at(s, P_ROW_JITTER)) / density, largest, END_SHARP);
+  w->row.part = (float)(PART_OF_ROW * radius);
+  if (w->row.part > w->row.reach) w->row.part = w->row.reach;
+  double least_square = 1.0;
+  for (int i = 0; i < WOOD_RADII; i++) {
+    double inverse_square = (double)w->row.inverse_square[i];
+    w->row_inverse[i] = (float)__builtin_sqrt(inverse_square);
+    w->row_square[i] = (float)(1.0 / inverse_square);
+    if (inverse_square < least_square) least_square = inverse_square;
   }
-  w->late_vessel = (float)((double)w->pores.coverage * (tissue > 0.0 ? taken / tissue : 1.0));
+  w->row_largest = (float)(1.12 * radius / __builtin_sqrt(least_square));
+  w->row_density = (float)density;
+  w->row_spacing = (float)spacing;
+  w->row_start = (float)(0.55e-3 * d);
+  w->row_jitter_arc = (float)number_at(s, P_ROW_JITTER);
+  w->row_jitter_radial = (float)(0.4 * radius * number_at(s, P_ROW_JITTER));
+  w->row_step_arc = w->row_jitter_arc / 4294967296.0f;
+  w->row_step_radial = w->row_jitter_radial / 4294967296.0f;
+  build_row_band(w, w->rows * spacing);
+  w->row.coverage = 0.0f;
+  if (!w->rows) return;
+  w->row.coverage = (float)(density * 0.5 * TWO_PI * radius * radius * square / spacing);
+  build_row_overlap(w, density);
+}
+
+static void build_vessels(wood_constants *w, const settings *s) {
+  int porosity = choice_at(s, P_POROSITY);
+  w->has_pores = porosity != POROSITY_NONE;
+  w->rows = porosity == POROSITY_RING ? (int32_t)number_at(s, P_ROWS) : 0;
+  double late = porosity == POROSITY_SEMI_RING
+                    ? number_at(s, P_PORE_DIAMETER_LATE) / number_at(s, P_PORE_DIAMETER)
+                    : 1.0;
+  build_pores(w, s, late);
+  build_rows(w, s);
+  w->late_vessel = (float)((double)w->pores.coverage * late_among_pores(w, late));
 }
 
 /* ---- rays ------------------------------------------------------------- */

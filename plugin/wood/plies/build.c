@@ -93,6 +93,40 @@ static int32_t lay(wood_plies *p, const settings *s, int construction) {
   return SOZAI_OK;
 }
 
+/* How wide veneer's pieces are, and the gaps between the core's. */
+static int32_t cut_pieces(wood_plies *p, const settings *s, int construction) {
+  double leaf = number_at(s, P_LEAF_WIDTH), core = number_at(s, P_CORE_WIDTH);
+  int strips = construction == CONSTRUCTION_BLOCKBOARD;
+  p->width[0] = (float)(core > 0.0 ? core : strips ? 24.0 : 640.0);
+  p->width[1] = (float)(leaf > 0.0 ? leaf : p->face_cut == FACE_ROTARY ? 2500.0 : 180.0);
+  for (int i = 0; i < 2; i++) {
+    if (p->width[i] >= 2.0f) continue;
+    return fail(SOZAI_ERROR_RANGE, "%s: %.9g mm; 0, or 2 to 10000 mm",
+                i ? "leaf_width" : "core_width", (double)p->width[i]);
+  }
+  double gap = number_at(s, P_CORE_GAP);
+  if (gap > 0.25 * (double)p->width[0]) {
+    return fail(SOZAI_ERROR_RANGE,
+                "core_gap: %.9g mm is more than a quarter of core_width, %.9g mm; 0 to %.9g mm",
+                gap, (double)p->width[0], 0.25 * (double)p->width[0]);
+  }
+  p->gap = (float)gap;
+  return SOZAI_OK;
+}
+
+/* What its lines add to a surface, and how they stray: none wanders through a ply. */
+static void spread_glue(wood_plies *p, const settings *s) {
+  p->step = (float)number_at(s, P_GLUE_STEP);
+  p->step_ramp = p->glue > 0.02f ? 0.5f * p->glue : 0.01f;
+  double uneven = number_at(s, P_GLUE_UNEVENNESS), least = 1e30;
+  for (int i = 0; i < p->count; i++) {
+    if ((double)p->deep[i] < least) least = (double)p->deep[i];
+  }
+  double most = 0.07 * least;
+  p->wander = (float)(uneven * (most < 0.12 ? most : 0.12));
+  p->swell = (float)(0.6 * uneven);
+}
+
 int32_t plies_build(wood_constants *w, const settings *s, const float (*colours)[3]) {
   int construction = choice_at(s, P_CONSTRUCTION);
   if (construction == CONSTRUCTION_SOLID) return SOZAI_OK;
@@ -110,37 +144,14 @@ int32_t plies_build(wood_constants *w, const settings *s, const float (*colours)
   p->tone = (float)number_at(s, P_TONE_SPREAD);
   p->face_cut = choice_at(s, P_FACE_CUT);
   p->match = choice_at(s, P_LEAF_MATCH);
-  double leaf = number_at(s, P_LEAF_WIDTH), core = number_at(s, P_CORE_WIDTH);
-  int strips = construction == CONSTRUCTION_BLOCKBOARD;
-  p->width[0] = (float)(core > 0.0 ? core : strips ? 24.0 : 640.0);
-  p->width[1] = (float)(leaf > 0.0 ? leaf : p->face_cut == FACE_ROTARY ? 2500.0 : 180.0);
-  for (int i = 0; i < 2; i++) {
-    if (p->width[i] >= 2.0f) continue;
-    return fail(SOZAI_ERROR_RANGE, "%s: %.9g mm; 0, or 2 to 10000 mm",
-                i ? "leaf_width" : "core_width", (double)p->width[i]);
-  }
-  double gap = number_at(s, P_CORE_GAP);
-  if (gap > 0.25 * (double)p->width[0]) {
-    return fail(SOZAI_ERROR_RANGE,
-                "core_gap: %.9g mm is more than a quarter of core_width, %.9g mm; 0 to %.9g mm",
-                gap, (double)p->width[0], 0.25 * (double)p->width[0]);
-  }
-  p->gap = (float)gap;
+  r = cut_pieces(p, s, construction);
+  if (r) return r;
   p->check_depth = (float)number_at(s, P_LATHE_CHECKS);
-  p->step = (float)number_at(s, P_GLUE_STEP);
-  p->step_ramp = p->glue > 0.02f ? 0.5f * p->glue : 0.01f;
+  spread_glue(p, s);
   memcpy(p->glue_colour, colours[P_GLUE_COLOUR], sizeof p->glue_colour);
   for (int c = 0; c < 3; c++) {
     p->hollow_colour[c] = (float)PLIES_HOLLOW * w->early[c];
   }
-  /* no line wanders through a ply */
-  double uneven = number_at(s, P_GLUE_UNEVENNESS), least = 1e30;
-  for (int i = 0; i < p->count; i++) {
-    if ((double)p->deep[i] < least) least = (double)p->deep[i];
-  }
-  double most = 0.07 * least;
-  p->wander = (float)(uneven * (most < 0.12 ? most : 0.12));
-  p->swell = (float)(0.6 * uneven);
   p->seed = w->seeds[SEED_PLIES];
   return SOZAI_OK;
 }

@@ -5,7 +5,8 @@
  *
  *   taps.h  which plies lie under a point's footprint, and how much of each;
  *           each is asked for its own wood, and the answers are averaged
- *   ply.h   where a place in a ply was in the log that it was cut from
+ *   piece.h where a place in a ply was in the log that it was cut from
+ *   ply.h   what a footprint sees of it
  *
  * Depth runs down from the sheet's face. A sheet's plies are numbered from the
  * face, those of the sheets below go on from there.

@@ -1,35 +1,12 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * From a place in a ply to the log that its veneer was cut from.
- *
- * A ply has a frame of its own: X across its grain, Y along it (up the stem), Z
- * out of its upper side. It is laid from pieces, side by side along X. A peeled
- * piece is bent back round its log (X is an arc), a sliced leaf and a strip are
- * where they were, so far from the pith.
+ * A ply as a footprint sees it: the board that it stands for, its shade with the checks that the
+ * knife left, and what is no wood, glue and gaps.
  */
 #ifndef SOZAI_WOOD_PLY_H
 #define SOZAI_WOOD_PLY_H
 
-#include "../boards.h"
-
-/* What taps.h tells about each ply that is asked, as columns. */
-enum {
-  TAP_NUMBER,  /* of the ply, 0: the first sheet's face */
-  TAP_KIND,    /* PLY_CORE... */
-  TAP_CROSSED, /* 1: its grain runs across the faces' */
-  TAP_THICK,   /* mm, of the ply */
-  TAP_DEPTH,   /* mm, below its middle */
-  TAP_SHARE,   /* of the footprint's way down: 1: all of it lies in the ply's wood */
-  TAP_GLUE,    /* share of its cell's part of the footprint that is glue */
-  TAP_EDGE,    /* mm, of the point from the nearest glue: negative within it */
-  TAP_STEP,    /* mm: height that the glue adds */
-  TAP_TILT,    /* its slope down the surface */
-  TAP_COLUMNS
-};
-
-typedef struct {
-  const float *column[TAP_COLUMNS];
-} ply_taps;
+#include "piece.h"
 
 /* The surface's direction that goes down through the plies fastest; object space. */
 INLINE void ply_downwards(const vf n[3], int ball, vf out[3]) {
@@ -88,136 +65,56 @@ INLINE vf ply_checks(const wood_plies *p, vu own, vf x, vf y, vf high, vf thick,
   return sel(gt(most, zero), found, zero);
 }
 
-/* The board that a point's ply is: p, object space; n: unit normal; unit: of the
- * floor's board, or none. log[3]: where it is in its log. */
-INLINE void ply_at(const wood_constants *w, const ply_taps *taps, uint32_t i, uint32_t lanes,
-                   const vf p[3], const vf n[3], int ball, vf s, wood_board *out, vf log[3]) {
-  const wood_plies *q = &w->plies;
-  vf zero = splat(0.0f), one = splat(1.0f), half = splat(0.5f), two = splat(2.0f);
-  vf in[TAP_COLUMNS];
-  for (int c = 0; c < TAP_COLUMNS; c++) in[c] = load_lanes(taps->column[c], i, lanes);
-  vi number, piece;
-  vfloor(in[TAP_NUMBER], &number);
-  vm face = and_(gt(in[TAP_KIND], splat(0.5f)), lt(in[TAP_KIND], splat(2.5f)));
-  vm back = and_(face, gt(in[TAP_KIND], splat(1.5f))), strips = gt(in[TAP_KIND], splat(2.5f));
-  vm crossed = gt(in[TAP_CROSSED], half);
+/* The square that is seen, on the surface. */
+typedef struct {
+  const vf *n;
+  int ball;
+  vf s, down[3];
+} ply_eye;
 
-  /* the faces' frame: along the grain of a sheet, +y, or of the floor's board */
-  vf cu = zero, su = one, u = p[1], v = zero - p[0];
-  layout_unit *unit = &out->unit;
-  vu sheet = splatu(0);
-  if (w->boards.layout.kind != LAYOUT_NONE) {
-    *unit = layout_at(&w->boards.layout, p[0], p[1], s);
-    u = unit->u - half * unit->length;
-    v = unit->v - half * unit->width;
-    cu = unit->c;
-    su = unit->s;
-    sheet = unit->id;
-  } else {
-    memset(unit, 0, sizeof *unit);
-  }
-  /* the ply's: Y along (cu, su), X to its right; crossed: a quarter turn on */
-  vf x = sel(crossed, u, zero - v), y = sel(crossed, v, u);
-  vf yx = sel(crossed, zero - su, cu), yy = sel(crossed, cu, su);
+/* mm: how far the ply's share of it reaches along a direction. */
+INLINE vf ply_seen(const ply_eye *e, const ply_told *t, const vf g[3]) {
+  return e->s * ply_extent(g, e->n, e->ball, e->down, t->in[TAP_SHARE]);
+}
 
-  vu ply =
-      hash_mix((vu)number * splatu(HASH_Y) + sheet * splatu(HASH_Z) + splatu(w->seeds[SEED_PLIES]));
-  vu h = ply;
-  /* either way up the stem; a core's veneer either way over, faces with the side
-   * that lay outwards in the log to the outside */
-  vf turn = sel(lt(board_random(&h), half), one, splat(-1.0f));
-  vf over = sel(lt(board_random(&h), half), one, splat(-1.0f));
-  over = sel(face, sel(back, splat(-1.0f), one), over);
-  vf wide = sel(face, splat(q->width[1]), splat(q->width[0]));
-  vf place = x / wide + board_random(&h), across = place - vfloor(place, &piece);
-  vf depth = zero - in[TAP_DEPTH];
-
-  /* the leaves of a sliced face come off one flitch, each deeper in it by its
-   * thickness; every other one is turned over */
-  vm leaf = q->face_cut == FACE_ROTARY ? lt(one, zero) : face;
-  vf deeper = zero, mirror = one;
-  h = hash_mix(ply + (vu)piece * splatu(HASH_X));
-  if (q->face_cut != FACE_ROTARY && q->match != MATCH_RANDOM) {
-    vi flitch, odd = piece & splati(1);
-    vf low = vfloor((to_float(piece) + splat(0.5f)) * splat(1.0f / PLIES_LEAVES), &flitch);
-    deeper = sel(leaf, (to_float(piece) - splat((float)PLIES_LEAVES) * low) * in[TAP_THICK], zero);
-    vu whole = hash_mix(ply + (vu)flitch * splatu(HASH_X));
-    h = (vu)seli(leaf, (vi)whole, (vi)h);
-    if (q->match == MATCH_BOOK) mirror = sel(leaf, one - to_float(odd + odd), one);
-  }
-  out->own = h;
-
-  /* within the piece, from its middle; turned up or down, over or not */
-  vf along = (across - half) * wide, flip = turn * over * mirror;
-  vf from_joint = half * wide - vabs(along);
-  vf px = along * flip, py = y * turn, pz = depth * over * mirror;
-  vf radius = splat(q->radius) * (splat(0.7f) + splat(0.8f) * board_random(&h));
-  vf around = board_random(&h);
-  vf height = (board_random(&h) + board_random(&h) - one) * splat(300.0f);
-  vf beside = board_random(&h);
-  vm peeled = not_(or_(leaf, strips));
-  /* as veneer_at */
-  vf lead = in[TAP_THICK] * splat(0.31830989f);
-  vf r = vsqrt(vmax(radius * radius - lead * px, splat(0.25f)));
-  vf angle = sel(peeled, (px + px) * splat(0.15915494f) / (radius + r), zero);
-  vf bent = sel(peeled, zero, px);
-  vf sn, cs, sn2, cs2;
-  sine_cosine_turns(around - angle, &sn, &cs);
-  /* a leaf's way from the pith is along its face's normal, or in its plane; a
-   * strip's is anywhere */
-  sine_cosine_turns(around + beside, &sn2, &cs2);
-  vf ax = sel(strips, cs2, cs), az = sel(strips, sn2, sn);
-  if (q->face_cut == FACE_QUARTERED) {
-    ax = sel(leaf, sn, ax);
-    az = sel(leaf, zero - cs, az);
-  }
-  vf from_pith = sel(peeled, r, radius), out_z = pz - deeper;
-  if (q->face_cut == FACE_QUARTERED) {
-    from_pith = sel(leaf, vmax(radius, half * wide + splat(10.0f)), from_pith);
-  }
-  log[0] = bent * sn + out_z * cs + from_pith * ax;
-  log[1] = py + height;
-  log[2] = zero - bent * cs + out_z * sn + from_pith * az;
-
-  vf row_x[3] = {yy * flip, (zero - yx) * flip, zero};
-  vf row_y[3] = {yx * turn, yy * turn, zero};
-  vf row_z[3] = {zero, zero, over * mirror};
-  for (int c = 0; c < 3; c++) {
-    out->turn[0][c] = row_x[c] * sn + row_z[c] * cs;
-    out->turn[1][c] = row_y[c];
-    out->turn[2][c] = row_z[c] * sn - row_x[c] * cs;
-  }
-
-  /* its shade: of its own, and where the knife left checks */
-  out->tone = one;
+/* The ply's shade: of its own, and where the knife left checks. */
+INLINE vf ply_tone(const wood_plies *q, const ply_told *t, const ply_eye *e, ply_piece *o) {
+  vf one = splat(1.0f), tone = one;
   if (q->tone > 0.0f) {
-    vf sum = board_random(&h) + board_random(&h) + board_random(&h);
-    out->tone = vmax(one + (sum + sum - splat(3.0f)) * splat(q->tone), splat(0.2f));
+    vf sum = board_random(&o->next) + board_random(&o->next) + board_random(&o->next);
+    tone = vmax(one + (sum + sum - splat(3.0f)) * splat(q->tone), splat(0.2f));
   }
-  vf down[3];
-  ply_downwards(n, ball, down);
-  out->squeeze = one - in[TAP_SHARE];
   if (q->check_depth > 0.0f) {
     const float lean = PLY_LEAN;
-    vf slit_x[3] = {row_x[0], row_x[1], splat(lean) * row_z[2]};
-    vf e = s * ply_extent(slit_x, n, ball, down, in[TAP_SHARE]), high = pz + half * in[TAP_THICK];
-    vf slit = ply_checks(q, out->own, px, py, high, in[TAP_THICK], e);
-    out->tone = out->tone * (one - splat(0.6f) * sel(peeled, slit, zero));
+    vf slit_x[3] = {o->row_x[0], o->row_x[1], splat(lean) * o->up};
+    vf high = o->at[2] + splat(0.5f) * t->in[TAP_THICK];
+    vf slit =
+        ply_checks(q, o->own, o->at[0], o->at[1], high, t->in[TAP_THICK], ply_seen(e, t, slit_x));
+    tone = tone * (one - splat(0.6f) * sel(o->peeled, slit, splat(0.0f)));
   }
+  return tone;
+}
 
-  /* glue, gaps between the core's pieces, and the floor's joints */
-  vf glue = in[TAP_GLUE], hollow = zero, joint = unit->joint;
-  if (q->gap > 0.0f) {
-    vf next = to_float(piece) + sel(lt(along, zero), zero, one);
-    vi which;
-    vfloor(next, &which);
-    vf open = layout_random(hash_mix(ply + (vu)which * splatu(HASH_X) + splatu(HASH_Z)));
-    open = vmax(two * open - one, zero);
-    vf gap = splat(0.5f * q->gap) * open * open;
-    vf e = s * ply_extent(row_x, n, ball, down, in[TAP_SHARE]);
-    hollow = cover_share(from_joint, vmax(e, splat(0.01f)), zero - gap, gap);
-    hollow = sel(face, zero, hollow);
-  }
+/* Share of the footprint that is a gap between the core's pieces. */
+INLINE vf ply_hollow(const wood_plies *q, const ply_told *t, const ply_eye *e, const ply_piece *o) {
+  vf zero = splat(0.0f), one = splat(1.0f);
+  if (!(q->gap > 0.0f)) return zero;
+  vf next = to_float(o->number) + sel(lt(o->along, zero), zero, one);
+  vi which;
+  vfloor(next, &which);
+  vf open = layout_random(hash_mix(o->ply + (vu)which * splatu(HASH_X) + splatu(HASH_Z)));
+  open = vmax(splat(2.0f) * open - one, zero);
+  vf gap = splat(0.5f * q->gap) * open * open;
+  vf from_joint = splat(0.5f) * o->wide - vabs(o->along);
+  vf extent = vmax(ply_seen(e, t, o->row_x), splat(0.01f));
+  return sel(t->face, zero, cover_share(from_joint, extent, zero - gap, gap));
+}
+
+/* What is no wood, as a joint of its colour: glue, gaps between the core's pieces, and the
+ * floor's joints. */
+INLINE void ply_fill(const wood_constants *w, const ply_told *t, vf hollow, wood_board *out) {
+  const wood_plies *q = &w->plies;
+  vf one = splat(1.0f), glue = t->in[TAP_GLUE], joint = out->unit.joint;
   vf wood = (one - glue) * (one - hollow) * (one - joint), filled = one - wood;
   vf inverse = one / vmax(filled, splat(1e-6f));
   for (int c = 0; c < 3; c++) {
@@ -226,22 +123,43 @@ INLINE void ply_at(const wood_constants *w, const ply_taps *taps, uint32_t i, ui
     filler = mix(filler, splat(w->boards.joint_colour[c]), joint);
     out->filler[c] = filler * inverse;
   }
-  unit->joint = filled;
+  out->unit.joint = filled;
+}
 
+/* The board that a point's ply is: p, object space; n: unit normal; unit: of the
+ * floor's board, or none. log[3]: where it is in its log. */
+INLINE void ply_at(const wood_constants *w, const ply_taps *taps, uint32_t i, uint32_t lanes,
+                   const vf p[3], const vf n[3], int ball, vf s, wood_board *out, vf log[3]) {
+  vf zero = splat(0.0f), one = splat(1.0f);
+  ply_told t;
+  ply_frame f;
+  ply_piece o;
+  ply_eye e = {.n = n, .ball = ball, .s = s};
+  ply_told_of(taps, i, lanes, &t);
+  vu sheet = ply_frame_of(w, p, s, t.crossed, &out->unit, &f);
+  ply_piece_of(w, &t, sheet, &f, &o);
+  ply_turn(&t, &f, &o);
+  ply_to_log(&w->plies, &t, &o, out->turn, log);
+  ply_downwards(n, ball, e.down);
+  out->own = o.own;
+  out->tone = ply_tone(&w->plies, &t, &e, &o);
+  ply_fill(w, &t, ply_hollow(&w->plies, &t, &e, &o), out);
+
+  out->squeeze = one - t.in[TAP_SHARE];
   for (int c = 0; c < 3; c++) {
-    const vf(*t)[3] = out->turn;
-    out->down[c] = t[c][0] * down[0] + t[c][1] * down[1] + t[c][2] * down[2];
-    out->tilt[c] = down[c] * in[TAP_TILT];
+    const vf(*turn)[3] = out->turn;
+    out->down[c] = turn[c][0] * e.down[0] + turn[c][1] * e.down[1] + turn[c][2] * e.down[2];
+    out->tilt[c] = e.down[c] * t.in[TAP_TILT];
   }
-  out->step = in[TAP_STEP];
-  vm parted = lt(in[TAP_SHARE], splat(0.999f));
-  out->wide = sel(or_(peeled, parted), zero, s);
-  out->bent = sel(and_(peeled, not_(parted)), s, zero);
-  out->lead = half * lead;
-  out->number = in[TAP_NUMBER] + one;
-  out->place[0] = y;
-  out->place[1] = across * wide;
-  out->to_glue = in[TAP_EDGE];
+  out->step = t.in[TAP_STEP];
+  vm parted = lt(t.in[TAP_SHARE], splat(0.999f));
+  out->wide = sel(or_(o.peeled, parted), zero, s);
+  out->bent = sel(and_(o.peeled, not_(parted)), s, zero);
+  out->lead = splat(0.5f) * o.lead;
+  out->number = t.in[TAP_NUMBER] + one;
+  out->place[0] = f.y;
+  out->place[1] = o.across * o.wide;
+  out->to_glue = t.in[TAP_EDGE];
 }
 
 /* A row of a map from the surface, for the part of the footprint that lies

@@ -8,13 +8,15 @@
  * is that of the ply that the point lies in.
  *
  * Where more than PLIES_TAPS would be asked, as many are, evenly down the
- * square. Included by kernel.c. The bookkeeping is by points, in whole blocks
- * the asking.
+ * square. The bookkeeping is by points, in whole blocks the asking, which is
+ * evaluate_points's: kernel.c includes this after that.
  */
 #ifndef SOZAI_WOOD_PLIES_TAPS_H
 #define SOZAI_WOOD_PLIES_TAPS_H
 
 #include "../../core/hash1.h"
+#include "../stages/block.h"
+#include "../stages/wants.h"
 
 #define TAPS_ROOM (BLOCKS * LANES)
 #define PLY_LEAST 1e-3f    /* mm: a point's own blur */

@@ -4,11 +4,13 @@
  * all but follows the rings, and what takes it across them is how pith, outline and
  * undulation stray: over a few millimetres no longer by a straight line. So the
  * square is cut into parts, and the stem is asked at the middle of each.
- *
- * Included by kernel.c.
  */
 #ifndef SOZAI_WOOD_PLIES_WIDE_H
 #define SOZAI_WOOD_PLIES_WIDE_H
+
+#include "../figure.h"
+#include "../rings_curved.h"
+#include "../stages/block.h"
 
 /* mm: footprints from which on there are parts, and from which on they are all there
  * is; where four give way to sixteen. */

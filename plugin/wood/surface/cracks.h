@@ -122,13 +122,16 @@ INLINE vf plate_slope(vu h) {
   return (to_float((vi)(h & splatu(1023u))) - splat(511.5f)) * splat(1.0f / 511.5f);
 }
 
-/* widen: mm that the footprint takes at least. */
-INLINE crack_place cracks_at(const wood_constants *w, vu own, vf px, vf py, vf pz, vf widen) {
-  const wood_surface *m = &w->surface;
-  vf zero = splat(0.0f), one = splat(1.0f), half = splat(0.5f), far = splat(1e9f);
-  vu seed = wood_seed(w, own, SEED_CRACKS);
-  crack_warp q = cracks_warp(m, seed, px, py, pz, widen + widen);
-  vf f = splat(m->crack_frequency[0]), ux = q.x * f, uz = q.z * f;
+/* The column that a place of the bent reference section is in. */
+typedef struct {
+  vu column;
+  vf x, z;         /* cells: the place, from the column's middle */
+  vf edge, ex, ez; /* mm: to its nearest edge, and the slopes of that */
+} crack_cell;
+
+INLINE crack_cell crack_cell_of(const wood_surface *m, vu seed, vf px, vf pz) {
+  vf zero = splat(0.0f), half = splat(0.5f), far = splat(1e9f), f = splat(m->crack_frequency[0]);
+  vf ux = px * f, uz = pz * f;
   vi ix, iz;
   vf fx = ux - vfloor(ux, &ix), fz = uz - vfloor(uz, &iz);
   vf least = far, mx = zero, mz = zero, cx, cz;
@@ -142,8 +145,7 @@ INLINE crack_place cracks_at(const wood_constants *w, vu own, vf px, vf py, vf p
     mz = sel(nearer, cz, mz);
     column = (vu)seli(nearer, (vi)h, (vi)column);
   }
-  /* that column's nearest edge: cracks along the fibre are the narrower, some
-   * of them much so */
+  /* cracks along the fibre are the narrower, some of them much so */
   vf edge = far, ex = zero, ez = zero;
   for (int i = 0; i < 9; i++) {
     vu h = crack_column(ix, iz, i % 3 - 1, i / 3 - 1, seed, &cx, &cz);
@@ -157,11 +159,22 @@ INLINE crack_place cracks_at(const wood_constants *w, vu own, vf px, vf py, vf p
     ez = sel(nearer, zero - dz * k * narrow, ez);
   }
   edge = vmax(edge, zero) * splat(1.0f / m->crack_frequency[0]);
+  return (crack_cell){column, fx - mx, fz - mz, edge, ex, ez};
+}
+
+/* widen: mm that the footprint takes at least. */
+INLINE crack_place cracks_at(const wood_constants *w, vu own, vf px, vf py, vf pz, vf widen) {
+  const wood_surface *m = &w->surface;
+  vf zero = splat(0.0f), one = splat(1.0f);
+  vu seed = wood_seed(w, own, SEED_CRACKS);
+  crack_warp q = cracks_warp(m, seed, px, py, pz, widen + widen);
+  crack_cell cell = crack_cell_of(m, seed, q.x, q.z);
+  vf edge = cell.edge;
 
   /* across: cracks that part the plates, and hairlines between them */
-  crack_spot part = crack_across(q.y, m->crack_frequency[1], column, 1.0f, 2.0f, 256);
-  crack_spot fine = crack_across(q.y, 2.6f * m->crack_frequency[1], column + splatu(HASH_X), 2.0f,
-                                 3.5f, HAIRLINES);
+  crack_spot part = crack_across(q.y, m->crack_frequency[1], cell.column, 1.0f, 2.0f, 256);
+  crack_spot fine = crack_across(q.y, 2.6f * m->crack_frequency[1], cell.column + splatu(HASH_X),
+                                 2.0f, 3.5f, HAIRLINES);
   vm along = lt(edge, part.d);
   vf rim = sel(along, edge, part.d), d = rim;
   vf keeps = splat(HAIRLINE_KEEPS / m->crack_frequency[1]);
@@ -177,18 +190,18 @@ INLINE crack_place cracks_at(const wood_constants *w, vu own, vf px, vf py, vf p
   vf slope = zero - share * inverse * (splat(0.9f) * outer + splat(4.4f) * core);
   vm on_edge = and_(along, not_(hair));
   vf rise = sel(hair, fine.slope, part.slope);
-  vf g[3] = {sel(on_edge, slope * ex, zero), sel(on_edge, zero, slope * rise),
-             sel(on_edge, slope * ez, zero)};
+  vf g[3] = {sel(on_edge, slope * cell.ex, zero), sel(on_edge, zero, slope * rise),
+             sel(on_edge, slope * cell.ez, zero)};
 
   /* the plate's own plane, which its rims end */
   vf size = splat(1.0f / m->crack_frequency[0]);
   vu h = part.plate;
   vf tilt[3] = {plate_slope(h), plate_slope(h >> 10), plate_slope(h >> 20)};
-  vf plane = tilt[0] * (fx - mx) * size + tilt[1] * part.from + tilt[2] * (fz - mz) * size;
+  vf plane = tilt[0] * cell.x * size + tilt[1] * part.from + tilt[2] * cell.z * size;
   vf over = vmax(one - rim * inverse, zero), level = one - over * over;
   vf fall = splat(2.0f) * over * inverse * plane;
-  vf edges[3] = {sel(along, fall * ex, zero), sel(along, zero, fall * part.slope),
-                 sel(along, fall * ez, zero)};
+  vf edges[3] = {sel(along, fall * cell.ex, zero), sel(along, zero, fall * part.slope),
+                 sel(along, fall * cell.ez, zero)};
   vf deep = zero - share * splat(m->plate_tilt);
   p.depth = p.depth + deep * plane * level;
   for (int c = 0; c < 3; c++) g[c] = g[c] + deep * (tilt[c] * level + edges[c]);

@@ -9,7 +9,7 @@
  *   grooves.h  vessels cut open, and checks: log space
  *   cracks.h   the cells of charred wood: log space
  *   splits.h   checks of end grain: the reference section
- *   relief.h   all of them together
+ *   relief.h   all of them together, for ../stages/surface.h
  */
 #ifndef SOZAI_WOOD_SURFACE_SURFACE_H
 #define SOZAI_WOOD_SURFACE_SURFACE_H

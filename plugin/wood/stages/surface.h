@@ -1,26 +1,16 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * The kernel's stages for the surface: what it is at a block's points, and the
- * normal that it bends. Included by kernel.c, whose block they work on.
+ * What tools, wear and finish leave: what the surface is at a block's points, and the normal that
+ * it bends.
  */
-#ifndef SOZAI_WOOD_SURFACE_STAGE_H
-#define SOZAI_WOOD_SURFACE_STAGE_H
+#ifndef SOZAI_WOOD_STAGES_SURFACE_H
+#define SOZAI_WOOD_STAGES_SURFACE_H
 
-/* Object space's part of a direction of log space. */
-INLINE void from_log(const wood_constants *w, int boards, const block *k, const vf v[3],
-                     vf out[3]) {
-  for (int c = 0; c < 3; c++) {
-    if (boards) {
-      const vf(*t)[3] = k->board.turn;
-      out[c] = t[0][c] * v[0] + t[1][c] * v[1] + t[2][c] * v[2];
-    } else if (w->turned) {
-      out[c] =
-          splat(w->turn[0][c]) * v[0] + splat(w->turn[1][c]) * v[1] + splat(w->turn[2][c]) * v[2];
-    } else {
-      out[c] = v[c];
-    }
-  }
-}
+#include "../ends.h"
+#include "../surface/relief.h"
+#include "axes.h"
+#include "footprint.h"
+#include "vessels.h"
 
 /* Which way tools have gone over the face, object space: along the board, or
  * along y of a piece; over the ends of one, along x. The face is the one that

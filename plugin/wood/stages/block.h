@@ -1,0 +1,109 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Points on their way through the kernel, and where their answers go.
+ */
+#ifndef SOZAI_WOOD_STAGES_BLOCK_H
+#define SOZAI_WOOD_STAGES_BLOCK_H
+
+#include "../../core/lanes.h"
+#include "../boards.h"
+#include "../canals.h"
+#include "../fibre.h"
+#include "../grain.h"
+#include "../knots.h"
+#include "../rays.h"
+#include "../rings.h"
+#include "../spalt.h"
+#include "../stem.h"
+#include "../vessels.h"
+
+#ifndef BLOCKS
+#define BLOCKS (LANES == 1 ? 1 : 128 / LANES)
+#endif
+
+/* What the stages read and write. */
+typedef struct {
+  const sozai_batch *in;
+#if LANES == 1
+  float *const *out;
+#else
+  float *out[WOOD_COMPONENTS]; /* from the first point of the first block on; none is NULL */
+#endif
+} wood_io;
+
+/* Rings over the parts of a wide footprint; see plies/wide.h. */
+typedef struct {
+  vf mean[3]; /* of MEAN_LATE... */
+  vf share;   /* 0..1: how far they stand in for the whole */
+} wide_rings;
+
+/* A block of LANES points on its way through the stages. The stages run over a
+ * few blocks each before the next begins, and are short: the blocks do not wait
+ * for one another, and the processor sees far enough ahead to have the next one
+ * begin while this one waits for its own results. */
+typedef struct {
+  uint32_t i, n;      /* the first point, and how many */
+  uint32_t o;         /* the first point, among those of the blocks on their way together */
+  vf p[3];            /* log space */
+  vf nrm[3];          /* normal, log space */
+  vf s;               /* footprint */
+  vf up2, inverse_up; /* squared length of +y within the surface, its inverse root */
+  stem_place stem;
+  undulation_sum undulation;
+  vf in_table; /* rho, within the table of rings */
+  ring_place ring;
+  vf years, divisor, phase;
+  vf extent;     /* mm, of the footprint along y */
+  noise_axis at; /* the year, for the grain's noises */
+  wave_phase wave;
+  grain_place grain;
+  vf c, sn, x, z; /* reference section: direction and place */
+  vf turn;        /* of the direction, over 2 pi */
+  vf fibre[3];    /* direction, log space */
+  vf sine;        /* of the dive angle */
+  vf b[3], bn;    /* row of the map from surface to rho; that along the normal */
+  vf reach;       /* mm: rings_extent */
+  footprint2 f;   /* over (arc, rho) of the reference section */
+  disc pore;
+  vessel_cover_t vessels;
+  int pores_parted, rows_parted; /* these have been looked up in parts */
+  fibre_sum bundle;
+  vf front_rho, front_reach; /* of latewood where it strays */
+  ring_place front_ring;     /* where that crosses a ring's end for any lane */
+  int crossed;
+  vf shift; /* of brightness, a factor */
+  vf late, over_late, cover, ray, albedo[3];
+  vf exponent, strength, incident, rise, tilted, power; /* figure */
+  vf light[3];                                          /* log space */
+  vf streak, pigment;                                   /* share of minerals; depth of bands */
+  vf lost;                                              /* variance of the surface's slopes */
+  ray_turn ray_from;
+  ray_cells ray_at;
+  vu ray_on;
+  ray_body ray_in;
+  int rays_gone; /* no lane asks for the last two */
+  canal_cover canal;
+  vf cells, cell_contrast, lining; /* relative to the tissue's colour and the vessels' */
+  vf ray_cells;                    /* and to the rays' */
+  spalt_place spalt;
+  wood_board board; /* where there are boards */
+  knot_place *knot; /* where there are knots, else NULL */
+  wide_rings *wide; /* where a footprint on veneer is wide, else NULL */
+} block;
+
+#if LANES == 1
+INLINE void store_lanes(const wood_io *io, int channel, const block *k, vf x) {
+  float *p = io->out[channel];
+  if (p) p[k->i] = x;
+}
+#else
+/* All of them, asked for or not: a store costs less than to ask. */
+INLINE void store_lanes(const wood_io *io, int channel, const block *k, vf x) {
+  store(io->out[channel] + k->o, x);
+}
+#endif
+
+/* The board's offset to the seeds. */
+INLINE vu own_of(int boards, const block *k) { return boards ? k->board.own : splatu(0); }
+
+#endif

@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Reflection as a cone about the fibre, and what a host needs to build that itself.
+ */
+#ifndef SOZAI_WOOD_STAGES_CONE_H
+#define SOZAI_WOOD_STAGES_CONE_H
+
+#include "../cone.h"
+#include "light.h"
+
+/* What a host needs to build the cone itself. */
+INLINE void stage_cone(const wood_constants *w, const wood_io *io, block *k) {
+  cone_dive dive = cone_dive_of(k->sine);
+  vf scale = w->cone ? cone_along(w->cone_scale, &dive) : splat(1.0f);
+  for (int c = 0; c < 3; c++) {
+    store_lanes(io, WOOD_CONE_COLOUR + c, k, splat(w->fibre_colour[c]) * scale);
+  }
+  vf variance = k->grain.variance + k->stem.lost_slope;
+  vf width2 = splat(w->cone_width * w->cone_width) + splat(4.0f) * variance;
+  store_lanes(io, WOOD_CONE_WIDTH, k, vsqrt(width2));
+  store_lanes(io, WOOD_COAT, k, splat(w->coat));
+}
+
+INLINE void stage_cone_radiance(const wood_constants *w, int boards, const wood_io *io, block *k) {
+  vf r[3], v[3], coat2 = splat(w->coat_alpha * w->coat_alpha);
+  if (w->surface.relief) coat2 = vmin(coat2 + k->lost, splat(1.0f));
+  view_of(w, boards, io, k, v);
+  vf variance = k->grain.variance + k->stem.lost_slope;
+  cone_radiance(w, k->light, v, k->nrm, k->fibre, k->sine, variance, coat2, k->albedo, r);
+  if (w->has_rays) {
+    /* the cells of a ray lie along the radius */
+    vf zero = splat(0.0f), axis[3] = {k->stem.c, zero, k->stem.s}, shine[3];
+    vf dive = zero - (axis[0] * k->nrm[0] + axis[2] * k->nrm[2]);
+    cone_radiance(w, k->light, v, k->nrm, axis, dive, zero, coat2, k->albedo, shine);
+    for (int c = 0; c < 3; c++) r[c] = mix(r[c], shine[c], k->ray);
+  }
+  if (boards) {
+    /* what lies in the joint has no fibres */
+    vf lit = splat(w->diffuse) * vmax(k->incident, splat(0.0f));
+    for (int c = 0; c < 3; c++) {
+      r[c] = mix(r[c], lit * board_filler(w, &k->board, c), k->board.unit.joint);
+    }
+  }
+  for (int c = 0; c < 3; c++) store_lit(io, k, c, r[c]);
+}
+
+#endif

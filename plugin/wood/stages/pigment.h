@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * What colours heartwood in bands and streaks.
+ */
+#ifndef SOZAI_WOOD_STAGES_PIGMENT_H
+#define SOZAI_WOOD_STAGES_PIGMENT_H
+
+#include "../pigment.h"
+#include "../tubes.h"
+#include "vessels.h"
+
+/* Streaks of minerals along the fibre: a stain, which is no deeper where two
+ * meet. */
+static __attribute__((noinline)) void stage_streaks(const wood_constants *w, int boards, block *k) {
+  vessel_place place = vessel_place_of(boards, k);
+  vf left;
+  trough_sum g =
+      tubes_over(&w->streaks, wood_seed(w, place.own, SEED_STREAKS), &place, k->p[1], &left);
+  k->streak = vmin(splat(WOOD_STREAK) * g.depth, splat(1.0f));
+}
+
+INLINE void stage_pigment(const wood_constants *w, int boards, block *k) {
+  k->pigment =
+      pigment_at(w, own_of(boards, k), k->stem.rho, vsqrt(k->f.bb), k->x, k->z, k->f.aa + k->f.bb);
+}
+
+#endif

@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Vessels under the footprint: the field's pores, and the rows of the earlywood.
+ */
+#ifndef SOZAI_WOOD_STAGES_VESSELS_H
+#define SOZAI_WOOD_STAGES_VESSELS_H
+
+#include "../vessels.h"
+#include "rings.h"
+
+INLINE vessel_place vessel_place_of(int boards, const block *k) {
+  return (vessel_place){
+      k->x, k->z, k->c, k->sn, k->turn, k->stem.rho, k->ring, k->f, own_of(boards, k)};
+}
+
+/* Long footprints here; what is within one tap goes through the stages after this one. */
+INLINE void stage_vessel_parts(const wood_constants *w, int boards, block *k) {
+  vf zero = splat(0.0f);
+  k->vessels = (vessel_cover_t){zero, zero, zero, zero};
+  k->pores_parted = k->rows_parted = 0;
+  vm none = lt(zero, zero), pores = w->has_pores ? pores_cut(w, &k->f) : none;
+  vm rows = w->rows ? rows_cut(w, &k->f) : none, meet = w->rows ? rows_meet(w, &k->f) : none;
+  if (!any(or_(pores, or_(rows, meet)))) return;
+  vessel_place place = vessel_place_of(boards, k);
+  k->pores_parted = any(pores);
+  k->rows_parted = any(or_(rows, meet));
+  if (k->pores_parted) pores_in_parts(w, &place, pores, &k->vessels);
+  if (k->rows_parted) rows_in_parts(w, &place, rows, &k->vessels);
+}
+
+INLINE void stage_turns(block *k) { k->turn = place_turn(k->c, k->sn); }
+
+INLINE void stage_disc(const wood_constants *w, int boards, block *k) {
+  if (k->pores_parted || !w->has_pores) return;
+  vessel_place place = vessel_place_of(boards, k);
+  k->pore = pores_disc(w, &place, k->f.aa, k->f.ab, k->f.bb);
+}
+
+INLINE void stage_pores(const wood_constants *w, int boards, block *k) {
+  if (k->pores_parted || !w->has_pores) return;
+  k->vessels.pores = pores_cover(w, own_of(boards, k), k->x, k->z, &k->pore);
+}
+
+INLINE void stage_rows(const wood_constants *w, int boards, block *k) {
+  if (k->rows_parted || !w->rows) return;
+  vessel_place place = vessel_place_of(boards, k);
+  row_place row = row_of(w, &place);
+  if (!any(row.near)) return;
+  disc d = rows_disc(w, k->f.aa, k->f.ab, k->f.bb);
+  vf zero = splat(0.0f);
+  k->vessels.rows = rows_cover(w, &row, k->stem.rho, zero, zero, &d);
+}
+
+/* Where the vessels could not be looked up, what is to be expected. */
+INLINE void stage_cover(const wood_constants *w, int boards, const wood_io *io, block *k) {
+  const vessel_cover_t *v = &k->vessels;
+  vf one = splat(1.0f), zero = splat(0.0f);
+  vf pores = v->pores, rows = v->rows;
+  k->over_late = v->pores;
+  if (w->has_pores && any(gt(v->pores_faded, zero))) {
+    vf expected = one;
+    if (w->pore_growth != 0.0f) {
+      expected = rings_mean(w, boards, io, MEAN_PORE, k);
+    }
+    pores = mix(pores, splat(w->pores.coverage) * expected, v->pores_faded);
+    k->over_late = mix(k->over_late, splat(w->late_vessel), v->pores_faded);
+  }
+  if (w->rows && any(gt(v->rows_faded, zero))) {
+    vf expected = rings_mean(w, boards, io, MEAN_ROW, k);
+    rows = mix(rows, splat(w->row.coverage) * expected, v->rows_faded);
+  }
+  if (w->rows) {
+    vf late = rows * splat(w->late_row);
+    k->over_late = k->over_late + late - k->over_late * late;
+  }
+  if (k->knot) rows = rows * (one - k->knot->cover); /* branches have no wide earlywood vessels */
+  k->cover = vmin(pores + rows - pores * rows, one); /* they stand where they like */
+  k->ray = zero;
+  if (!w->has_rays) store_lanes(io, WOOD_RAY, k, zero);
+  store_lanes(io, WOOD_VESSEL, k, k->cover);
+}
+
+#endif
