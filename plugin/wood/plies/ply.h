@@ -81,7 +81,7 @@ INLINE vf ply_seen(const ply_eye *e, const ply_told *t, const vf g[3]) {
 INLINE vf ply_tone(const wood_plies *q, const ply_told *t, const ply_eye *e, ply_piece *o) {
   vf one = splat(1.0f), tone = one;
   if (q->tone > 0.0f) {
-    vf sum = board_random(&o->next) + board_random(&o->next) + board_random(&o->next);
+    vf sum = board_random_three(&o->next);
     tone = vmax(one + (sum + sum - splat(3.0f)) * splat(q->tone), splat(0.2f));
   }
   if (q->check_depth > 0.0f) {
