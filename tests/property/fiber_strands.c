@@ -192,11 +192,48 @@ static void what_floats_spreads(void **state) {
   }
 }
 
+/* With slub a yarn's middle strays from its straight way, by a tenth of the spacing at most. */
+static void yarns_stray(void **state) {
+  (void)state;
+  enum { CROSSINGS = 200, ACROSS = 400 };
+  const sozai_value values[] = {{.id = "structure", .kind = SOZAI_KIND_CHOICE, .text = "woven"},
+                                {.id = "weave", .kind = SOZAI_KIND_CHOICE, .text = "plain"},
+                                {.id = "axis", .kind = SOZAI_KIND_CHOICE, .text = "x"},
+                                {.id = "yarn_spacing", .kind = SOZAI_KIND_FLOAT, .number = {1}},
+                                {.id = "yarn_width", .kind = SOZAI_KIND_FLOAT, .number = {0.3}},
+                                {.id = "slub", .kind = SOZAI_KIND_FLOAT, .number = {1}},
+                                {.id = "twist", .kind = SOZAI_KIND_FLOAT},
+                                {.id = "crimp", .kind = SOZAI_KIND_FLOAT},
+                                {.id = "flyaway", .kind = SOZAI_KIND_FLOAT}};
+  sozai_texture *t = make(NULL, values, sizeof values / sizeof *values);
+  points p = {0};
+  for (int k = 0; k < CROSSINGS; k++) /* those where this warp is on top */
+    for (int i = 0; i < ACROSS; i++) points_add(&p, 2 * k + 0.5, (i + 0.5) / ACROSS, 0, 0);
+  points_ask(&p, t);
+  double least = 1, most = 0;
+  for (unsigned k = 0; k < CROSSINGS; k++) {
+    double middle = 0, count = 0;
+    for (unsigned i = 0; i < ACROSS; i++) {
+      unsigned j = k * ACROSS + i;
+      if (fabs((double)p.out[TANGENT][j]) <= fabs((double)p.out[TANGENT + 1][j])) continue;
+      middle += (i + 0.5) / ACROSS;
+      count++;
+    }
+    assert_true(count > 0.2 * ACROSS);
+    least = fmin(least, middle / count);
+    most = fmax(most, middle / count);
+  }
+  print_message("of a yarn the middle is from %.3f to %.3f spacings\n", least, most);
+  assert_true(fabs(least - 0.4) < 0.01 && fabs(most - 0.6) < 0.01);
+  points_free(&p);
+  textures->destroy(t);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(along_their_tangents),        cmocka_unit_test(as_many_as_packed),
       cmocka_unit_test(in_the_directions_asked_for), cmocka_unit_test(cloth_shows_its_yarns),
-      cmocka_unit_test(what_floats_spreads),
+      cmocka_unit_test(what_floats_spreads),         cmocka_unit_test(yarns_stray),
   };
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
  * Printed by fit-fiber-light, in some runs, each from what the one before printed: bulk in 20
- * steps, of which the last held energy stiffer, cloth in 8 and
- * in 6 more since yarns swell. One run from elsewhere ends near, not
- * here. */
+ * steps, of which the last held energy stiffer, cloth in 8, and in 7 more since yarns swell. One
+ * run from elsewhere ends near, not here. */
 #include "fitted.h"
 
 const fibertex_fitted *fibertex_fit(const double *made_of) {
