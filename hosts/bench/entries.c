@@ -145,6 +145,7 @@ const entry entries[] = {
     FIBER_FOOTPRINT(10),
     FIBER_OF("cotton"),
     FIBER_OF("denim"),
+    FIBER_OF("flannel"),
     FIBER_OF("fleece"),
     /* yarns in 2 x 2 parts, and in 3 x 3 */
     CLOTH("denim", 0.2),

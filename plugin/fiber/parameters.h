@@ -24,11 +24,11 @@
  N(DIAMETER, "diameter", "Diameter", "strands", "um", 0.01, 1e6, 5, 300, 60, "Of the strand's middle: the mean.") \
  N(DIAMETER_SPREAD, "diameter_spread", "Diameter spread", "strands", "", 0, 1, 0, 0.5, 0, "Standard deviation over mean, from strand to strand.") \
  N(TAPER, "taper", "Taper", "strands", "", 0, 1, 0, 1, 1, "The ends' diameter over the middle's.") \
- I(VERTICES, "vertices", "Vertices", "crimp", "", 2, 1024, 8, 128, 32, "Of each strand. The angles are a joint's: more vertices, more crimp.") \
+ I(VERTICES, "vertices", "Vertices", "crimp", "", 2, 1024, 8, 200, 32, "Of each strand. The angles are a joint's: more vertices, more crimp.") \
  N(PHI_MIN, "phi_min", "Twist from", "crimp", "deg", -360, 360, -90, 90, 0, "Least twist at a joint, about the segment before it.") \
  N(PHI_MAX, "phi_max", "Twist to", "crimp", "deg", -360, 360, -90, 90, 36, "Greatest twist at a joint.") \
- N(THETA_MIN, "theta_min", "Bend from", "crimp", "deg", -180, 180, -30, 30, 0, "Least bend at a joint.") \
- N(THETA_MAX, "theta_max", "Bend to", "crimp", "deg", -180, 180, -30, 30, 10.8, "Greatest bend at a joint.") \
+ N(THETA_MIN, "theta_min", "Bend from", "crimp", "deg", -180, 180, -40, 40, 0, "Least bend at a joint.") \
+ N(THETA_MAX, "theta_max", "Bend to", "crimp", "deg", -180, 180, -40, 40, 10.8, "Greatest bend at a joint.") \
  N(STEP, "step", "Step", "fitting", "mm", 0, 1e5, 0, 5, 0, "Of a strand's first moves; 0: a tenth of its length, with mode=literal a fortieth.") \
  N(TURN, "turn", "Turn", "fitting", "deg", 0, 90, 0, 20, 0, "Of a strand's first turns; 0: so that its ends move by a step.") \
  I(HALVINGS, "halvings", "Halvings", "fitting", "", 0, 12, 0, 5, 3, "How often steps are halved where none is a gain any more; mode=literal: never.") \

@@ -134,7 +134,7 @@ static const sozai_parameter bed_thickness = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "bed_thickness", .label = "Bed thickness", .group = "bedding", .unit = "mm",
    .doc = "Of a layer of sediment, the mean.",
-   .hard_min = 0.2, .hard_max = 10000, .soft_min = 2, .soft_max = 200, .default_number = {20}};
+   .hard_min = 0.2, .hard_max = 10000, .soft_min = 2, .soft_max = 300, .default_number = {20}};
 
 static const sozai_parameter bed_contrast = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -147,7 +147,7 @@ static const sozai_parameter bed_wave = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "bed_wave", .label = "Wave", .group = "bedding", .unit = "mm",
    .doc = "How far the layers rise and fall.",
-   .hard_min = 0, .hard_max = 1000, .soft_min = 0, .soft_max = 50, .default_number = {3}};
+   .hard_min = 0, .hard_max = 1000, .soft_min = 0, .soft_max = 60, .default_number = {3}};
 
 static const sozai_parameter bed_wavelength = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -166,13 +166,13 @@ static const sozai_parameter mottle = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "mottle", .label = "Mottle", .group = "bedding", .unit = "",
    .doc = "Cloudiness: the relative shift of brightness, which stays within twice this.",
-   .hard_min = 0, .hard_max = 0.4, .soft_min = 0, .soft_max = 0.2, .default_number = {0}};
+   .hard_min = 0, .hard_max = 0.4, .soft_min = 0, .soft_max = 0.3, .default_number = {0}};
 
 static const sozai_parameter mottle_size = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "mottle_size", .label = "Mottle size", .group = "bedding", .unit = "mm",
    .doc = "Of the clouds.",
-   .hard_min = 0.5, .hard_max = 10000, .soft_min = 2, .soft_max = 300, .default_number = {30}};
+   .hard_min = 0.5, .hard_max = 10000, .soft_min = 1, .soft_max = 300, .default_number = {30}};
 
 static const sozai_parameter inclusion_size = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -221,7 +221,7 @@ static const sozai_parameter inclusion_grading = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "inclusion_grading", .label = "Inclusion grading", .group = "inclusions", .unit = "",
    .doc = "How unequal in size they are.",
-   .hard_min = 0, .hard_max = 0.95, .soft_min = 0, .soft_max = 0.9, .default_number = {0.5}};
+   .hard_min = 0, .hard_max = 0.95, .soft_min = 0, .soft_max = 0.95, .default_number = {0.5}};
 
 static const sozai_parameter inclusion_stretch = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -239,7 +239,7 @@ static const sozai_parameter inclusion_variation = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "inclusion_variation", .label = "Inclusion variation", .group = "inclusions", .unit = "",
    .doc = "How much lighter or darker than its kind an inclusion may be; strays to three times this.",
-   .hard_min = 0, .hard_max = 0.35, .soft_min = 0, .soft_max = 0.2, .default_number = {0.1}};
+   .hard_min = 0, .hard_max = 0.35, .soft_min = 0, .soft_max = 0.3, .default_number = {0.1}};
 
 static const sozai_parameter inclusion_blur = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -336,7 +336,7 @@ static const sozai_parameter vein_width = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "vein_width", .label = "Vein width", .group = "veins", .unit = "mm",
    .doc = "Greatest width; veins swell and pinch out. 0: none.",
-   .hard_min = 0, .hard_max = 500, .soft_min = 0, .soft_max = 30, .default_number = {0}};
+   .hard_min = 0, .hard_max = 500, .soft_min = 0, .soft_max = 60, .default_number = {0}};
 
 static const sozai_parameter vein_softness = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,

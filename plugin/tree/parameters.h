@@ -23,7 +23,7 @@
  T(FIELD, "field", "Field table", "field", "The text of a measured tree (docs/tree.md). It takes the place of stem and branches; what it lacks is grown.") \
  C(RESAMPLE, "resample", "Resample", "field", resample, 0, "What the field table is for.") \
  N(UPSLOPE, "upslope", "Upslope", "field", "deg", 0, 360, 0, 360, 0, "Azimuth that points up the slope: crown_a holds on that side, crown_a_down on the other.") \
- N(HEIGHT_MAX, "height_max", "Greatest height", "growth", "m", 0.1, 130, 2, 50, 30, "H(t) = height_max (1 - exp(-height_rate t))^height_shape (Richards).") \
+ N(HEIGHT_MAX, "height_max", "Greatest height", "growth", "m", 0.1, 130, 2, 60, 30, "H(t) = height_max (1 - exp(-height_rate t))^height_shape (Richards).") \
  N(HEIGHT_RATE, "height_rate", "Height rate", "growth", "1/year", 0.001, 1, 0.01, 0.1, 0.03, "See height_max.") \
  N(HEIGHT_SHAPE, "height_shape", "Height shape", "growth", "", 0.5, 5, 0.8, 2, 1.4, "See height_max.") \
  N(GIRTH_MAX, "diameter_max", "Greatest diameter", "growth", "mm", 5, 10000, 100, 1500, 700, "Of the stem at the ground: D(t) = diameter_max (1 - exp(-diameter_rate t))^diameter_shape.") \
@@ -32,15 +32,15 @@
  N(STEM_FORM, "stem_form", "Stem form", "growth", "", 0.3, 2, 0.5, 1.2, 0.8, "Radius falls as (1 - h / H)^stem_form.") \
  N(BUTT, "butt", "Butt swell", "growth", "", 0, 2, 0, 1, 0.3, "Added to the radius at the ground, as a share; gone at some three diameters up.") \
  N(SWAY, "sway", "Sway", "growth", "", 0, 0.3, 0, 0.1, 0.003, "How far the stem wanders, as a share of its height.") \
- N(TURNS, "turns_year", "Turns a year", "turning", "1/year", 0.1, 20, 1, 6, 3.19, "How often the branches of a year climb round the stem.") \
+ N(TURNS, "turns_year", "Turns a year", "turning", "1/year", 0.1, 20, 0.5, 6, 3.19, "How often the branches of a year climb round the stem.") \
  N(BRANCHES, "branches_turn", "Branches a turn", "turning", "", 1, 12, 1.5, 6, 2.1, "How many branches in a turn; the mean divergence is 360 over it.") \
  N(TURN_SPREAD, "turning_spread", "Spread of turning", "turning", "", 0, 1, 0, 1, 1, "How much trees differ in the two: 1 as the 17 sugi of the paper's table 1.") \
  N(DIVERGENCE_SD, "divergence_sd", "Divergence, spread", "turning", "deg", 0, 150, 0, 90, 73, "Standard deviation of the angle from a branch to the next.") \
  N(DIVERGENCE_MIN, "divergence_min", "Divergence, least", "turning", "deg", 0, 359, 0, 180, 33, "Its least.") \
  N(DIVERGENCE_MAX, "divergence_max", "Divergence, greatest", "turning", "deg", 1, 360, 90, 360, 293, "Its greatest.") \
- N(FLUSH, "flush", "Spring flush", "turning", "", 1, 20, 1, 4, 2, "How steeply height rises with turning in spring and how flat it ends in winter: 1 - (1 - u)^flush of the year's shoot.") \
+ N(FLUSH, "flush", "Spring flush", "turning", "", 1, 20, 1, 5, 2, "How steeply height rises with turning in spring and how flat it ends in winter: 1 - (1 - u)^flush of the year's shoot.") \
  C(WHORL, "phyllotaxis", "Branches along a year", "turning", whorl, 0, "How the branches of a year stand.") \
- N(CROWN_A, "crown_a", "Crown a", "crown", "", 0.01, 3, 0.1, 0.8, 0.255, "Branch length over tree height is crown_a (1 - z)^crown_b, z the height over tree height; of a tree as tall as crown_height.") \
+ N(CROWN_A, "crown_a", "Crown a", "crown", "", 0.01, 3, 0.1, 1.2, 0.255, "Branch length over tree height is crown_a (1 - z)^crown_b, z the height over tree height; of a tree as tall as crown_height.") \
  N(CROWN_A_DOWN, "crown_a_down", "Crown a, downslope", "crown", "", 0, 3, 0, 0.8, 0, "The same on the downslope side; 0: as crown_a.") \
  N(CROWN_B, "crown_b", "Crown b", "crown", "", 0.05, 2, 0.2, 1, 0.5, "See crown_a.") \
  N(CROWN_B_OLD, "crown_b_old", "Crown b, old", "crown", "", 0.05, 2, 0.2, 1, 0.5, "What it falls to with age: less is flatter. Not above crown_b.") \
@@ -54,7 +54,7 @@
  N(ANGLE_LOW, "elevation_base", "Elevation at the crown's base", "branches", "deg", -80, 88, -30, 70, 5, "Likewise.") \
  N(DROOP, "droop", "Droop", "branches", "deg", -120, 120, -30, 60, 25, "How far it bends down along its first half, when as long as droop_length.") \
  N(DROOP_LENGTH, "droop_length", "Length of droop", "branches", "mm", 10, 50000, 500, 8000, 1500, "Shorter branches bend less in proportion.") \
- N(UPTURN, "upturn", "Upturn", "branches", "deg", -120, 160, 0, 80, 45, "How far it turns up again towards the tip.") \
+ N(UPTURN, "upturn", "Upturn", "branches", "deg", -120, 160, -20, 80, 45, "How far it turns up again towards the tip.") \
  N(WANDER, "wander", "Wander", "branches", "deg", 0, 90, 0, 40, 6, "How crooked: how far it may turn aside every 180 or 300 mm, of which it keeps four fifths each time.") \
  N(SLENDER, "slenderness", "Slenderness", "branches", "", 0.001, 0.2, 0.005, 0.04, 0.013, "Diameter at the base over length, where the parent is thick enough.") \
  N(THICKEST, "thickest", "Thickest", "branches", "", 0.05, 0.95, 0.2, 0.9, 0.5, "Radius at the base over the parent's there, at most; what a missing thickness is.") \
@@ -66,21 +66,21 @@
  C(ROUND_2, "arrangement_2", "Arrangement, 2nd order", "second order", round, 1, "Beta, round the parent.") \
  N(BARE_2, "bare_2", "Bare, 2nd order", "second order", "", 0, 0.95, 0, 0.6, 0.05, "Share of the parent that bears none, from its base.") \
  N(ZONE_2, "zone_2", "Zone, 2nd order", "second order", "mm", 0, 30000, 0, 3000, 1500, "Only so far from the parent's tip; 0: everywhere.") \
- N(BEND_2, "bend_2", "Bend, 2nd order", "second order", "deg", -120, 120, -40, 60, 20, "Upwards, from base to tip.") \
- N(JITTER_2, "jitter_2", "Jitter, 2nd order", "second order", "", 0, 1, 0, 0.5, 0.2, "Of place, length and angles, as a share.") \
+ N(BEND_2, "bend_2", "Bend, 2nd order", "second order", "deg", -120, 120, -60, 60, 20, "Upwards, from base to tip.") \
+ N(JITTER_2, "jitter_2", "Jitter, 2nd order", "second order", "", 0, 1, 0, 0.6, 0.2, "Of place, length and angles, as a share.") \
  N(SPACING_3, "spacing_3", "Spacing, 3rd order", "third order", "mm", 1, 2000, 5, 200, 22, "As of the second.") \
- N(LENGTH_3, "length_3", "Length, 3rd order", "third order", "mm", 1, 10000, 10, 1000, 110, "As of the second.") \
+ N(LENGTH_3, "length_3", "Length, 3rd order", "third order", "mm", 1, 10000, 1, 1000, 110, "As of the second.") \
  N(SHARE_3, "share_3", "Share, 3rd order", "third order", "", 0, 2, 0, 1, 0.6, "As of the second.") \
  N(TAPER_3, "taper_3", "Taper, 3rd order", "third order", "", 0, 3, 0, 1, 0.5, "As of the second.") \
  N(ANGLE_3, "angle_3", "Angle, 3rd order", "third order", "deg", 1, 120, 20, 90, 45, "As of the second.") \
  C(ROUND_3, "arrangement_3", "Arrangement, 3rd order", "third order", round, 0, "As of the second.") \
  N(BARE_3, "bare_3", "Bare, 3rd order", "third order", "", 0, 0.95, 0, 0.6, 0.05, "As of the second.") \
  N(ZONE_3, "zone_3", "Zone, 3rd order", "third order", "mm", 0, 10000, 0, 1000, 0, "As of the second.") \
- N(BEND_3, "bend_3", "Bend, 3rd order", "third order", "deg", -120, 120, -40, 60, 25, "As of the second.") \
+ N(BEND_3, "bend_3", "Bend, 3rd order", "third order", "deg", -120, 120, -60, 60, 25, "As of the second.") \
  N(JITTER_3, "jitter_3", "Jitter, 3rd order", "third order", "", 0, 1, 0, 0.5, 0.2, "As of the second.") \
  C(LEAF, "leaf", "Leaf", "leaves", leaf, 0, "Its shape.") \
  N(LEAF_SPACING, "leaf_spacing", "Leaf spacing", "leaves", "mm", 0.3, 500, 1, 100, 3, "From site to site along the shoot.") \
- I(LEAF_SITE, "leaves_site", "Leaves a site", "leaves", "", 1, 12, 1, 6, 1, "How many stand together.") \
+ I(LEAF_SITE, "leaves_site", "Leaves a site", "leaves", "", 1, 12, 1, 12, 1, "How many stand together.") \
  N(LEAF_LENGTH, "leaf_length", "Leaf length", "leaves", "mm", 0.5, 500, 3, 150, 10, "At most.") \
  N(LEAF_WIDTH, "leaf_width", "Leaf width", "leaves", "mm", 0.1, 300, 0.5, 100, 1.2, "Its greatest.") \
  N(LEAF_TAPER, "leaf_taper", "Leaf taper", "leaves", "", 0, 0.5, 0, 0.5, 0.5, "0: all of a length; 0.5: short at the shoot's tip by a parabola.") \

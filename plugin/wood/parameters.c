@@ -82,7 +82,7 @@ static const sozai_parameter ring_width = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "ring_width", .label = "Ring width", .group = "rings", .unit = "mm",
    .doc = "A year's growth, the mean.",
-   .hard_min = 0.2, .hard_max = 30, .soft_min = 0.5, .soft_max = 6, .default_number = {2}};
+   .hard_min = 0.2, .hard_max = 30, .soft_min = 0.5, .soft_max = 12, .default_number = {2}};
 
 static const sozai_parameter ring_variation = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -146,7 +146,7 @@ static const sozai_parameter late_variation = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "latewood_variation", .label = "Latewood variation", .group = "season", .unit = "",
    .doc = "How much paler than the darkest the latewood of a year may be.",
-   .hard_min = 0, .hard_max = 0.9, .soft_min = 0, .soft_max = 0.6, .default_number = {0.3}};
+   .hard_min = 0, .hard_max = 0.9, .soft_min = 0, .soft_max = 0.7, .default_number = {0.3}};
 
 static const sozai_parameter late_deepening = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -236,13 +236,13 @@ static const sozai_parameter slope_noise = {
    .id = "slope_noise", .label = "Slope variation", .group = "grain", .unit = "",
    .doc = "The greatest departure of the slope from its pattern; continuous along the stem and "
    "from year to year.",
-   .hard_min = 0, .hard_max = 0.2, .soft_min = 0, .soft_max = 0.06, .default_number = {0.02}};
+   .hard_min = 0, .hard_max = 0.2, .soft_min = 0, .soft_max = 0.08, .default_number = {0.02}};
 
 static const sozai_parameter slope_noise_length = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "slope_noise_length", .label = "Variation length", .group = "grain", .unit = "mm",
    .doc = "Length of that variation along the stem.",
-   .hard_min = 5, .hard_max = 2000, .soft_min = 20, .soft_max = 300, .default_number = {70}};
+   .hard_min = 5, .hard_max = 2000, .soft_min = 10, .soft_max = 300, .default_number = {70}};
 
 static const sozai_parameter curl_slope = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -436,7 +436,7 @@ static const sozai_parameter pore_diameter = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "vessel_diameter", .label = "Vessel diameter", .group = "vessels", .unit = "um",
    .doc = "Mean diameter at the ring's start.",
-   .hard_min = 5, .hard_max = 600, .soft_min = 20, .soft_max = 400, .default_number = {90}};
+   .hard_min = 5, .hard_max = 600, .soft_min = 15, .soft_max = 400, .default_number = {90}};
 
 static const sozai_parameter pore_diameter_late = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -486,19 +486,19 @@ static const sozai_parameter ray_density = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "ray_density", .label = "Ray density", .group = "rays", .unit = "1/mm2",
    .doc = "Rays to an area of the tangential face; 0 for none that can be seen.",
-   .hard_min = 0, .hard_max = 20, .soft_min = 0, .soft_max = 4, .default_number = {0}};
+   .hard_min = 0, .hard_max = 20, .soft_min = 0, .soft_max = 12, .default_number = {0}};
 
 static const sozai_parameter ray_height = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "ray_height", .label = "Ray height", .group = "rays", .unit = "mm",
    .doc = "Along the fibre, the mean; from half to one and a half times as much.",
-   .hard_min = 0.05, .hard_max = 100, .soft_min = 0.2, .soft_max = 40, .default_number = {1}};
+   .hard_min = 0.05, .hard_max = 100, .soft_min = 0.08, .soft_max = 40, .default_number = {1}};
 
 static const sozai_parameter ray_width = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "ray_width", .label = "Ray width", .group = "rays", .unit = "um",
    .doc = "Across the fibre where a ray is thickest, the mean.",
-   .hard_min = 5, .hard_max = 1500, .soft_min = 20, .soft_max = 500, .default_number = {90}};
+   .hard_min = 5, .hard_max = 1500, .soft_min = 10, .soft_max = 500, .default_number = {90}};
 
 static const sozai_parameter ray_length = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -561,7 +561,7 @@ static const sozai_parameter basic_density = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "basic_density", .label = "Basic density", .group = "cells", .unit = "kg/m3",
    .doc = "Dry mass to green volume: over 1500 kg/m3 it is the share of cell walls.",
-   .hard_min = 50, .hard_max = 1400, .soft_min = 150, .soft_max = 1100, .default_number = {550}};
+   .hard_min = 50, .hard_max = 1400, .soft_min = 100, .soft_max = 1100, .default_number = {550}};
 
 static const sozai_parameter cell_length = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -669,7 +669,7 @@ static const sozai_parameter heart_edge = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "heartwood_edge", .label = "Heartwood edge", .group = "colour", .unit = "years",
    .doc = "How many rings heartwood takes to turn into sapwood.",
-   .hard_min = 0.05, .hard_max = 50, .soft_min = 0.1, .soft_max = 5, .default_number = {0.8}};
+   .hard_min = 0.05, .hard_max = 50, .soft_min = 0.1, .soft_max = 10, .default_number = {0.8}};
 
 static const sozai_parameter heart_stray = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -1448,6 +1448,13 @@ static const sozai_channel channel_coat = {
    .id = "coat", .unit = "", .suffixes = "",
    .doc = "Share of the surface's own reflection over it."};
 
+static const sozai_channel channel_coat_roughness = {
+   .size = sizeof(sozai_channel), .first = WOOD_COAT_ROUGHNESS, .components = 1,
+   .needs = SOZAI_INPUT_POINT,
+   .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
+   .id = "coat_roughness", .unit = "", .suffixes = "",
+   .doc = "Of that reflection, as the finish has it: its square is GGX's alpha, wider where the footprint averages over the relief's slopes."};
+
 static const sozai_channel channel_ray = {
    .size = sizeof(sozai_channel), .first = WOOD_RAY, .components = 1,
    .needs = SOZAI_INPUT_POINT,
@@ -1512,7 +1519,7 @@ static const sozai_channel channel_height = {
    .doc = "Above the face: of the surface's relief, and the layout's bevels, joints and cupping."};
 
 const sozai_channel *const wood_channels[] = {
-   &channel_albedo, &channel_radiance, &channel_fiber, &channel_dive, &channel_specular, &channel_roughness, &channel_time, &channel_latewood, &channel_vessel, &channel_reference, &channel_cone_colour, &channel_cone_width, &channel_coat, &channel_ray,
+   &channel_albedo, &channel_radiance, &channel_fiber, &channel_dive, &channel_specular, &channel_roughness, &channel_time, &channel_latewood, &channel_vessel, &channel_reference, &channel_cone_colour, &channel_cone_width, &channel_coat, &channel_coat_roughness, &channel_ray,
    &channel_board_id, &channel_board_u, &channel_board_v, &channel_board_edge, &channel_normal, &channel_height, &channel_canal, &channel_knot};
 /* clang-format on */
 const uint32_t wood_channel_count = COUNT(wood_channels);

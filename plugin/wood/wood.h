@@ -381,7 +381,8 @@ enum {
   WOOD_HEIGHT = 30,
   WOOD_CANAL = 31,
   WOOD_KNOT = 32,
-  WOOD_COMPONENTS = 33
+  WOOD_COAT_ROUGHNESS = 33,
+  WOOD_COMPONENTS = 34
 };
 
 typedef void wood_radius(const wood_constants *w, uint32_t count, const float *t,

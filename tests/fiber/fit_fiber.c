@@ -108,10 +108,10 @@ static cloth varied(cloth c, uint32_t which) {
   if (which % 2) c.slub = 0;
   c.diameter *= exp(between(&d, -0.5, 0.5));
   c.flatness = fmin(c.flatness * between(&d, 0.75, 1.3), 1);
-  c.width *= between(&d, 0.92, 1.08);
+  c.width = fmin(c.width * between(&d, 0.92, 1.08), 1.4);
   c.twist = between(&d, 0, 38);
   c.elevation_spread *= between(&d, 0.4, 1.5);
-  c.flyaway = fmin(c.flyaway * between(&d, 0, 2), 0.45);
+  c.flyaway = fmin(c.flyaway * between(&d, 0, 2), 0.39);
   c.transmission = between(&d, 0.18, 0.56);
   c.roughness *= exp(between(&d, -0.35, 0.35));
   c.swell *= between(&d, 0.5, 1.6);

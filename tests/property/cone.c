@@ -211,25 +211,34 @@ static void over_kawai(void **state) {
         worst);
 }
 
-/* The least coat of each finish, and of char; a parameter's own where that is more. */
+/* The least coat of each finish, and of char; a parameter's own where that is more. And how rough
+ * it is: satin where it is no film, wider by what a footprint has lost of the relief. */
 static void of_finishes(void **state) {
   (void)state;
   static const struct {
     const char *text;
-    double coat;
-  } cases[] = {{"finish=raw", 0},
-               {"finish=oiled", 0.3},
-               {"finish=lacquered", 1},
-               {"finish=oiled; coat=0.6", 0.6},
-               {"finish=lacquered; reflection=fibre_cone", 1},
-               {"surface=charred; charring=1", 0.5}};
+    double coat, roughness, wider; /* the last: at most, with relief */
+  } cases[] = {{"finish=raw", 0, 0.25, 0},
+               {"finish=oiled", 0.3, 0.45, 0},
+               {"finish=lacquered", 1, 0.25, 0},
+               {"finish=oiled; coat=0.6", 0.6, 0.45, 0},
+               {"finish=lacquered; coat_roughness=0.1", 1, 0.1, 0},
+               {"finish=lacquered; reflection=fibre_cone", 1, 0.25, 0},
+               {"finish=lacquered; surface=brushed", 1, 0.25, 0.5},
+               {"surface=charred; charring=1", 0.5, 0.45, 0.55}};
   for (unsigned k = 0; k < sizeof cases / sizeof *cases; k++) {
     sozai_texture *t = wood_make("keyaki", cases[k].text);
     points p = {0};
     points_add(&p, 10, 20, 0, 0);
+    points_add(&p, 10, 20, 0, 20);
     points_ask(&p, t);
-    double coat = (double)p.out[COAT][0];
+    double coat = (double)p.out[COAT][0], near = (double)p.out[COAT_ROUGHNESS][0],
+           far = (double)p.out[COAT_ROUGHNESS][1];
     CHECK(fabs(coat - cases[k].coat) < 1e-6, "%s: coat %.2f\n", cases[k].text, coat);
+    double most = cases[k].wider > 0 ? cases[k].wider : cases[k].roughness + 1e-6;
+    double least = cases[k].wider > 0 ? cases[k].roughness + 0.02 : cases[k].roughness - 1e-6;
+    CHECK(fabs(near - cases[k].roughness) < 1e-6 && far > least && far < most,
+          "%s: as rough as %.3f, over 20 mm %.3f\n", cases[k].text, near, far);
     points_free(&p);
     textures->destroy(t);
   }

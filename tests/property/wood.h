@@ -37,7 +37,7 @@ int wood_is_panel(const char *preset);
 typedef struct {
   unsigned count, room;
   float *point[3], *normal[3], *light[3], *view[3], *footprint;
-  float *out[33];
+  float *out[34];
 } points;
 
 /* Components, as describe lists them. */
@@ -61,7 +61,8 @@ enum {
   NORMAL,
   HEIGHT = 30,
   CANAL,
-  KNOT
+  KNOT,
+  COAT_ROUGHNESS
 };
 
 void points_clear(points *p);

@@ -86,15 +86,12 @@ def wanted_channels(described, material, group):
 def figures_of(described, group, base, programme):
     """What is about the same everywhere; creating the texture also checks every parameter."""
     there = {c["id"] for c in described["channels"]}
-    asked = [c for c in ("albedo", "cone_colour", "cone_width", "coat") if c in there]
+    asked = ("albedo", "cone_colour", "cone_width", "coat", "coat_roughness")
+    asked = [c for c in asked if c in there]
     figures = program.evaluate(programme, base, asked)
     figures["ior"] = getattr(group, "p_ior", 1.5)
     figures.setdefault("coat", 1.0)  # a stone's surface reflects all that it does
-    figures["roughness"] = getattr(group, "p_coat_roughness", 0.5)
-    # a finish that is no film is satin, as the texture has it
-    own = getattr(group, "p_coat", 1.0)  # of wood alone
-    if figures["coat"] > own and group.p_finish != "lacquered":
-        figures["roughness"] = max(figures["roughness"], 0.45)
+    figures["roughness"] = figures.pop("coat_roughness", 0.5)
     return figures
 
 

@@ -176,10 +176,8 @@ static void measure_layers(fibertex_constants *w, const settings *s, const fiber
     left -= (double)w->part[l];
   }
   w->part_deep = (float)left;
-  if (w->structure == STRUCTURE_WOVEN) {
-    w->yarns_from = w->layer[0].ends;
-    w->flown = w->layer[0].ends ? w->part[0] : 0.0f;
-  }
+  w->flown = 0.0f;
+  for (int l = 0; l < w->yarns_from; l++) w->flown += w->part[l];
   /* evenly more from each to the next, which two factors tell the kernel */
   int n = w->layers;
   double ratio = w->structure == STRUCTURE_WOVEN ? 1.0 : densest(1, 2) / densest(0, 2);
@@ -193,6 +191,23 @@ static void measure_layers(fibertex_constants *w, const settings *s, const fiber
   w->deep_depth = w->layer[w->layers - 1].depth;
 }
 
+/* Strands that stand off lie ten radii apart, lest they look combed: a layer of them covers no more
+ * than some 0.08 of the surface, and what is to cover more has more layers. Returns their number.
+ */
+#define FLOWN_MOST 0.0801
+static int place_flown(fibertex_constants *w, double cover, double over, double size, double radius,
+                       double wanted[FIBERTEX_LAYERS]) {
+  if (!(cover > 0.0)) return 0;
+  double depth = -scalar_log(1.0 - cover), most = -scalar_log(1.0 - FLOWN_MOST);
+  int count = 1 + (int)scalar_least(depth / most, FIBERTEX_FLOWN - 1);
+  for (int l = 0; l < count; l++) {
+    double apart = 1.0 - 0.3 * (double)((l * 2) % 5) / 5.0;
+    wanted[l] = count == 1 ? cover : 1.0 - scalar_exp(-depth / count);
+    place_layer(w, l, 2.6 * size * apart, radius, 10.0, wanted[l], over * l / count);
+  }
+  return count;
+}
+
 /* Returns its optical depth. */
 static double build_shell(fibertex_constants *w, const settings *s, const fibertex_kernel *kernel) {
   double d = 0.001 * number_at(s, P_DIAMETER), thickness = number_at(s, P_THICKNESS);
@@ -203,17 +218,17 @@ static double build_shell(fibertex_constants *w, const settings *s, const fibert
   double elevation = number_at(s, P_ELEVATION) * RADIANS, waver = number_at(s, P_WAVER);
   double size =
       scalar_most(number_at(s, P_BUNDLE) * scalar_most(scalar_cos(elevation), 0.2), 6.0 * d) / 0.9;
-  double wanted[FIBERTEX_LAYERS] = {flown};
-  int bulk = flown > 0.0 ? 1 : 0, woven = w->structure == STRUCTURE_WOVEN;
-  w->layers = woven ? bulk + ON_YARN : FIBERTEX_LAYERS;
-  int count = w->layers - bulk;
+  double wanted[FIBERTEX_LAYERS] = {0};
+  int woven = w->structure == STRUCTURE_WOVEN;
+  int bulk = place_flown(w, flown, over, size, 0.5 * d, wanted);
+  int count = woven ? ON_YARN : FIBERTEX_HULL - (bulk > 0);
+  w->layers = bulk + count;
+  w->yarns_from = woven ? bulk : 0;
   /* a pile's are so dense where it is looked at from the side, and have room for it */
   double thin = w->pile ? 1.0 / fibertex_pile_met(w) : 1.0;
   double apart_most = w->pile ? 2.0 : 0.0, most_of = 0.0;
   for (int k = 0; k < count; k++) most_of += thin * densest(k, count);
   double scale = scalar_least(1.0, total / most_of), seen = 0.0, shown = thickness / total;
-  /* ten radii apart, lest they look combed: no more than 0.08 of the surface is covered so */
-  if (bulk) place_layer(w, 0, 2.6 * size, 0.5 * d, 10.0, flown, 0.0);
   for (int k = 0; k < count; k++) {
     int l = bulk + k;
     double each = woven ? 0.4 : scale * thin * densest(k, count);
@@ -424,6 +439,7 @@ static void build_directions(fibertex_constants *w, const settings *s) {
     w->turn[1][i] = (float)scalar_sin(a);
   }
   w->looks = HULL_LOOKS;
+  const fibertex_layer *bulk = &w->layer[w->layers - (FIBERTEX_HULL - 1)];
   for (int m = 0; m < HULL_LOOKS; m++) {
     fibertex_look *o = &w->look[m];
     double from = quantile(alignment, 2.0 * m / HULL_LOOKS - 1.0);
@@ -441,7 +457,7 @@ static void build_directions(fibertex_constants *w, const settings *s) {
     o->up[2] = (float)steep;
     o->share = o->lit = (float)(1.0 / HULL_LOOKS);
     o->across2 = (float)((to - from) * (to - from) / 12.0 +
-                         angle2((double)w->slope2 + (double)w->layer[1].slope2));
+                         angle2((double)w->slope2 + (double)bulk->slope2));
     o->up2 = w->scatter_up;
   }
 }

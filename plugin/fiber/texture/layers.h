@@ -208,7 +208,7 @@ INLINE void stage_layers(const fibertex_constants *w, int woven, block *k, uint3
   const footprints s = footprints_of(k, blocks);
   if (s.least >= w->far[1]) return; /* nothing near is left of them */
   /* of a cloth what stands off it first */
-  uint32_t all = (uint32_t)w->layers, first = woven ? (uint32_t)w->layer[0].ends : 0, layers;
+  uint32_t all = (uint32_t)w->layers, first = (uint32_t)w->yarns_from, layers;
   for (uint32_t l = 0; l < all && layers_wanted(k, blocks); l += layers) {
     uint32_t to = l < first ? first : all;
     layers = to - l < LAYERS_TOGETHER ? to - l : LAYERS_TOGETHER;

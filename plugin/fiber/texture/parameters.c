@@ -59,7 +59,7 @@ static const sozai_parameter diameter_spread = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "diameter_spread", .label = "Diameter's spread", .group = "strand", .unit = "",
    .doc = "How much thicker or thinner a strand may be, relatively; 0.6 times this is about the standard deviation.",
-   .hard_min = 0, .hard_max = 0.8, .soft_min = 0, .soft_max = 0.6, .default_number = {0.35}};
+   .hard_min = 0, .hard_max = 0.8, .soft_min = 0, .soft_max = 0.7, .default_number = {0.35}};
 
 static const sozai_parameter crimp = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -71,7 +71,7 @@ static const sozai_parameter crimp_height = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "crimp_height", .label = "Crimp's height", .group = "strand", .unit = "mm",
    .doc = "Half of trough to crest. Limited to a slope of 1.",
-   .hard_min = 0, .hard_max = 10, .soft_min = 0, .soft_max = 1, .default_number = {0.15}};
+   .hard_min = 0, .hard_max = 10, .soft_min = 0, .soft_max = 3, .default_number = {0.15}};
 
 static const sozai_parameter waver = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -130,8 +130,8 @@ static const sozai_parameter nap_reach = {
 static const sozai_parameter flyaway = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "flyaway", .label = "Flyaway", .group = "aggregate", .unit = "",
-   .doc = "Share of the surface that single strands standing off it cover; 0.08 is about the most, from where on more is the same.",
-   .hard_min = 0, .hard_max = 0.5, .soft_min = 0, .soft_max = 0.08, .default_number = {0.03}};
+   .doc = "Share of the surface that single strands standing off it cover, as a nap does. Each 0.08 of it takes a layer more, up to 0.4.",
+   .hard_min = 0, .hard_max = 0.5, .soft_min = 0, .soft_max = 0.35, .default_number = {0.03}};
 
 static const sozai_parameter flyaway_height = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -170,13 +170,13 @@ static const sozai_parameter yarn_width = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "yarn_width", .label = "Yarn's width", .group = "cloth", .unit = "",
    .doc = "Over the spacing: below 1 there are holes, above it yarns press on one another.",
-   .hard_min = 0.2, .hard_max = 1.4, .soft_min = 0.6, .soft_max = 1.2, .default_number = {0.94}};
+   .hard_min = 0.2, .hard_max = 1.4, .soft_min = 0.6, .soft_max = 1.3, .default_number = {0.94}};
 
 static const sozai_parameter yarn_flatness = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "yarn_flatness", .label = "Yarn's thickness", .group = "cloth", .unit = "",
    .doc = "Over its width: 1 round, 0.4 pressed flat.",
-   .hard_min = 0.1, .hard_max = 1, .soft_min = 0.3, .soft_max = 1, .default_number = {0.6}};
+   .hard_min = 0.1, .hard_max = 1, .soft_min = 0.2, .soft_max = 1, .default_number = {0.6}};
 
 static const sozai_parameter yarn_swell = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -233,7 +233,7 @@ static const sozai_parameter variation = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "variation", .label = "Variation", .group = "colour", .unit = "",
    .doc = "How much lighter or darker a strand may be, relatively.",
-   .hard_min = 0, .hard_max = 0.6, .soft_min = 0, .soft_max = 0.3, .default_number = {0.12}};
+   .hard_min = 0, .hard_max = 0.6, .soft_min = 0, .soft_max = 0.35, .default_number = {0.12}};
 
 static const sozai_parameter ior = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,

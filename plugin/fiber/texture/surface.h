@@ -126,7 +126,7 @@ INLINE void stage_reach(const fibertex_constants *w, block *k) {
  * more, which less. */
 INLINE void stage_reach_of_cloth(const fibertex_constants *w, block *k) {
   vf all = splat(0.0f);
-  for (int l = w->layers - 1; l >= w->layer[0].ends; l--) {
+  for (int l = w->layers - 1; l >= w->yarns_from; l--) {
     all = all * k->step[0] + splat(w->part[l]);
   }
   all = k->front * all + splat(w->part_deep) * k->deep_lit;

@@ -24,7 +24,9 @@
 /* A stage that is large, or called from several places: once in the code. */
 #define STAGE static __attribute__((noinline, unused))
 
-#define FIBERTEX_LAYERS 7
+#define FIBERTEX_HULL 7  /* layers of an aggregate; the first stands off, where any does */
+#define FIBERTEX_FLOWN 6 /* layers that may stand off, where one does not hold them */
+#define FIBERTEX_LAYERS (FIBERTEX_HULL - 1 + FIBERTEX_FLOWN)
 #define FIBERTEX_DIRECTIONS 16 /* that bundles lie in: quantiles */
 #define FIBERTEX_LOOKS 6       /* directions that stand for all from afar */
 #define FIBERTEX_FACES 4       /* of a cloth the first, two of either yarn; the rest stand off */

@@ -19,11 +19,11 @@ INLINE void stage_cone(const wood_constants *w, const wood_io *io, block *k) {
   vf width2 = splat(w->cone_width * w->cone_width) + splat(4.0f) * variance;
   store_lanes(io, WOOD_CONE_WIDTH, k, vsqrt(width2));
   store_lanes(io, WOOD_COAT, k, splat(w->coat));
+  store_lanes(io, WOOD_COAT_ROUGHNESS, k, vsqrt(vsqrt(coat_alpha2(w, k))));
 }
 
 INLINE void stage_cone_radiance(const wood_constants *w, int boards, const wood_io *io, block *k) {
-  vf r[3], v[3], coat2 = splat(w->coat_alpha * w->coat_alpha);
-  if (w->surface.relief) coat2 = vmin(coat2 + k->lost, splat(1.0f));
+  vf r[3], v[3], coat2 = coat_alpha2(w, k);
   view_of(w, boards, io, k, v);
   vf variance = k->grain.variance + k->stem.lost_slope;
   cone_radiance(w, k->light, v, k->nrm, k->fibre, k->sine, variance, coat2, k->albedo, r);

@@ -53,8 +53,7 @@ INLINE void stage_gloss(block *k) { k->power = power01_log2(k->tilted, k->expone
  * in and out again. What lies in the joint has none. */
 INLINE vf stage_coat(const wood_constants *w, int boards, const wood_io *io, const block *k,
                      vf *through) {
-  vf v[3], one = splat(1.0f), coat2 = splat(w->coat_alpha * w->coat_alpha);
-  if (w->surface.relief) coat2 = vmin(coat2 + k->lost, one);
+  vf v[3], one = splat(1.0f), coat2 = coat_alpha2(w, k);
   view_of(w, boards, io, k, v);
   vf ci = clamp01(k->incident);
   vf cr = clamp01(v[0] * k->nrm[0] + v[1] * k->nrm[1] + v[2] * k->nrm[2]);

@@ -48,4 +48,10 @@ INLINE void view_of(const wood_constants *w, int boards, const wood_io *io, cons
   for (int c = 0; c < 3; c++) out[c] = sel(given, turned[c], k->nrm[c]);
 }
 
+/* Of the coat's facets, squared: its own, and the slopes that the footprint averages over. */
+INLINE vf coat_alpha2(const wood_constants *w, const block *k) {
+  vf alpha2 = splat(w->coat_alpha * w->coat_alpha);
+  return w->surface.relief ? vmin(alpha2 + k->lost, splat(1.0f)) : alpha2;
+}
+
 #endif

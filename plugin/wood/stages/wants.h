@@ -28,7 +28,7 @@ static wood_wants wants_of(const wood_constants *w, const kernel_io *io) {
   if (w->picture) q.late = q.vessel = 0;
   q.bundle = q.late && (w->has_front || q.colour);
   q.lobe = kernel_wants(io, WOOD_SPECULAR, 2) || q.radiance;
-  q.cone = kernel_wants(io, WOOD_CONE_COLOUR, 5);
+  q.cone = kernel_wants(io, WOOD_CONE_COLOUR, 5) || kernel_wants(io, WOOD_COAT_ROUGHNESS, 1);
   q.board = kernel_wants(io, WOOD_BOARD_ID, WOOD_CANAL - WOOD_BOARD_ID);
   q.relief = w->surface.relief && (q.lobe || q.cone || (w->surface.stains && q.colour) ||
                                    kernel_wants(io, WOOD_NORMAL, 4));
