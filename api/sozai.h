@@ -16,7 +16,8 @@
  * working space of the colour service.
  *
  * From the environment create() reads SOZAI_CPU, the instruction set to be used
- * (scalar, sse2, avx2, avx512, neon), and the colour service $OCIO.
+ * (scalar, sse2, avx2, avx512, neon), and the colour service $OCIO: when it is first
+ * wanted. A config stays as it was read until the last deinit().
  *
  * Rules that hold everywhere
  *   - No exception, signal, exit, print or locale change crosses this boundary.
@@ -232,12 +233,13 @@ typedef struct sozai_batch {
   uint32_t count;               /* from 0 up */
   const float *point[3];        /* mm, object space. NaN is read as 0, and beyond
                                    +-1e6 (a kilometre) as the nearest of the two. */
-  const float *normal[3];       /* outward, of any length; zero or not finite is
-                                   read as +z. Any of the three NULL: none, see evaluate. */
-  const float *light[3];        /* towards the light, of any length; likewise */
+  const float *normal[3];       /* outward, of any length from 1e-30 to 1e38; zero,
+                                   shorter, longer or not finite is read as +z. Any of
+                                   the three NULL: none, see evaluate. */
+  const float *light[3];        /* towards the light, likewise */
   const float *light_colour[3]; /* irradiance on a face turned to the light
                                    over pi, working space; NULL: 1. Not finite: 0. */
-  const float *view[3];         /* towards the eye, of any length; zero or not finite: the normal */
+  const float *view[3];         /* towards the eye, likewise; zero or not finite: the normal */
   const float *footprint;       /* mm: side of the square on the surface, square
                                    to the normal, over which each answer is the
                                    average; its turn about the normal is the
@@ -327,8 +329,10 @@ typedef struct sozai_wood_1 {
   /* The ring surface r = R(t, theta, y): distance in mm from the pith, at
    * azimuth theta (radians; x = r cos theta, z = r sin theta about the pith)
    * and height y (mm), of the wood formed at time t (years from the pith's
-   * first, >= 0; less, or NaN, is read as 0). The inverse of the channel `time`, to
-   * 1e-5 of r. count numbers each. ARGUMENT: NULL, or not a wood. [thread-safe] */
+   * first, >= 0; less, or NaN, is read as 0, above 1e5 as 1e5; theta beyond +-1e4
+   * as 0). The inverse of the channel `time`, to 1e-5 of r, but in and about a
+   * knot, where rings are the branch's or bend round it. count numbers each.
+   * ARGUMENT: NULL, or not a wood. UNSUPPORTED: of plies. [thread-safe] */
   int32_t (*ring_radius)(const sozai_texture *texture, uint32_t count, const float *t,
                          const float *theta, const float *y, float *out_r);
   /* The pith at height y: x and z in mm, log space. [thread-safe] */

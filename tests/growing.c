@@ -74,3 +74,10 @@ int32_t refuse(void *user, uint32_t count, void (*task)(void *context, uint32_t 
   (void)user, (void)count, (void)task, (void)context;
   return 1;
 }
+
+int32_t give_up(void *user, uint32_t count, void (*task)(void *context, uint32_t i),
+                void *context) {
+  (void)user;
+  for (uint32_t i = 0; i < (count + 1) / 2; i++) task(context, i);
+  return 1;
+}

@@ -107,8 +107,9 @@ static bool parse_slice(const job *j, uint32_t first, uint32_t count, float *inp
                   j->lines.name, number, *line ? fields : 0, fields == 1 && *line ? "" : "s",
                   j->columns.count);
     for (int c = 0; c < bad; c++) line = strchr(line, ',') + 1;
+    size_t length = strcspn(line, ",");
     return fail(why, EXIT_BAD_INPUT, "%s:%llu: %s '%.*s' is not a number", j->lines.name, number,
-                column_names[j->columns.input[bad]], (int)(strcspn(line, ",") % 60), line);
+                column_names[j->columns.input[bad]], (int)(length < 60 ? length : 60), line);
   }
   return true;
 }

@@ -2,6 +2,7 @@
 #include "render.h"
 
 #include <stdlib.h>
+#include <string.h>
 #include "commands.h"
 #include "ending.h"
 #include "job_options.h"
@@ -89,6 +90,28 @@ static bool render_recipe(session *s, recipe *r, const request *q, int kind, fai
   return ok;
 }
 
+static bool sets(const recipe *r, const char *id) {
+  for (size_t i = 0; i < r->param_count; i++)
+    if (strcmp(r->params[i].id, id) == 0) return true;
+  return false;
+}
+
+static bool can_be_cut(const sozai_texture_info *info) {
+  for (uint32_t i = 0; i < info->parameter_count; i++)
+    if (strcmp(info->parameters[i]->id, "cut") == 0) return true;
+  return false;
+}
+
+/* A texture is a whole log unless something else is said, and a board with the pith in its middle
+ * is one that no mill sells. What a file describes is seen as any host sees it. */
+static bool saw(recipe *r, const request *q, const session *s, failure *why) {
+  if (q->cut) return recipe_set(r, "cut", q->cut, 0, why);
+  bool board = !q->look.shape || strcmp(q->look.shape, "board") == 0;
+  if (!board || r->file || sets(r, "cut")) return true;
+  const sozai_texture_info *info = recipe_info(r, s->plugin.textures, why);
+  return info && (!can_be_cut(info) || recipe_set(r, "cut", "flat", 0, why));
+}
+
 static bool render_named(const char *name, const request *q, failure *why) {
   session s;
   recipe r;
@@ -96,7 +119,7 @@ static bool render_named(const char *name, const request *q, failure *why) {
   if (!picture_kind(q->output, &kind, why) || !session_open(&s, &q->shared, why)) return false;
   bool ok = session_recipe(&r, name, &q->shared, why);
   if (ok) {
-    ok = (!q->cut || recipe_set(&r, "cut", q->cut, 0, why)) && render_recipe(&s, &r, q, kind, why);
+    ok = saw(&r, q, &s, why) && render_recipe(&s, &r, q, kind, why);
     recipe_free(&r);
   }
   session_close(&s);
@@ -119,7 +142,7 @@ int run_render(int argc, char **argv) {
       {"scale", 0, OPTION_NUMBER, &q.scale, "MM", "mm per unit of a mesh (default: 1)", 1e-6, 1e6},
       {"up", 0, OPTION_TEXT, &q.look.up, "AXIS", "y or z (default: z; for a mesh, y)", 0, 0},
       {"cut", 0, OPTION_TEXT, &q.cut, "CUT",
-       "how a board lies in the log, e.g. flat, quarter; the same as -p cut=", 0, 0},
+       "how a board lies in the log, e.g. log, quarter; as -p cut= (default: flat)", 0, 0},
       {"res", 0, OPTION_SIZE, &q.resolution, "WxH",
        "pixels (default: 1024x768; a face's proportions from the front)", 1, VIEW_MOST_SIDE},
       {"spp", 0, OPTION_COUNT, &q.spp, "N", "samples per pixel (default: 32)", 1,

@@ -42,9 +42,10 @@ static bool set(const char *pair, const char *from, failure *why) {
   const char *equals = strchr(pair, '=');
   uint64_t n;
   if (!equals || equals == pair || equals - pair >= LONGEST_NAME || !read_value(equals + 1, &n))
-    return fail(why, EXIT_BAD_INPUT,
-                "%s: '%.200s' is not NAME=VALUE, a whole number, with K, M, G or T or without",
-                from, pair);
+    return fail(
+        why, EXIT_BAD_INPUT,
+        "%s: '%.200s' is not NAME=VALUE, a whole number below 2^64, with K, M, G or T or without",
+        from, pair);
   size_t length = (size_t)(equals - pair);
   for (int i = 0; i < HOST_LIMITS; i++) {
     const sozai_limit_info *info = &host_limit_infos[i];

@@ -200,6 +200,7 @@ static bool join_picture(reader *in, char *text, size_t size) {
   char **p = in->picture;
   if (ok && !p[0]) ok = refuse(in, "an image needs 'file'");
   if (ok && p[1] && strchr(p[1], ',')) ok = refuse(in, "space '%.80s' has a comma", p[1]);
+  if (ok && p[1] && strstr(p[1], " @ ")) ok = refuse(in, "space '%.80s' has ' @ ' in it", p[1]);
   if (ok) {
     int length =
         snprintf(text, size, "%s @ %s%s%s%s%s", p[0], p[1] ? p[1] : "", p[2] ? ", wrap=" : "",

@@ -48,4 +48,34 @@ static inline void float_mode_leave(uint64_t was) {
   if (__builtin_expect((was & FLOAT_MODE_BITS) != FLOAT_MODE_WANTED, 0)) float_mode_write(was);
 }
 
+/* The same for the C library's decimal numbers, which on x86 go by the rounding of the x87 unit,
+ * that code of our own never uses. */
+typedef struct {
+  uint64_t mode;
+  uint16_t x87;
+} float_mode_all;
+
+#if defined(__x86_64__)
+#define FLOAT_MODE_X87 0x37fu /* to nearest, 64 bits, nothing traps */
+static inline uint16_t float_mode_x87(uint16_t wanted) {
+  uint16_t was;
+  __asm__ volatile("fnstcw %0" : "=m"(was));
+  if (was != wanted) __asm__ volatile("fldcw %0" : : "m"(wanted));
+  return was;
+}
+#else
+#define FLOAT_MODE_X87 0u
+static inline uint16_t float_mode_x87(uint16_t wanted) { return wanted; }
+#endif
+
+static inline float_mode_all float_mode_enter_all(void) {
+  float_mode_all was = {float_mode_enter(), float_mode_x87(FLOAT_MODE_X87)};
+  return was;
+}
+
+static inline void float_mode_leave_all(float_mode_all was) {
+  float_mode_x87(was.x87);
+  float_mode_leave(was.mode);
+}
+
 #endif

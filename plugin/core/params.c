@@ -213,9 +213,8 @@ static int32_t check_buffer(const sozai_host *host, const sozai_parameter *p,
   for (int i = 0; i < 3; i++) {
     if (b.dims[i] > (1u << 30)) {
       return fail(SOZAI_ERROR_LIMIT,
-                  "%s: a buffer of dimension %llu is above the ceiling buffer_bytes, %llu", p->id,
-                  (unsigned long long)b.dims[i],
-                  (unsigned long long)limit_of(host, LIMIT_BUFFER_BYTES));
+                  "%s: a buffer of dimension %llu is above %u, which none may exceed", p->id,
+                  (unsigned long long)b.dims[i], 1u << 30);
     }
   }
   uint64_t n[4];

@@ -4,6 +4,7 @@
 
 #include <dlfcn.h>
 #include <pthread.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -73,19 +74,29 @@ void services_close(void) {
   pthread_mutex_unlock(&lock);
 }
 
+/* What is to be logged once the lock is free again: the host's log may wait for another of its
+ * threads, which waits for the lock, or call create() itself. */
+typedef struct {
+  int32_t severity;
+  char text[1024];
+} remark;
+
 /* With the lock held. NULL: there is none, or it does not load. */
-static const sozai_services_1 *load_beside(const sozai_host *host) {
+static const sozai_services_1 *load_beside(remark *said) {
   if (tried) return factory;
   tried = 1;
   if (!beside) return NULL;
   library = dlopen(beside, RTLD_NOW | RTLD_LOCAL);
   if (!library) {
-    host_log(host, SOZAI_LOG_INFO, "no services for colour and images: %s", dlerror());
+    said->severity = SOZAI_LOG_INFO;
+    snprintf(said->text, sizeof said->text, "no services for colour and images: %s", dlerror());
     return NULL;
   }
   entry = dlsym(library, SOZAI_COLOUR_ENTRY_SYMBOL);
   if (!entry || entry->abi_major != SOZAI_ABI_MAJOR || entry->init(beside) != SOZAI_OK) {
-    host_log(host, SOZAI_LOG_WARNING, "%s has no services of ABI %u", beside, SOZAI_ABI_MAJOR);
+    said->severity = SOZAI_LOG_WARNING;
+    snprintf(said->text, sizeof said->text, "%s has no services of ABI %u", beside,
+             SOZAI_ABI_MAJOR);
     entry = NULL;
     dlclose(library);
     library = NULL;
@@ -97,7 +108,7 @@ static const sozai_services_1 *load_beside(const sozai_host *host) {
 
 static int same(const char *a, const char *b) { return a == b || (a && b && strcmp(a, b) == 0); }
 
-static int32_t open_services(const sozai_host *host, opened **out) {
+static int32_t open_services(const sozai_host *host, opened **out, remark *said) {
   char message[512] = "";
   opened *o = calloc(1, sizeof *o);
   if (!o) return fail(SOZAI_ERROR_MEMORY, "out of memory: opening a colour config");
@@ -115,7 +126,8 @@ static int32_t open_services(const sozai_host *host, opened **out) {
     free(o);
     return r;
   }
-  if (*message) host_log(host, SOZAI_LOG_WARNING, "%s", message);
+  said->severity = SOZAI_LOG_WARNING;
+  stpcpy(said->text, message);
   *out = o;
   return SOZAI_OK;
 }
@@ -124,13 +136,14 @@ static int32_t open_services(const sozai_host *host, opened **out) {
  * there are none. */
 static int32_t beside_services(const sozai_host *host, sozai_services **out) {
   int32_t r = SOZAI_OK;
+  remark said = {0, ""};
   *out = NULL;
   pthread_mutex_lock(&lock);
-  if (load_beside(host)) {
+  if (load_beside(&said)) {
     opened *o = list;
     while (o && !same(o->config, host->colour_config)) o = o->next;
     if (!o) {
-      r = open_services(host, &o);
+      r = open_services(host, &o, &said);
       if (r == SOZAI_OK) {
         o->next = list;
         list = o;
@@ -139,6 +152,7 @@ static int32_t beside_services(const sozai_host *host, sozai_services **out) {
     if (r == SOZAI_OK) *out = o->services;
   }
   pthread_mutex_unlock(&lock);
+  if (*said.text) host_log(host, said.severity, "%s", said.text);
   return r;
 }
 

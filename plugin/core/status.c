@@ -8,6 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "float_mode.h"
+
 static _Thread_local char message[1024];
 static locale_t c_locale;
 
@@ -23,7 +25,9 @@ void status_close(void) {
 
 static void print_in_c(char *out, size_t size, const char *format, va_list list) {
   locale_t before = c_locale ? uselocale(c_locale) : (locale_t)0;
+  float_mode_all mode = float_mode_enter_all();
   vsnprintf(out, size, format, list);
+  float_mode_leave_all(mode);
   if (before) uselocale(before);
 }
 
@@ -63,13 +67,15 @@ int32_t fail(int32_t code, const char *format, ...) {
 const char *fail_message(void) { return message; }
 
 int read_number(const char *text, const char *end, double *out) {
-  char copy[64];
+  char copy[512];
   size_t n = (size_t)(end - text);
   if (n == 0 || n >= sizeof copy) return 0;
   memcpy(copy, text, n);
   copy[n] = 0;
   char *stop;
+  float_mode_all mode = float_mode_enter_all();
   *out = c_locale ? strtod_l(copy, &stop, c_locale) : strtod(copy, &stop);
+  float_mode_leave_all(mode);
   return *stop == 0;
 }
 

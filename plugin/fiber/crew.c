@@ -34,6 +34,7 @@ int32_t crew_run(const sozai_host *host, uint32_t jobs, void (*work)(void *conte
                  void *context, crew_progress progress) {
   crew c = {host, work, context, progress, jobs, 0, false};
   if (!host->parallel || host->parallel(host->user, jobs, run_job, &c) != 0) {
+    atomic_store(&c.done, 0); /* what a pool that refused has run is run again */
     for (uint32_t i = 0; i < jobs; i++) run_job(&c, i);
   }
   if (!atomic_load(&c.cancelled)) return SOZAI_OK;

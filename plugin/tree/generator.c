@@ -79,6 +79,7 @@ static int32_t run_crew(shoot_crew *w, int writing, double begin, double end) {
   w->end = end;
   atomic_store(&w->done, 0);
   if (!w->host->parallel || w->host->parallel(w->host->user, w->jobs, run_job, w) != 0) {
+    atomic_store(&w->done, 0); /* what a pool that refused has run is run again */
     for (uint32_t i = 0; i < w->jobs; i++) run_job(w, i);
   }
   if (!atomic_load(&w->cancelled)) return SOZAI_OK;

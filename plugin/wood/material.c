@@ -81,6 +81,9 @@ static const wood_state *state_of(const sozai_texture *t) {
 
 static const wood_kernel *wide_of(const wood_state *w) { return (const wood_kernel *)w->use.wide; }
 
+/* As kernel_run has it, so that no count runs past the end of 32 bits. */
+static uint32_t at_a_time(uint32_t left) { return left < 1u << 30 ? left : 1u << 30; }
+
 static int32_t ring_radius(const sozai_texture *t, uint32_t count, const float *years,
                            const float *theta, const float *y, float *out_r) {
   const wood_state *w = state_of(t);
@@ -88,8 +91,13 @@ static int32_t ring_radius(const sozai_texture *t, uint32_t count, const float *
   if (count && (!years || !theta || !y || !out_r)) {
     return fail(SOZAI_ERROR_ARGUMENT, "ring_radius: an array is NULL");
   }
+  if (w->constants.plies.count)
+    return fail(SOZAI_ERROR_UNSUPPORTED, "ring_radius: of plies, each of a place of its own");
   uint64_t mode = float_mode_enter();
-  wide_of(w)->radius(&w->constants, count, years, theta, y, out_r);
+  for (uint32_t from = 0, n; from < count; from += n) {
+    n = at_a_time(count - from);
+    wide_of(w)->radius(&w->constants, n, years + from, theta + from, y + from, out_r + from);
+  }
   float_mode_leave(mode);
   return SOZAI_OK;
 }
@@ -102,7 +110,10 @@ static int32_t pith(const sozai_texture *t, uint32_t count, const float *y, floa
     return fail(SOZAI_ERROR_ARGUMENT, "pith: an array is NULL");
   }
   uint64_t mode = float_mode_enter();
-  wide_of(w)->pith(&w->constants, count, y, out_x, out_z);
+  for (uint32_t from = 0, n; from < count; from += n) {
+    n = at_a_time(count - from);
+    wide_of(w)->pith(&w->constants, n, y + from, out_x + from, out_z + from);
+  }
   float_mode_leave(mode);
   return SOZAI_OK;
 }

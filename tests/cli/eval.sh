@@ -71,6 +71,8 @@ bad_row 'standard input:3|4 values|3 columns' '1,2,3,4'
 bad_row "standard input:3|pz|'x'" '1,2,x'
 bad_row "standard input:3|py|''" '1,,3'
 bad_row "standard input:3|px|'1;2'" '1;2,2,3'
+bad_row "standard input:3|pz|'$(printf 'x%.0s' {1..60})'" "1,2,$(printf 'x%.0s' {1..60})"
+bad_row "standard input:3|pz|'$(printf 'x%.0s' {1..60})'" "1,2,$(printf 'x%.0s' {1..65})"
 bad_row "standard input:3|px|'1 2'" '1 2,2,3'
 bad_row 'standard input:3|0 values' $'\n1,2,3'
 printf 'px,py,pz\n1,2,\0003\n' >"$scratch/zero.csv"

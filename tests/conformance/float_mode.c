@@ -78,6 +78,42 @@ static void textures_answer_alike(void **state) {
   for (size_t k = 0; k < sizeof of / sizeof *of; k++) answers(of[k][0], of[k][1], modes[k % 3]);
 }
 
+/* Values at the ends of their ranges, as text: no rounding puts them outside, and they are read and
+ * told as ever. */
+static void texts_are_read_alike(void **state) {
+  (void)state;
+  static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+  static const char *const given[][2] = {
+      {"ring_width", "0.2"}, {"ring_variation", "0.6"}, {"ring_width", "1.1"}, {"coat", "0.1"}};
+  for (size_t k = 0; k < sizeof given / sizeof *given; k++) {
+    double read[4];
+    for (int m = 0; m < 4; m++) {
+      const sozai_value value = {.id = given[k][0], .kind = SOZAI_KIND_STRING, .text = given[k][1]};
+      sozai_texture *t = NULL;
+      sozai_value told;
+      fesetround(modes[m]);
+      int32_t r = p.textures->create(NULL, "wood", NULL, &value, 1, &t);
+      fesetround(FE_TONEAREST);
+      if (r) fail_msg("%s=%s: %s", given[k][0], given[k][1], p.textures->last_error());
+      assert_int_equal(p.textures->value(t, given[k][0], &told), SOZAI_OK);
+      read[m] = told.number[0];
+      p.textures->destroy(t);
+      assert_true(read[m] == read[0]);
+    }
+  }
+  const sozai_value wrong = {.id = "ring_width", .kind = SOZAI_KIND_STRING, .text = "0.1"};
+  char first[1024] = "";
+  for (int m = 0; m < 4; m++) {
+    sozai_texture *t = NULL;
+    fesetround(modes[m]);
+    int32_t r = p.textures->create(NULL, "wood", NULL, &wrong, 1, &t);
+    fesetround(FE_TONEAREST);
+    assert_int_equal(r, SOZAI_ERROR_RANGE);
+    if (m == 0) snprintf(first, sizeof first, "%s", p.textures->last_error());
+    assert_string_equal(p.textures->last_error(), first);
+  }
+}
+
 static void trees_grow_alike(void **state) {
   (void)state;
   const sozai_value age = {.id = "age", .kind = SOZAI_KIND_INT, .number = {6}};
@@ -120,6 +156,7 @@ static int stop(void **unused) {
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(textures_answer_alike),
+      cmocka_unit_test(texts_are_read_alike),
       cmocka_unit_test(trees_grow_alike),
   };
   return cmocka_run_group_tests(tests, start, stop);

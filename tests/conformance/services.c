@@ -108,6 +108,37 @@ static void neither(void **state) {
   rmdir(folder);
 }
 
+/* A host's log may call the plugin, from where it is called or from another thread that it waits
+ * for: nothing is held meanwhile. */
+static loaded *within;
+static int logged;
+static void create_another(void *user, int32_t severity, const char *text) {
+  (void)user, (void)severity, (void)text;
+  float rgb[3];
+  if (logged++ == 0) assert_int_equal(albedo(within, NULL, NULL, rgb), SOZAI_OK);
+}
+
+static void a_log_that_creates(void **state) {
+  (void)state;
+  char folder[] = "/tmp/sozai-logged-XXXXXX", path[64], command[4200];
+  assert_non_null(mkdtemp(folder));
+  snprintf(path, sizeof path, "%s/sozai.so", folder);
+  snprintf(command, sizeof command, "cp '%s' '%s'", SOZAI_TEST_PLUGIN, path);
+  assert_int_equal(system(command), 0);
+  loaded l = load(path);
+  sozai_host host = {.size = sizeof host, .log = create_another};
+  float rgb[3];
+  within = &l;
+  logged = 0;
+  alarm(60); /* a lock that is held would hang here */
+  assert_int_equal(albedo(&l, &host, NULL, rgb), SOZAI_OK);
+  alarm(0);
+  assert_true(logged > 0);
+  unload(&l);
+  unlink(path);
+  rmdir(folder);
+}
+
 static void beside(void **state) {
   (void)state;
   char path[4096];
@@ -299,6 +330,7 @@ static void the_hosts_own(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(neither),
+      cmocka_unit_test(a_log_that_creates),
       cmocka_unit_test(beside),
       cmocka_unit_test(beside_a_relative_path),
       cmocka_unit_test(a_picture_that_has_gone),

@@ -2,6 +2,8 @@
  * The same bits on every machine: recorded, so that other compilers and
  * processors are held to them; with threads in any order; under any
  * instruction set. And clean ends: allocations that fail, hosts that cancel. */
+#include <math.h>
+
 #include "allocator.h"
 #include "fiber.h"
 
@@ -69,6 +71,30 @@ static void any_order_any_set(void **unused) {
       geometry()->release(g);
     }
     unsetenv("SOZAI_CPU");
+  }
+  mesh_free(&m);
+}
+
+/* A pool that runs some and then refuses: the same, and no more than all of it is told to be done.
+ */
+static float furthest;
+static int32_t told(void *user, float fraction, const char *what) {
+  (void)user, (void)what;
+  furthest = fmaxf(furthest, fraction);
+  return 0;
+}
+
+static void half_of_a_pool(void **unused) {
+  (void)unused;
+  mesh m = hull();
+  for (size_t k = 0; k < RECORDED; k++) {
+    sozai_host host = {.size = sizeof host, .parallel = give_up, .progress = told};
+    sozai_geometry *g = NULL;
+    furthest = 0;
+    assert_int_equal(grow_code(&host, &m, recorded[k].values, &g), SOZAI_OK);
+    assert_true(bits_of(g) == recorded[k].bits);
+    assert_true(furthest > 0.0f && furthest <= 1.0f);
+    geometry()->release(g);
   }
   mesh_free(&m);
 }
@@ -142,6 +168,7 @@ static void cancelled(void **unused) {
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(as_recorded), cmocka_unit_test(any_order_any_set),
-      cmocka_unit_test(each_allocation_fails), cmocka_unit_test(cancelled)};
+      cmocka_unit_test(half_of_a_pool), cmocka_unit_test(each_allocation_fails),
+      cmocka_unit_test(cancelled)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -426,6 +426,15 @@ static void what_cannot_be_is_refused(void **state) {
   assert_null(wood_refused("plies=4; core_gap=3; core_width=8")); /* nothing to solid wood */
 }
 
+static void rings_are_not_asked_for(void **state) {
+  (void)state;
+  sozai_texture *t = wood_make("birch_plywood", "");
+  float zero = 0, r = -1;
+  assert_int_equal(woods->ring_radius(t, 1, &zero, &zero, &zero, &r), SOZAI_ERROR_UNSUPPORTED);
+  assert_true(r < 0);
+  textures->destroy(t);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(as_many_as_the_trade_has),    cmocka_unit_test(plies_are_as_asked),
@@ -433,6 +442,6 @@ int main(void) {
       cmocka_unit_test(glue_stands_above),           cmocka_unit_test(floors_may_be_of_plies),
       cmocka_unit_test(no_place_has_no_answer),      cmocka_unit_test(what_cannot_be_is_refused),
       cmocka_unit_test(averages_what_lies_under_it), cmocka_unit_test(faces_average_too),
-      cmocka_unit_test(a_walk_stays_on_its_fibre)};
+      cmocka_unit_test(a_walk_stays_on_its_fibre),   cmocka_unit_test(rings_are_not_asked_for)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

@@ -2,6 +2,8 @@
  * The same bits on every machine: recorded, so that other compilers and
  * processors are held to them; with threads in any order; under any
  * instruction set. And clean ends: allocations that fail, hosts that cancel. */
+#include <math.h>
+
 #include "allocator.h"
 #include "tree.h"
 
@@ -60,6 +62,26 @@ static void any_order_any_set(void **unused) {
     geometry()->release(g);
   }
   unsetenv("SOZAI_CPU");
+}
+
+/* A pool that runs some and then refuses: the same, and no more than all of it is told to be done.
+ */
+static float furthest;
+static int32_t told(void *user, float fraction, const char *what) {
+  (void)user, (void)what;
+  furthest = fmaxf(furthest, fraction);
+  return 0;
+}
+
+static void half_of_a_pool(void **unused) {
+  (void)unused;
+  sozai_host host = {.size = sizeof host, .parallel = give_up, .progress = told};
+  sozai_geometry *g = NULL;
+  furthest = 0;
+  assert_int_equal(grow_code(&host, recorded[0].preset, recorded[0].values, NULL, &g), SOZAI_OK);
+  assert_true(bits_of(g) == recorded[0].bits);
+  assert_true(furthest > 0.0f && furthest <= 1.0f);
+  geometry()->release(g);
 }
 
 static void each_allocation_fails(void **unused) {
@@ -152,6 +174,7 @@ static void cancel_at_each_call(void **unused) {
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(as_recorded), cmocka_unit_test(any_order_any_set),
-      cmocka_unit_test(each_allocation_fails), cmocka_unit_test(cancel_at_each_call)};
+      cmocka_unit_test(half_of_a_pool), cmocka_unit_test(each_allocation_fails),
+      cmocka_unit_test(cancel_at_each_call)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

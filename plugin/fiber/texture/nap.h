@@ -27,13 +27,23 @@ INLINE void nap_lean(const fibertex_constants *w, vf steeper, hull_frame *f) {
   pile_lean_of(w, exp2_(clamp(steeper, splat(-NAP_STEEPER), splat(NAP_STEEPER))), &f->pile);
 }
 
+/* Turned about (1, 1, 1), since a lattice that lies along the axes shows on faces that do. */
+INLINE void nap_place(const vf at[3], vf out[3]) {
+  const vf one = splat(1.0f / 3.0f), two = splat(2.0f / 3.0f);
+  for (int c = 0; c < 3; c++) {
+    out[c] = two * (at[c] + at[(c + 2) % 3]) - one * at[(c + 1) % 3];
+  }
+}
+
 /* Turns the frame at the point and leans the pile, by what the footprint leaves of two noises. */
 INLINE void nap_turn(const fibertex_constants *w, block *k) {
   vf turn = splat(0.0f), steeper = turn, kept = turn;
   float finer = w->nap_frequency, weight = 1.0f;
+  vf at[3];
+  nap_place(k->at, at);
   for (uint32_t o = 0; o < NAP_OCTAVES; o++) {
     vf g[3], f = splat(finer), keep = splat(weight) * filter_keep(k->s, 1.0f / finer);
-    vf x = k->at[0] * f, y = k->at[1] * f, z = k->at[2] * f;
+    vf x = at[0] * f, y = at[1] * f, z = at[2] * f;
     turn = turn + keep * noise_gradient3(x, y, z, splatu(w->nap_seed + 2u * o), g);
     steeper = steeper + keep * noise_gradient3(x, y, z, splatu(w->nap_seed + 2u * o + 1u), g);
     kept = kept + keep * keep;

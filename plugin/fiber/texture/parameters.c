@@ -131,7 +131,7 @@ static const sozai_parameter flyaway = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "flyaway", .label = "Flyaway", .group = "aggregate", .unit = "",
    .doc = "Share of the surface that single strands standing off it cover, as a nap does. Each 0.08 of it takes a layer more, up to 0.4.",
-   .hard_min = 0, .hard_max = 0.5, .soft_min = 0, .soft_max = 0.35, .default_number = {0.03}};
+   .hard_min = 0, .hard_max = 0.5, .soft_min = 0, .soft_max = 0.4, .default_number = {0.03}};
 
 static const sozai_parameter flyaway_height = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
