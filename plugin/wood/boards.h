@@ -68,7 +68,7 @@ typedef struct {
 } board_sawn;
 
 /* A board's length out of the stem's direction, towards its face and within it. The
- * same turn as that of a board that is cut alone; see build.c. */
+ * same turn as that of a board that is cut alone; see build/cut.c. */
 INLINE void board_lean(const board_sawn *m, vf row[3][3], vf q[3]) {
   for (int c = 0; c < 4; c++) {
     vf *x = c < 3 ? &row[0][c] : &q[0], *y = c < 3 ? &row[1][c] : &q[1];

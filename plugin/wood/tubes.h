@@ -15,6 +15,7 @@
 #ifndef SOZAI_WOOD_TUBES_H
 #define SOZAI_WOOD_TUBES_H
 
+#include "footprint_parts.h"
 #include "vessels.h"
 
 /* A sum of troughs and its slopes. */

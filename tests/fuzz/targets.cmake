@@ -57,7 +57,7 @@ foreach(name field hull grow)
   sozai_fuzz_target(${name} LIBS fuzz-grown SOURCES ${name}.c)
 endforeach()
 file(GLOB wood CONFIGURE_DEPENDS ${p}/wood/*.c ${p}/wood/species/*.c ${p}/wood/surface/*.c
-  ${p}/wood/plies/*.c
+  ${p}/wood/plies/*.c ${p}/wood/build/*.c
   ${p}/layout/*.c)
 list(REMOVE_ITEM wood ${p}/wood/kernel.c ${p}/wood/material.c)
 sozai_fuzz_target(knots LIBS fuzz-grown SOURCES knots.c ${wood}

@@ -5,7 +5,8 @@
 #ifndef SOZAI_WOOD_STAGES_VESSELS_H
 #define SOZAI_WOOD_STAGES_VESSELS_H
 
-#include "../vessels.h"
+#include "../vessels_pores.h"
+#include "../vessels_row_box.h"
 #include "rings.h"
 
 INLINE vessel_place vessel_place_of(int boards, const block *k) {

@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * Vessels that the cut has opened, at the places of vessels.h: each a trough as
- * tubes.h has them, whole along its length. Where troughs meet they add up.
+ * Vessels that the cut has opened, at the places of vessels_pores.h and vessels_rows.h: each
+ * a trough as tubes.h has them, whole along its length. Where troughs meet they add up.
  */
 #ifndef SOZAI_WOOD_SURFACE_GROOVES_H
 #define SOZAI_WOOD_SURFACE_GROOVES_H
 
 #include "../tubes.h"
+#include "../vessels_pores.h"
+#include "../vessels_rows.h"
 
 /* The field's pores, over their depth; slopes are per mm of (x, z). */
 INLINE trough_sum grooves_pores(const wood_constants *w, vu own, vf x, vf z, const disc *d) {

@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * The fibres' cone of reflection.
+ */
+#include "parts.h"
+
+#include "../cone_table.h"
+#include "../parameters.h"
+#include "../surface/build.h"
+
+void wood_build_cone(wood_constants *w, const settings *s) {
+  w->cone = choice_at(s, P_REFLECTION) == REFLECTION_CONE;
+  w->ior = (float)number_at(s, P_IOR);
+  w->inverse_ior = 1.0f / w->ior;
+  w->cone_width = (float)(number_at(s, P_CONE_WIDTH) * TWO_PI / 360.0);
+  for (int c = 0; c < 3; c++) {
+    double k = number_at(s, P_FIBRE_REFLECTANCE) * surface_fibres(s) * (double)w->tint_colour[c];
+    w->fibre_colour[c] = (float)(k > 0.0 ? k : 0.0);
+  }
+  if (w->cone) cone_table_build(w);
+}

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Fibres: the brightness of bundles, and how they move the growth front.
+ */
+#include "parts.h"
+
+#include "../parameters.h"
+
+/* The fibres' noise's variance over its bound's square: a third from each corner, and
+ * 26/35 of that is left between them along each axis. */
+#define FIBRE_VARIANCE 0.1839
+
+void wood_build_fibres(wood_constants *w, const settings *s) {
+  static const double size[WOOD_FIBRE_OCTAVES] = {1.0, 7.0, 60.0};
+  static const double weight[WOOD_FIBRE_OCTAVES] = {0.34, 0.33, 0.33};
+  /* of the growth front: a cell more or less in a radial file of them, and bundles */
+  static const double bundle[WOOD_FIBRE_OCTAVES] = {0.25, 0.4, 0.35};
+  double most = 0.25 * number_at(s, P_RING_WIDTH), stray = number_at(s, P_LATE_STRAY);
+  if (stray > most) stray = most;
+  w->has_front = stray > 0.0;
+  for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) {
+    double l = number_at(s, P_FIBRE_WIDTH) * size[o];
+    w->fibre_scale[o] = (float)(number_at(s, P_FIBRE_BRIGHTNESS) * weight[o] / 2147483648.0);
+    w->fibre_frequency[o] = (float)(1.0 / l);
+    w->fibre_blur[o] = (float)(0.125 / (l * l));
+    double front = stray * bundle[o];
+    w->fibre_front[o] = (float)(front / 2147483648.0);
+    w->fibre_variance[o] = (float)(front * front * FIBRE_VARIANCE);
+  }
+}

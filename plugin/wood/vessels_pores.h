@@ -1,0 +1,132 @@
+/* SPDX-License-Identifier: Apache-2.0
+ *
+ * Pores of the field: diffuse-porous wood, and the latewood of the others.
+ *
+ * They stand in square cells of the reference section, two in every other cell at
+ * uniform places: mean, variance and pair density are those of Kawai's uniform
+ * distribution. A footprint longer than the cells looked at is cut into up to 4 parts.
+ */
+#ifndef SOZAI_WOOD_VESSELS_PORES_H
+#define SOZAI_WOOD_VESSELS_PORES_H
+
+#include "footprint_parts.h"
+#include "vessels.h"
+
+/* The four cells nearest to a point of the reference section, which hold
+ * everything within half a cell. Places are in units of 1 / PORE_UNIT of a cell. */
+typedef struct {
+  vf x, z; /* from the first cell's middle, 0..2^32 */
+  vu hash; /* of the first cell */
+  disc d;  /* in those units */
+} pore_cells;
+
+#define PORE_NOWHERE 1e13f      /* far from everything */
+#define PORE_SECOND 0x2c1b3c6du /* makes another hash of a cell's */
+
+INLINE pore_cells pores_near(const wood_constants *w, vu own, vf x, vf z, const disc *d) {
+  pore_cells p;
+  vf inverse_cell = splat(w->inverse_pore_cell), unit = splat(PORE_UNIT), half = splat(0.5f);
+  vf square = splat(w->pore_step * w->pore_step);
+  vi ix, iz;
+  x = x * inverse_cell - half;
+  z = z * inverse_cell - half;
+  p.x = (x - vfloor(x, &ix)) * unit;
+  p.z = (z - vfloor(z, &iz)) * unit;
+  p.hash = (vu)ix * splatu(HASH_X) + (vu)iz * splatu(HASH_Z) + wood_seed(w, own, SEED_PORES);
+  p.d = (disc){d->xx * square, d->xz * square, d->zz * square, d->top, d->height, d->apart};
+  return p;
+}
+
+/* The sum of the covers by their pores: two in every other cell, by its hash's
+ * top bit; the rest gives their places and radii. */
+#ifndef WITHIN_A_POINT
+INLINE vf pores_sum(const wood_vessels *v, const pore_cells *p) {
+  vf sum = splat(0.0f), unit = splat(PORE_UNIT);
+  UNROLL(4)
+  for (int i = 0; i < 4; i++) {
+    int a = i & 1, b = i >> 1;
+    vu base = hash_upper(p->hash + splatu((uint32_t)a * HASH_X + (uint32_t)b * HASH_Z));
+    if (idle(lti((vi)base, splati(0)))) continue;
+    vf x = sel_top(base, a ? p->x - unit : p->x, splat(PORE_NOWHERE)), z = b ? p->z - unit : p->z;
+    vu h = base << 1;
+    vf two = splat(0.0f); /* apart from the sum, which would have each cell wait for the last */
+    UNROLL(2)
+    for (int k = 0; k < 2; k++) {
+      vf q = disc_distance(&p->d, x - hash_place(h), z - hash_place2(h));
+      /* past `farthest` the cover is exactly 0: passing over it changes nothing */
+      if (!idle(lt(q, splat(v->farthest)))) two = two + vessel_cover(v, &p->d, h, q);
+      h = base * splatu(PORE_SECOND);
+    }
+    sum = sum + two;
+  }
+  return sum;
+}
+#else
+/* One point alone: the eight places are eight lanes, and the sum is taken in
+ * the same order. */
+INLINE vf pores_sum(const wood_vessels *v, const pore_cells *p) {
+  const u4 cell = {0, HASH_X, HASH_Z, HASH_X + HASH_Z};
+  u4 base = cell + p->hash;
+  base ^= base >> 16;
+  base *= 0x7feb352du;
+  base ^= base >> 15;
+  base *= 0x846ca68bu;
+  vf x1 = p->x - PORE_UNIT, z1 = p->z - PORE_UNIT;
+  f4 x = {p->x, x1, p->x, x1}, z = {p->z, p->z, z1, z1};
+  i4 there = (i4)base < 0;
+  x = (f4)(((i4)x & there) |
+           ((i4)(f4){PORE_NOWHERE, PORE_NOWHERE, PORE_NOWHERE, PORE_NOWHERE} & ~there));
+  u8 h = join_u4(base << 1, base * PORE_SECOND);
+  f8 dx = join_f4(x, x) - to_f8((i8)h), dz = join_f4(z, z) - to_f8((i8)(h << 11));
+  f8 q = (p->d.xx * dx + p->d.xz * dz) * dx + p->d.zz * dz * dz;
+  f8 cover = clamp01_f8(p->d.top - q * lookup8_f8(v->inverse_square, h >> 5));
+  f4 two = half_f8(cover, 0) + half_f8(cover, 1);
+  return two[0] + two[1] + two[2] + two[3];
+}
+#endif
+
+/* Coverage by the field's pores. */
+INLINE vf pores_cover(const wood_constants *w, vu own, vf x, vf z, const disc *d) {
+  pore_cells p = pores_near(w, own, x, z, d);
+  return vessel_overlap(&w->pores, d, pores_sum(&w->pores, &p));
+}
+
+/* A pore at its mean radius under a footprint of (aa, ab, bb). */
+INLINE disc pores_disc(const wood_constants *w, const vessel_place *p, vf aa, vf ab, vf bb) {
+  vf twelfth = splat(1.0f / 12.0f);
+  matrix2 m = to_section(aa * twelfth, ab * twelfth, bb * twelfth, p->c, p->s);
+  vf radius2 = splat(w->pores.radius * w->pores.radius);
+  if (w->pore_growth != 0.0f) {
+    vf size = splat(w->pore_early) + splat(w->pore_growth) * p->ring.phase;
+    radius2 = radius2 * size * size;
+  }
+  return disc_blurred(radius2, m);
+}
+
+/* Pores under footprints longer than what one tap answers are answered by up to 4; past the
+ * part of those the expected coverage fades in. The lanes that are not cut are whole, in
+ * one tap, as they would be alone. */
+INLINE vm pores_cut(const wood_constants *w, const footprint2 *f) {
+  return gt(f->aa + f->bb, splat(w->pores.part * w->pores.part));
+}
+
+INLINE void pores_in_parts(const wood_constants *w, const vessel_place *p, vm cut,
+                           vessel_cover_t *v) {
+  vf zero = splat(0.0f);
+  footprint_axes l = footprint_split(&p->f);
+  footprint_parts part = footprint_cut(&p->f, &l, cut, w->pores.part, w->pores.third, 4);
+  v->pores_faded = sel(part.most, fade_beyond(part.aa + part.bb, w->pores.part), zero);
+  vm left = lt(v->pores_faded, splat(1.0f));
+  if (!any(left)) return;
+  disc d = pores_disc(w, p, part.aa, part.ab, part.bb);
+  int taps = part.taps;
+  while (taps > 1 && !any(and_(left, footprint_has_part(&part, taps - 1)))) taps--;
+  for (int i = 0; i < taps; i++) {
+    footprint_part q = footprint_part_of(&l, &part, cut, i);
+    vf x = p->x + (q.rho * p->c - q.arc * p->s), z = p->z + (q.rho * p->s + q.arc * p->c);
+    v->pores = v->pores + pores_cover(w, p->own, x, z, &d) * q.weight;
+  }
+  v->pores = sel(left, v->pores, zero);
+}
+
+#endif
