@@ -244,10 +244,20 @@ static void odd_pictures(void **state) {
 static void odd_names(void **state) {
   /* and as messages have them: a line, in UTF-8 */
   static const char *const names[][2] = {
-      {"new\nline.png", "new line.png"}, {"\xff\xfe.png", "??.png"},
-      {"why?.png", "why?.png"},          {"a.<UDIM>.png", "a.<UDIM>.png"},
-      {"100%s%n.png", "100%s%n.png"},    {"it's \"it\".png", "it's \"it\".png"},
-      {"no_extension", "no_extension"},  {"wrong.exr", "wrong.exr"}};
+      {"new\nline.png", "new line.png"},
+      {"\xff\xfe.png", "??.png"},
+      {"why?.png", "why?.png"},
+      {"a.<UDIM>.png", "a.<UDIM>.png"},
+      {"100%s%n.png", "100%s%n.png"},
+      {"it's \"it\".png", "it's \"it\".png"},
+      {"no_extension", "no_extension"},
+      {"wrong.exr", "wrong.exr"},
+      {"a\x7f"
+       "b.png",
+       "a b.png"},
+      {"c1\xc2\x80-\xc2\x85-\xc2\x9f.png", "c1 - - .png"},
+      {"\xe2\x80\xa8-\xe2\x80\xa9.png", " - .png"},
+      {"\xc2\xa0\xe2\x80\xa7\xe2\x80\xaa.png", "\xc2\xa0\xe2\x80\xa7\xe2\x80\xaa.png"}};
   size_t size;
   unsigned char *bytes = temp_read(good, &size);
   for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
