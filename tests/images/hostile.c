@@ -177,6 +177,14 @@ static void damaged(void **state) {
   temp_write(temp_path("flipped.png"), bytes, size);
   free(bytes);
   refused(*state, temp_path("flipped.png"), "flipped.png", "check sum");
+  /* what libpng would print of: four bytes of the signature right, another wrong */
+  for (size_t i = 4; i < 8; i++) {
+    bytes = temp_read(good, &size);
+    bytes[i] ^= 0xcd;
+    temp_write(temp_path("signed.png"), bytes, size);
+    free(bytes);
+    refused(*state, temp_path("signed.png"), "signed.png", "signature");
+  }
 }
 
 /* An EXR whose windows are changed to 1e9 x 1e9 pixels. */
