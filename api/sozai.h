@@ -16,8 +16,9 @@
  * working space of the colour service.
  *
  * From the environment create() reads SOZAI_CPU, the instruction set to be used
- * (scalar, sse2, avx2, avx512, neon), and the colour service $OCIO: when it is first
- * wanted. A config stays as it was read until the last deinit().
+ * (scalar, sse2, avx2, avx512, neon), the colour service $OCIO, when it is first
+ * wanted (a config stays as it was read until the last deinit()), and the image
+ * service beside the plugin $TMPDIR.
  *
  * Rules that hold everywhere
  *   - No exception, signal, exit, print or locale change crosses this boundary.
@@ -49,7 +50,7 @@ extern "C" {
 #endif
 
 #define SOZAI_ABI_MAJOR 1u /* another major: not compatible */
-#define SOZAI_ABI_MINOR 2u /* a higher minor only adds ids and struct members */
+#define SOZAI_ABI_MINOR 3u /* a higher minor only adds ids and struct members */
 
 /* ---- results ---------------------------------------------------------- */
 
@@ -278,8 +279,13 @@ typedef struct sozai_textures_1 {
    *   values  value_count of them; of two for one parameter the later counts.
    *   out     the texture; NULL when anything failed, and then nothing is kept.
    * Colours are converted into the working space here, once; pictures are
-   * opened here. The host's callbacks are called on this thread, progress from its
-   * thread pool's too.
+   * opened here, and read to their end. The image service beside the plugin keeps
+   * them, about 16 bytes a pixel of three channels, in a file without a name in
+   * $TMPDIR, else /tmp, else memory: it stays open until the last deinit, and a
+   * picture's room in it is given back with the last texture that has it. OpenImageIO
+   * starts threads, which stay until the process ends.
+   * The host's callbacks are called on this thread, progress from its thread
+   * pool's too.
    * Errors: ARGUMENT, UNKNOWN, KIND, RANGE, LIMIT, MEMORY, FILE, COLOUR, CANCELLED,
    * STATE, and UNSUPPORTED for an instruction set that SOZAI_CPU asks for and
    * this machine lacks, or for a picture where there is no image service.
@@ -294,7 +300,7 @@ typedef struct sozai_textures_1 {
    * host has less calls from a thread that has more), and the answer to a point
    * depends on nothing but that point: same bits whatever the batch, thread or
    * machine. (Of a texture with a picture, as far as the image service keeps to
-   * that.)
+   * that: the one beside the plugin allocates, locks, and reads its file.)
    * Checked before any output is written: ARGUMENT if a wanted channel needs
    * an input that is NULL. An input that a channel only `uses` may be NULL:
    * without a normal the footprint is a ball, not a square. After the look-ups, all
@@ -507,7 +513,7 @@ typedef struct sozai_host {
    * those that have run: that changes nothing. */
   int32_t (*parallel)(void *user, uint32_t count, void (*task)(void *context, uint32_t i),
                       void *context);
-  /* Long work, 0 to 1. Not 0: cancel. */
+  /* Long work, 0 to 1: growing, and reading pictures. Not 0: cancel. */
   int32_t (*progress)(void *user, float fraction, const char *what);
   /* A service of the host's own by id, e.g. SOZAI_COLOUR_1 of
    * sozai_colour.h, or NULL: the plugin then looks for one beside itself. */

@@ -116,6 +116,12 @@ typedef struct sozai_image_request {
   const sozai_buffer *buffer; /* its data, read during open() only */
   const char *colour_space;   /* NULL: by the config's file rules, a buffer's by its own;
                                  "data": raw */
+  uint64_t most_pixels;       /* the caller's ceiling image_pixels: what has more, by its head,
+                                 is refused before it is read; 0: the service's own alone */
+  void *user;                 /* handed back to progress */
+  /* While it is read, 0 to 1, on the thread of open(). NULL: none. Not 0: stop. It
+   * must not throw or unwind. */
+  int32_t (*progress)(void *user, float fraction);
 } sozai_image_request;
 
 typedef struct sozai_images_1 {
@@ -126,7 +132,9 @@ typedef struct sozai_images_1 {
    * and not later. Numbers that are not finite are read as 0. Of a picture of
    * fewer channels than asked for, grey is repeated, and a missing fourth
    * channel is 1. FILE: missing, unreadable, malformed, or without the first
-   * channel; COLOUR: unknown space; ARGUMENT, MEMORY. [thread-safe] */
+   * channel; COLOUR: unknown space; LIMIT: above most_pixels; CANCELLED: progress
+   * said so; ARGUMENT, MEMORY. Who asks for what another thread is reading waits
+   * for it, without progress. [thread-safe] */
   int32_t (*open)(void *self, const sozai_image_request *request, sozai_image **out, char *message,
                   size_t message_size);
   /* NULL is allowed. [exclusive] */

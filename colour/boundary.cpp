@@ -24,22 +24,30 @@ static size_t character(const char *text) noexcept {
   return wrong ? 0 : length;
 }
 
+// Whether a terminal or a log would take it for more than text: ASCII's controls,
+// those from U+0080 to U+009F, and U+2028 and U+2029, which end lines as well.
+static bool steers(const char *text, size_t length) noexcept {
+  const auto byte = [&](size_t i) { return static_cast<unsigned char>(text[i]); };
+  if (length == 1) return byte(0) < 0x20 || byte(0) == 0x7F;
+  if (length == 2) return byte(0) == 0xC2 && byte(1) < 0xA0;
+  return length == 3 && byte(0) == 0xE2 && byte(1) == 0x80 && (byte(2) & 0xFE) == 0xA8;
+}
+
 void write(Message message, const char *text) noexcept {
   if (!message.text || message.size == 0) return;
-  size_t room = message.size - 1;
   char *out = message.text;
+  const char *const last = out + message.size - 1;
   while (*text) {
     const size_t length = character(text);
-    const size_t bytes = std::max<size_t>(length, 1);
-    if (bytes > room) break; // cut between characters, not inside one
-    std::memcpy(out, text, bytes);
-    if (length == 0)
-      *out = '?';
-    else if (static_cast<unsigned char>(*out) < ' ')
-      *out = ' '; // a line is a line
+    const bool whole = length > 0 && !steers(text, length);
+    const size_t bytes = whole ? length : 1;
+    if (bytes > size_t(last - out)) break; // cut between characters, not inside one
+    if (whole)
+      std::memcpy(out, text, bytes);
+    else
+      *out = length ? ' ' : '?'; // a line is a line
     out += bytes;
-    text += bytes;
-    room -= bytes;
+    text += std::max<size_t>(length, 1);
   }
   *out = '\0';
 }

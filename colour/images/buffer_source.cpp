@@ -19,9 +19,10 @@ constexpr uint64_t most_channels = IMAGE_MOST_CHANNELS;
 
 class BufferSource final : public Source {
 public:
-  BufferSource(const sozai_buffer &buffer, const Choice &choice)
+  BufferSource(const sozai_buffer &buffer, const Choice &choice, uint64_t most_pixels)
       : data(buffer.data), count(size_t(buffer.dims[2])) {
     must_be_sane("the buffer", buffer.dims[1], buffer.dims[0]);
+    must_be_allowed("the buffer", buffer.dims[1], buffer.dims[0], most_pixels);
     if (buffer.dims[2] < 1 || buffer.dims[2] > most_channels)
       throw Failure(SOZAI_ERROR_ARGUMENT,
                     "the buffer has " + std::to_string(buffer.dims[2]) + " channels");
@@ -58,8 +59,9 @@ private:
 
 } // namespace
 
-std::unique_ptr<Source> buffer_source(const sozai_buffer &buffer, const Choice &choice) {
-  return std::make_unique<BufferSource>(buffer, choice);
+std::unique_ptr<Source> buffer_source(const sozai_buffer &buffer, const Choice &choice,
+                                      uint64_t most_pixels) {
+  return std::make_unique<BufferSource>(buffer, choice, most_pixels);
 }
 
 } // namespace sozai::images

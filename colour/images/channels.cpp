@@ -22,6 +22,14 @@ void must_be_sane(const std::string &name, uint64_t width, uint64_t height) {
                             " and " + std::to_string(most_pixels) + " in all");
 }
 
+void must_be_allowed(const std::string &name, uint64_t width, uint64_t height,
+                     uint64_t most_pixels) {
+  if (most_pixels == 0 || width * height <= most_pixels) return;
+  throw colour::Failure(SOZAI_ERROR_LIMIT, name + ": " + std::to_string(width * height) +
+                                               " is above the ceiling image_pixels, " +
+                                               std::to_string(most_pixels));
+}
+
 int channel_for(const Choice &choice, uint32_t index, int count, int alpha) {
   const int first = int(choice.first), there = count - first;
   if (int(index) < there && !(choice.channels > 2 && there == 2 && first + 1 == alpha))

@@ -81,7 +81,8 @@ bool is_cmyk(const OIIO::ImageSpec &spec) {
 
 class FileSource final : public Source {
 public:
-  FileSource(const char *path, const Choice &choice) : name(path), file(must_be_a_file(name)) {
+  FileSource(const char *path, const Choice &choice, uint64_t most_pixels)
+      : name(path), file(must_be_a_file(name)) {
     if (const char *why = png_damage(name.c_str())) refuse(why);
     OIIO::ImageSpec hints;
     // As it is: OpenImageIO would multiply by alpha before the colour is linear, and
@@ -93,7 +94,7 @@ public:
       refuse(why.empty() ? "no kind of picture that OpenImageIO knows" : why);
     }
     try {
-      look_at(choice);
+      look_at(choice, most_pixels);
     } catch (...) {
       (void)input->geterror(); // or OpenImageIO would print it
       throw;
@@ -138,7 +139,17 @@ private:
     throw Failure(SOZAI_ERROR_FILE, "picture " + name + ": " + why);
   }
 
-  void look_at(const Choice &choice) {
+  // The window with pixels, and the one to be seen: both cost time, the latter room.
+  void must_fit(uint64_t most_pixels) const {
+    const auto side = [](int size) { return uint64_t(std::max(0, size)); };
+    const std::string what = "picture " + name;
+    must_be_sane(what, side(spec.width), side(spec.height));
+    must_be_sane(what, side(spec.full_width), side(spec.full_height));
+    must_be_allowed(what, side(spec.width), side(spec.height), most_pixels);
+    must_be_allowed(what, side(spec.full_width), side(spec.full_height), most_pixels);
+  }
+
+  void look_at(const Choice &choice, uint64_t most_pixels) {
     spec = input->spec();
     if (spec.deep) refuse("deep, and only flat pictures are taken");
     if (spec.depth > 1 || spec.full_depth > 1) refuse("a volume, and only flat pictures are taken");
@@ -147,10 +158,7 @@ private:
       spec.full_x = spec.x, spec.full_width = spec.width;
       spec.full_y = spec.y, spec.full_height = spec.height;
     }
-    must_be_sane("picture " + name, uint64_t(std::max(0, spec.width)),
-                 uint64_t(std::max(0, spec.height)));
-    must_be_sane("picture " + name, uint64_t(std::max(0, spec.full_width)),
-                 uint64_t(std::max(0, spec.full_height)));
+    must_fit(most_pixels);
     // So that no sum of a corner and a side overflows.
     for (const int corner : {spec.x, spec.y, spec.full_x, spec.full_y})
       if (corner < -(1 << 29) || corner > 1 << 29) refuse("its corner is out of all bounds");
@@ -236,8 +244,8 @@ private:
 
 } // namespace
 
-std::unique_ptr<Source> file_source(const char *path, const Choice &choice) {
-  return std::make_unique<FileSource>(path, choice);
+std::unique_ptr<Source> file_source(const char *path, const Choice &choice, uint64_t most_pixels) {
+  return std::make_unique<FileSource>(path, choice, most_pixels);
 }
 
 } // namespace sozai::images

@@ -8,9 +8,11 @@
 #include "linear.hpp"
 #include "pyramid.hpp"
 
+#include <atomic>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <thread>
 #include <tuple>
 
 namespace sozai::images {
@@ -18,7 +20,7 @@ namespace sozai::images {
 // A picture in the store and in the cache.
 class Picture {
 public:
-  Picture(Store &store, Cache &cache, Source &source, uint32_t channels,
+  Picture(Store &store, Cache &cache, Source &source, const sozai_image_request &request,
           const sozai_image_colours &colours, const sozai_image_conversion &conversion);
   ~Picture() { cache.remove(slot); }
   Picture(const Picture &) = delete;
@@ -53,6 +55,7 @@ private:
   // One that is being opened or has been; `reading` is held while it is read.
   struct Entry {
     std::mutex reading;
+    std::atomic<std::thread::id> reader{}; // whose it is
     std::weak_ptr<const Picture> picture;
     unsigned claims = 0; // by those who open it just now
   };
@@ -71,6 +74,11 @@ private:
   };
 
   std::shared_ptr<const Picture> open_file(const char *path, const sozai_image_request &request);
+  std::shared_ptr<const Picture> share(Entry &entry, const char *path,
+                                       const sozai_image_request &request,
+                                       const sozai_image_conversion &conversion);
+  std::shared_ptr<const Picture> read_file(const char *path, const sozai_image_request &request,
+                                           const sozai_image_conversion &conversion);
   std::shared_ptr<const Picture> read(Source &source, const sozai_image_request &request,
                                       const sozai_image_conversion &conversion);
   sozai_image_conversion conversion_of(const char *space, const char *path) const;

@@ -34,13 +34,18 @@ public:
   virtual void read(const Row &row) = 0; // throws Failure
 };
 
-// All throw Failure.
-std::unique_ptr<Source> file_source(const char *path, const Choice &choice);
+// All throw Failure. most_pixels: the caller's ceiling, 0 for none, which is looked at
+// before any row is read.
+std::unique_ptr<Source> file_source(const char *path, const Choice &choice, uint64_t most_pixels);
 // The buffer must live as long as the source.
-std::unique_ptr<Source> buffer_source(const sozai_buffer &buffer, const Choice &choice);
+std::unique_ptr<Source> buffer_source(const sozai_buffer &buffer, const Choice &choice,
+                                      uint64_t most_pixels);
 
 // Refuses what is larger than any real picture: a damaged head may claim anything.
 void must_be_sane(const std::string &name, uint64_t width, uint64_t height);
+// Refuses what is above the caller's ceiling.
+void must_be_allowed(const std::string &name, uint64_t width, uint64_t height,
+                     uint64_t most_pixels);
 
 // Which channel of `count`, of which `alpha` (-1: none) is one, becomes the index-th
 // of those wanted; -1: none, it is 1.

@@ -142,9 +142,10 @@ static sozai_image *const image = (sozai_image *)(uintptr_t)0x100;
 static int32_t image_open(void *self, const sozai_image_request *q, sozai_image **out,
                           char *message, size_t message_size) {
   recorder *r = of(self);
-  if (!q || q->size < sizeof *q || q->channels < 1 || q->channels > 4 ||
-      q->wrap_s > SOZAI_WRAP_MIRROR || q->wrap_t > SOZAI_WRAP_MIRROR || !q->path == !q->buffer ||
-      !out) {
+  /* as long as it was in ABI 1.0: a plugin of before knows no more */
+  if (!q || q->size < offsetof(sozai_image_request, most_pixels) || q->channels < 1 ||
+      q->channels > 4 || q->wrap_s > SOZAI_WRAP_MIRROR || q->wrap_t > SOZAI_WRAP_MIRROR ||
+      !q->path == !q->buffer || !out) {
     atomic_fetch_add(&r->wrong_request, 1);
     return SOZAI_ERROR_ARGUMENT;
   }

@@ -50,7 +50,7 @@ static int32_t in_parallel(void *user, uint32_t count, void (*task)(void *contex
 
 static int32_t progress(void *user, float fraction, const char *what) {
   const meter *m = user;
-  return m->real.progress(m->real.user, fraction, what);
+  return m->real.progress(m->real.user, m->begin + fraction * (1.0f - m->begin), what);
 }
 
 static const void *service(void *user, const char *id) {
@@ -108,6 +108,11 @@ int host_rehearse(const sozai_host *host, int rehearsing) {
   int before = m && m->rehearsing;
   if (m) m->rehearsing = rehearsing;
   return before;
+}
+
+void host_progress_from(const sozai_host *host, float begin) {
+  meter *m = meter_of(host);
+  if (m) m->begin = begin;
 }
 
 int32_t host_claim(const sozai_host *host, uint64_t bytes) {

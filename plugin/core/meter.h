@@ -20,6 +20,7 @@ typedef struct {
   uint64_t ceilings[LIMITS];
   limit under; /* the ceiling for what is counted */
   int rehearsing;
+  float begin; /* of the progress bar, for what is still to come */
   atomic_uint_fast64_t held, peak;
   atomic_uint_fast64_t refused; /* what would have been held, had it been allowed; 0: nothing */
 } meter;
@@ -43,6 +44,8 @@ sozai_host meter_real(const sozai_host *host);
 int host_rehearses(const sozai_host *host);
 /* Sets whether it rehearses, and gives what was before. */
 int host_rehearse(const sozai_host *host, int rehearsing);
+/* From now on progress goes from there to 1. */
+void host_progress_from(const sozai_host *host, float begin);
 /* Counts as if taken: MEMORY above the ceiling. */
 int32_t host_claim(const sozai_host *host, uint64_t bytes);
 /* Counts as if given back. */

@@ -43,16 +43,30 @@ static size_t character(const unsigned char *s) {
   return n;
 }
 
+/* Whether a terminal or a log would take it for more than text: ASCII's controls, those
+ * from U+0080 to U+009F, and U+2028 and U+2029, which end lines as well. */
+static int steers(const unsigned char *s, size_t n) {
+  if (n == 1) return s[0] < 0x20 || s[0] == 0x7f;
+  if (n == 2) return s[0] == 0xc2 && s[1] < 0xa0;
+  return n == 3 && s[0] == 0xe2 && s[1] == 0x80 && (s[2] == 0xa8 || s[2] == 0xa9);
+}
+
 /* A message repeats what the host handed in, which may hold line ends, a
  * terminal's controls, or a character that "%.80s" cut in two. One line of
- * UTF-8 comes out. */
+ * UTF-8 comes out, no longer than what came. */
 static void make_line(char *text) {
-  for (unsigned char *s = (unsigned char *)text; *s;) {
+  unsigned char *out = (unsigned char *)text;
+  for (const unsigned char *s = out; *s;) {
     size_t n = character(s);
-    if (n == 0) *s = '?';
-    if (*s < 0x20 || *s == 0x7f) *s = ' ';
+    if (n == 0 || steers(s, n)) {
+      *out++ = n ? ' ' : '?';
+    } else {
+      memmove(out, s, n);
+      out += n;
+    }
     s += n ? n : 1;
   }
+  *out = 0;
 }
 
 int32_t fail(int32_t code, const char *format, ...) {

@@ -291,7 +291,7 @@ AT(sozai_services_1, open, 0);
 AT(sozai_services_1, get, 8);
 AT(sozai_services_1, close, 16);
 
-SIZE(sozai_image_request, 48);
+SIZE(sozai_image_request, 72);
 AT(sozai_image_request, size, 0);
 AT(sozai_image_request, wrap_s, 4);
 AT(sozai_image_request, wrap_t, 8);
@@ -301,6 +301,9 @@ AT(sozai_image_request, reserved, 20);
 AT(sozai_image_request, path, 24);
 AT(sozai_image_request, buffer, 32);
 AT(sozai_image_request, colour_space, 40);
+AT(sozai_image_request, most_pixels, 48);
+AT(sozai_image_request, user, 56);
+AT(sozai_image_request, progress, 64);
 
 SIZE(sozai_images_1, 56);
 AT(sozai_images_1, size, 0);

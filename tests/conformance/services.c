@@ -246,6 +246,42 @@ static void a_picture_that_has_gone(void **state) {
   unload(&l);
 }
 
+/* A service that knows of no ceiling and no progress is asked how large the picture is, and
+ * a host that stopped meanwhile is listened to. */
+static uint32_t reports, stop_at;
+static int32_t count_reports(void *user, float fraction, const char *what) {
+  assert_null(user);
+  assert_true(fraction >= 0.0f && fraction <= 1.0f && *what);
+  return ++reports == stop_at;
+}
+
+static void a_service_that_takes_no_ceiling(void **state) {
+  (void)state;
+  loaded l = load(SOZAI_TEST_PLUGIN);
+  sozai_limit limit = {"image_pixels", 100 * 100};
+  sozai_host host = {.size = sizeof host,
+                     .get_service = picture_service,
+                     .progress = count_reports,
+                     .limits = &limit,
+                     .limit_count = 1};
+  const sozai_value value = {.id = "section", .kind = SOZAI_KIND_STRING, .text = "end.tif"};
+  sozai_texture *t = NULL;
+  picture_state = 0;
+  assert_int_equal(l.textures->create(&host, "wood", NULL, &value, 1, &t), SOZAI_OK);
+  assert_int_equal(reports, 1);
+  l.textures->destroy(t);
+  limit.value--;
+  assert_int_equal(l.textures->create(&host, "wood", NULL, &value, 1, &t), SOZAI_ERROR_LIMIT);
+  assert_string_equal(l.textures->last_error(),
+                      "section: 10000 is above the ceiling image_pixels, 9999");
+  limit.value++;
+  stop_at = reports + 1;
+  assert_int_equal(l.textures->create(&host, "wood", NULL, &value, 1, &t), SOZAI_ERROR_CANCELLED);
+  assert_non_null(strstr(l.textures->last_error(), "cancelled"));
+  assert_null(t);
+  unload(&l);
+}
+
 /* A host's own: it knows one space, which swaps red and blue. */
 static int calls;
 static const char *own_name(void *self) { return self ? "own" : "?"; }
@@ -334,6 +370,7 @@ int main(void) {
       cmocka_unit_test(beside),
       cmocka_unit_test(beside_a_relative_path),
       cmocka_unit_test(a_picture_that_has_gone),
+      cmocka_unit_test(a_service_that_takes_no_ceiling),
       cmocka_unit_test(the_hosts_own),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

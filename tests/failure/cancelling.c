@@ -10,6 +10,8 @@
 typedef struct {
   allocator memory; /* first: the allocator's user */
   uint32_t reports, cancel_at;
+  int backwards; /* not 0: a fraction was below the one before */
+  float last;
 } canceller;
 
 static uint32_t cancelled;
@@ -18,6 +20,8 @@ static int32_t progress(void *user, float fraction, const char *what) {
   canceller *c = user;
   assert_non_null(what);
   assert_true(fraction >= 0.0f && fraction <= 1.0f);
+  c->backwards |= fraction < c->last;
+  c->last = fraction;
   return ++c->reports == c->cancel_at;
 }
 
@@ -55,6 +59,9 @@ static uint32_t cancel_making(const made *c, int in_parallel) {
   assert_int_equal(case_make(c, &host, &t), SOZAI_OK);
   case_free(&t);
   uint32_t n = k.reports;
+  int pictures = c->texture && c->values && c->values[0].kind == SOZAI_KIND_IMAGE;
+  assert_true(!pictures || n >= 2);       /* as it begins to be read, and as it has been */
+  assert_true(!pictures || !k.backwards); /* nor does a tree after it begin the bar anew */
   for (uint32_t at = 1; at <= n; at += step_of(n)) {
     host = host_of(&k, at, in_parallel);
     must_be_cancelled(&k, case_make(c, &host, &t));

@@ -65,6 +65,10 @@ static const sozai_value with_field[] = {TEXT("tree_field", field), WHOLE("tree_
 static const sozai_value with_tables[] = {GIVEN("knots", &knots), GIVEN("knot_radii", &radii)};
 static const sozai_value with_picture[] = {
     {.id = "section", .kind = SOZAI_KIND_IMAGE, .buffer = &picture}};
+static const sozai_value with_both[] = {
+    {.id = "section", .kind = SOZAI_KIND_IMAGE, .buffer = &picture},
+    TEXT("tree", "sugi"),
+    WHOLE("tree_age", 8)};
 static const sozai_value stem[] = {WHOLE("age", 12), WHOLE("orders", 0)};
 static const sozai_value branches[] = {WHOLE("age", 7), WHOLE("orders", 1)};
 static const sozai_value leaves[] = {WHOLE("age", 5), WHOLE("orders", 3)};
@@ -91,6 +95,7 @@ made cases[64] = {
     {"wood of a measured tree", "wood", NULL, "hinoki", OF(with_field)},
     {"wood of tables of knots", "wood", NULL, NULL, OF(with_tables)},
     {"wood of a picture", "wood", NULL, NULL, OF(with_picture)},
+    {"wood of a picture and a tree", "wood", NULL, NULL, OF(with_both)},
     {"stone", "stone", NULL, NULL, NULL, 0},
     {"a stem", NULL, "tree", NULL, OF(stem)},
     {"a tree", NULL, "tree", "sugi", OF(branches)},

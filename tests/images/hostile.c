@@ -177,6 +177,14 @@ static void damaged(void **state) {
   temp_write(temp_path("flipped.png"), bytes, size);
   free(bytes);
   refused(*state, temp_path("flipped.png"), "flipped.png", "check sum");
+  /* what libpng would print of: four bytes of the signature right, another wrong */
+  for (size_t i = 4; i < 8; i++) {
+    bytes = temp_read(good, &size);
+    bytes[i] ^= 0xcd;
+    temp_write(temp_path("signed.png"), bytes, size);
+    free(bytes);
+    refused(*state, temp_path("signed.png"), "signed.png", "signature");
+  }
 }
 
 /* An EXR whose windows are changed to 1e9 x 1e9 pixels. */
@@ -244,10 +252,20 @@ static void odd_pictures(void **state) {
 static void odd_names(void **state) {
   /* and as messages have them: a line, in UTF-8 */
   static const char *const names[][2] = {
-      {"new\nline.png", "new line.png"}, {"\xff\xfe.png", "??.png"},
-      {"why?.png", "why?.png"},          {"a.<UDIM>.png", "a.<UDIM>.png"},
-      {"100%s%n.png", "100%s%n.png"},    {"it's \"it\".png", "it's \"it\".png"},
-      {"no_extension", "no_extension"},  {"wrong.exr", "wrong.exr"}};
+      {"new\nline.png", "new line.png"},
+      {"\xff\xfe.png", "??.png"},
+      {"why?.png", "why?.png"},
+      {"a.<UDIM>.png", "a.<UDIM>.png"},
+      {"100%s%n.png", "100%s%n.png"},
+      {"it's \"it\".png", "it's \"it\".png"},
+      {"no_extension", "no_extension"},
+      {"wrong.exr", "wrong.exr"},
+      {"a\x7f"
+       "b.png",
+       "a b.png"},
+      {"c1\xc2\x80-\xc2\x85-\xc2\x9f.png", "c1 - - .png"},
+      {"\xe2\x80\xa8-\xe2\x80\xa9.png", " - .png"},
+      {"\xc2\xa0\xe2\x80\xa7\xe2\x80\xaa.png", "\xc2\xa0\xe2\x80\xa7\xe2\x80\xaa.png"}};
   size_t size;
   unsigned char *bytes = temp_read(good, &size);
   for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {

@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 /* What is made under a ceiling. */
 typedef struct {
@@ -141,6 +142,58 @@ static void each_ceiling(void **unused) {
   }
 }
 
+/* A picture in a file is refused by its head: the host hears that it begins, and no more. */
+static uint32_t reports;
+
+static int32_t note_report(void *user, float fraction, const char *what) {
+  (void)user, (void)fraction, (void)what;
+  reports++;
+  return 0;
+}
+
+static int32_t with_file(const char *path, uint64_t ceiling) {
+  count c;
+  sozai_host host = counting_host(&c);
+  const sozai_limit limit = {"image_pixels", ceiling};
+  const sozai_value section = {.id = "section", .kind = SOZAI_KIND_IMAGE, .text = path};
+  host.limits = &limit;
+  host.limit_count = 1;
+  host.progress = note_report;
+  sozai_texture *t = NULL;
+  reports = 0;
+  int32_t r = textures->create(&host, "wood", NULL, &section, 1, &t);
+  textures->destroy(t);
+  assert_int_equal(c.live, 0);
+  if (r) print_message("%s\n", textures->last_error());
+  return r;
+}
+
+static void a_picture_in_a_file(void **unused) {
+  (void)unused;
+  const sozai_buffer picture = section_picture();
+  unsigned side = (unsigned)picture.dims[0];
+  char path[] = "/tmp/sozai-ceilings-XXXXXX", wanted[128];
+  int number = mkstemp(path);
+  assert_true(number >= 0);
+  FILE *file = fdopen(number, "wb");
+  assert_non_null(file);
+  fprintf(file, "PF\n%u %u\n-1.0\n", side, side);
+  size_t numbers = (size_t)side * side * 3;
+  assert_int_equal(fwrite(picture.data, sizeof(float), numbers, file), numbers);
+  fclose(file);
+
+  assert_int_equal(with_file(path, side * side), SOZAI_OK);
+  assert_true(reports > 1);
+  assert_int_equal(with_file(path, side * side - 1), SOZAI_ERROR_LIMIT);
+  assert_int_equal(reports, 1);
+  snprintf(wanted, sizeof wanted, "section: picture %s: %u is above the ceiling image_pixels, %u",
+           path, side * side, side * side - 1);
+  assert_string_equal(textures->last_error(), wanted);
+  assert_int_equal(with_file(path, 0), SOZAI_ERROR_LIMIT);
+  assert_int_equal(reports, 0);
+  unlink(path);
+}
+
 static void every_row_was_tried(void **unused) {
   (void)unused;
   assert_int_equal(tried, limits->count());
@@ -213,8 +266,8 @@ static void an_older_host(void **unused) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(rows_make_sense), cmocka_unit_test(each_ceiling),
-      cmocka_unit_test(every_row_was_tried), cmocka_unit_test(a_host_that_asks_wrongly),
-      cmocka_unit_test(an_older_host)};
+      cmocka_unit_test(rows_make_sense),          cmocka_unit_test(each_ceiling),
+      cmocka_unit_test(a_picture_in_a_file),      cmocka_unit_test(every_row_was_tried),
+      cmocka_unit_test(a_host_that_asks_wrongly), cmocka_unit_test(an_older_host)};
   return cmocka_run_group_tests(tests, tables_open, tables_close);
 }

@@ -275,6 +275,32 @@ static void other_locale(void **unused) {
   assert_true(same);
 }
 
+/* ---- messages ---------------------------------------------------------- */
+
+static void says(const char *text, const char *want) {
+  /* in brackets: cmocka has a macro of that name */
+  assert_int_equal((fail)(SOZAI_ERROR_FILE, "%s", text), SOZAI_ERROR_FILE);
+  assert_string_equal(fail_message(), want);
+}
+
+static void one_line_of_text(void **unused) {
+  (void)unused;
+  says("plain, na\xc3\xafve \xe2\x80\xa6", "plain, na\xc3\xafve \xe2\x80\xa6");
+  says("\n\r\t\x1b[31m\x7f.", "    [31m .");
+  /* controls in two bytes: a terminal may take U+009B for the beginning of a command */
+  says("\xc2\x80\xc2\x85\xc2\x9b"
+       "2J\xc2\x9f.",
+       "   2J .");
+  says("a\xe2\x80\xa8"
+       "b\xe2\x80\xa9"
+       "c",
+       "a b c");
+  /* their neighbours are text */
+  says("\xc2\xa0\xe2\x80\xa7\xe2\x80\xaa", "\xc2\xa0\xe2\x80\xa7\xe2\x80\xaa");
+  says("\xc2", "?");
+  says("\xff\xe2\x80.", "???.");
+}
+
 static int start(void **unused) {
   (void)unused;
   host = allocator_host(&memory);
@@ -292,6 +318,7 @@ int main(void) {
       cmocka_unit_test(defaults),        cmocka_unit_test(presets),
       cmocka_unit_test(numbers),         cmocka_unit_test(numbers_refused),
       cmocka_unit_test(read_text_forms), cmocka_unit_test(text_refused),
-      cmocka_unit_test(long_text),       cmocka_unit_test(other_locale)};
+      cmocka_unit_test(long_text),       cmocka_unit_test(other_locale),
+      cmocka_unit_test(one_line_of_text)};
   return cmocka_run_group_tests(tests, start, stop);
 }
