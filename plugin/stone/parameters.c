@@ -86,13 +86,14 @@ static const sozai_parameter grain_blur = {
 static const sozai_parameter second_share = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "second_share", .label = "Second mineral's share", .group = "grains", .unit = "",
-   .doc = "Share of the grains that are of the second mineral.",
+   .doc = "Share of the grains that are of the second mineral. Where the second and the third ask for more "
+   "than all, both get less, in proportion.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
 
 static const sozai_parameter third_share = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "third_share", .label = "Third mineral's share", .group = "grains", .unit = "",
-   .doc = "Share of the grains that are of the third mineral.",
+   .doc = "Share of the grains that are of the third mineral; likewise.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
 
 static const sozai_parameter grain_variation = {
@@ -184,13 +185,14 @@ static const sozai_parameter inclusion_size = {
 static const sozai_parameter inclusion_share = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "inclusion_share", .label = "Inclusions' share", .group = "inclusions", .unit = "",
-   .doc = "Share of area of inclusions of the first kind.",
+   .doc = "Share of area of inclusions of the first kind. Gap, grading and roundness leave so much room and "
+   "no more: where the two kinds ask for more, both get less, in proportion.",
    .hard_min = 0, .hard_max = 0.9, .soft_min = 0, .soft_max = 0.6, .default_number = {0}};
 
 static const sozai_parameter inclusion_second_share = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "inclusion_second_share", .label = "Second inclusions' share", .group = "inclusions", .unit = "",
-   .doc = "Share of area of inclusions of the second kind.",
+   .doc = "Share of area of inclusions of the second kind; likewise.",
    .hard_min = 0, .hard_max = 0.9, .soft_min = 0, .soft_max = 0.6, .default_number = {0}};
 
 static const sozai_parameter inclusion_gap = {
