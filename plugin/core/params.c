@@ -213,7 +213,7 @@ static int32_t check_buffer(const sozai_host *host, const sozai_parameter *p,
   for (int i = 0; i < 3; i++) {
     if (b.dims[i] > (1u << 30)) {
       return fail(SOZAI_ERROR_LIMIT,
-                  "%s: a buffer of dimension %llu is above %u, which none may exceed", p->id,
+                  "%s: a buffer of dimension %llu is above the ceiling of any dimension, %u", p->id,
                   (unsigned long long)b.dims[i], 1u << 30);
     }
   }

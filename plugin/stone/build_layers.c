@@ -87,14 +87,18 @@ static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped
   }
 }
 
-/* What part of the cells a share of area takes, their bodies filling `fill`. */
+/* What part of the cells a share of area takes, their bodies filling `fill`. Two kinds that ask for
+ * more than there is both give way alike. */
 static void set_shares(stone_cells *c, const body *b, double fill, double core) {
-  double left = 1.0, sum = 0.0;
+  double part[2], asked = 0.0, sum = 0.0;
   for (int k = 0; k < 2; k++) {
-    double p = fill > 1e-6 ? b->share[k] / fill : 0.0;
-    if (p > left) p = left;
-    left -= p;
+    part[k] = fill > 1e-6 ? b->share[k] / fill : 0.0;
+    asked += part[k];
+  }
+  for (int k = 0; k < 2; k++) {
+    double p = asked > 1.0 ? part[k] / asked : part[k];
     sum += p;
+    if (sum > 1.0) sum = 1.0; /* by rounding */
     c->chance[k] = (float)sum;
     c->mean[k] = (float)(p * fill);
   }

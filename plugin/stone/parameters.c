@@ -86,13 +86,14 @@ static const sozai_parameter grain_blur = {
 static const sozai_parameter second_share = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "second_share", .label = "Second mineral's share", .group = "grains", .unit = "",
-   .doc = "Share of the grains that are of the second mineral.",
+   .doc = "Share of the grains that are of the second mineral. Where the second and the third ask for more "
+   "than all, both get less, in proportion.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
 
 static const sozai_parameter third_share = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "third_share", .label = "Third mineral's share", .group = "grains", .unit = "",
-   .doc = "Share of the grains that are of the third mineral.",
+   .doc = "Share of the grains that are of the third mineral; likewise.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
 
 static const sozai_parameter grain_variation = {
@@ -147,7 +148,7 @@ static const sozai_parameter bed_wave = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "bed_wave", .label = "Wave", .group = "bedding", .unit = "mm",
    .doc = "How far the layers rise and fall.",
-   .hard_min = 0, .hard_max = 1000, .soft_min = 0, .soft_max = 60, .default_number = {3}};
+   .hard_min = 0, .hard_max = 1000, .soft_min = 0, .soft_max = 100, .default_number = {3}};
 
 static const sozai_parameter bed_wavelength = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -179,19 +180,20 @@ static const sozai_parameter inclusion_size = {
    .id = "inclusion_size", .label = "Inclusion size", .group = "inclusions", .unit = "mm",
    .doc = "Spacing at which inclusions (phenocrysts, clasts, fossils, a terrazzo's chips) would "
    "fill the stone: their largest size.",
-   .hard_min = 0.1, .hard_max = 1000, .soft_min = 1, .soft_max = 60, .default_number = {10}};
+   .hard_min = 0.1, .hard_max = 1000, .soft_min = 1, .soft_max = 80, .default_number = {10}};
 
 static const sozai_parameter inclusion_share = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "inclusion_share", .label = "Inclusions' share", .group = "inclusions", .unit = "",
-   .doc = "Share of area of inclusions of the first kind.",
-   .hard_min = 0, .hard_max = 0.9, .soft_min = 0, .soft_max = 0.6, .default_number = {0}};
+   .doc = "Share of area of inclusions of the first kind. Gap, grading and roundness leave so much room and "
+   "no more: where the two kinds ask for more, both get less, in proportion.",
+   .hard_min = 0, .hard_max = 0.9, .soft_min = 0, .soft_max = 0.8, .default_number = {0}};
 
 static const sozai_parameter inclusion_second_share = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "inclusion_second_share", .label = "Second inclusions' share", .group = "inclusions", .unit = "",
-   .doc = "Share of area of inclusions of the second kind.",
-   .hard_min = 0, .hard_max = 0.9, .soft_min = 0, .soft_max = 0.6, .default_number = {0}};
+   .doc = "Share of area of inclusions of the second kind; likewise.",
+   .hard_min = 0, .hard_max = 0.9, .soft_min = 0, .soft_max = 0.8, .default_number = {0}};
 
 static const sozai_parameter inclusion_gap = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -336,13 +338,13 @@ static const sozai_parameter vein_width = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "vein_width", .label = "Vein width", .group = "veins", .unit = "mm",
    .doc = "Greatest width; veins swell and pinch out. 0: none.",
-   .hard_min = 0, .hard_max = 500, .soft_min = 0, .soft_max = 60, .default_number = {0}};
+   .hard_min = 0, .hard_max = 500, .soft_min = 0, .soft_max = 120, .default_number = {0}};
 
 static const sozai_parameter vein_softness = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "vein_softness", .label = "Vein softness", .group = "veins", .unit = "mm",
    .doc = "How gradually a vein becomes the stone beside it.",
-   .hard_min = 0, .hard_max = 500, .soft_min = 0, .soft_max = 30, .default_number = {1}};
+   .hard_min = 0, .hard_max = 500, .soft_min = 0, .soft_max = 50, .default_number = {1}};
 
 static const sozai_parameter vein_warp = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,

@@ -48,13 +48,13 @@ NUMBER_(laid_joint_width, "joint_width", "Joint width", "layout", "mm", -1, 1000
         "Between neighbours; -1: the usual of the layout.");
 NUMBER_(laid_joint_depth, "joint_depth", "Joint depth", "layout", "mm", 0, 1000, 0, 20, 2,
         "Of what fills the joint, below the foot of the stones' edges.");
-NUMBER_(laid_joint_grain, "joint_grain", "Joint grain", "layout", "mm", 0.05, 50, 0.2, 6, 1.2,
+NUMBER_(laid_joint_grain, "joint_grain", "Joint grain", "layout", "mm", 0.05, 50, 0.2, 6, 0.5,
         "Of the sand or mortar that fills it: its grains shade it and roughen it.");
 COLOUR_(laid_joint_colour, "joint_colour", "Joint colour", "layout", 0.45, 0.43, 0.4,
         "Of what fills the joint.");
 NUMBER_(laid_joint_wander, "joint_wander", "Joint wander", "layout", "", 0, 0.15, 0, 0.1, 0,
         "How far joints stray from their line, of the stones' width: hand-cut setts 0.03 to 0.1.");
-NUMBER_(laid_joint_divisions, "joint_divisions", "Joint divisions", "layout", "", 0.5, 8, 1, 5, 2,
+NUMBER_(laid_joint_divisions, "joint_divisions", "Joint divisions", "layout", "", 0.5, 8, 1, 6, 2,
         "Into how many parts the width of a stone is split, whose ends stray each by itself.");
 NUMBER_(laid_corner_radius, "corner_radius", "Corner radius", "layout", "mm", 0, 1000, 0, 30, 0,
         "Of the corners, seen from above.");

@@ -221,7 +221,7 @@ static void of_finishes(void **state) {
   } cases[] = {{"finish=raw", 0, 0.25, 0},
                {"finish=oiled", 0.3, 0.45, 0},
                {"finish=lacquered", 1, 0.25, 0},
-               {"finish=oiled; coat=0.6", 0.6, 0.45, 0},
+               {"finish=oiled; coat=0.6", 0.6, 0.25, 0},
                {"finish=lacquered; coat_roughness=0.1", 1, 0.1, 0},
                {"finish=lacquered; reflection=fibre_cone", 1, 0.25, 0},
                {"finish=lacquered; surface=brushed", 1, 0.25, 0.5},

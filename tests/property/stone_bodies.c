@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * Bodies in stone: outlines that no footprint sees jump, and rims as thick as asked.
+ * Bodies in stone: outlines that no footprint sees jump, rims as thick as asked, and two kinds that
+ * share the room there is.
  */
 #include <math.h>
 #include <stdio.h>
@@ -151,9 +152,63 @@ static void contacts_are_tangential(void **state) {
   }
 }
 
+/* Of a face: what kinds 1 and 2 cover, point by point and from afar. */
+static void kinds(const char *text, double near[2], double far[2]) {
+  enum { MANY = 100000 };
+  sozai_texture *t = stone_make(NULL, text);
+  points p = {0};
+  uniform_seed(75);
+  for (int i = 0; i < MANY; i++) points_add(&p, 6000 * uniform(), 6000 * uniform(), 0, 0);
+  points_add(&p, 0, 0, 0, 1e5);
+  points_ask(&p, t);
+  for (int k = 0; k < 2; k++) {
+    near[k] = 0;
+    for (int i = 0; i < MANY; i++) near[k] += (double)p.out[ALBEDO + k][i] / MANY;
+    far[k] = (double)p.out[ALBEDO + k][MANY];
+  }
+  points_free(&p);
+  textures->destroy(t);
+}
+
+/* Whatever they ask for: where there is room both have it, and where there is none both have the
+ * part of all the room that they asked for of the sum. */
+static void second_kind_has_its_part(void **state) {
+  (void)state;
+  static const char *const shapes[] = {
+      "inclusion_grading=0; inclusion_gap=0.5", "inclusion_grading=0.9; inclusion_gap=1",
+      "inclusion_grading=0.5; inclusion_roundness=0.6; inclusion_contact=tangential"};
+  static const double asked[][2] = {{0.1, 0.06}, {0.4, 0.8}, {0.9, 0.2}, {0.9, 0.9}};
+  for (unsigned k = 0; k < sizeof shapes / sizeof *shapes; k++) {
+    char text[600];
+    double near[2], far[2], room;
+    snprintf(text, sizeof text,
+             PLAIN "inclusion_share=0.9; inclusion_second_share=0.9; inclusion_size=20; %s",
+             shapes[k]);
+    kinds(text, near, far);
+    room = far[0] + far[1];
+    CHECK(room > 0.2 && room < 1, "%s: there is room for %.4f\n", shapes[k], room);
+    for (unsigned a = 0; a < sizeof asked / sizeof *asked; a++) {
+      snprintf(text, sizeof text,
+               PLAIN "inclusion_share=%g; inclusion_second_share=%g; inclusion_size=20; %s",
+               asked[a][0], asked[a][1], shapes[k]);
+      kinds(text, near, far);
+      double sum = asked[a][0] + asked[a][1], part = fmin(1, room / sum);
+      double off = 0, off_far = 0;
+      for (int i = 0; i < 2; i++) {
+        off = fmax(off, fabs(near[i] - part * asked[a][i]));
+        off_far = fmax(off_far, fabs(far[i] - part * asked[a][i]));
+      }
+      /* at 100,000 places some thousands of bodies are met */
+      CHECK(off < 0.012 && off_far < 1e-5,
+            "%s, %g and %g asked: %.4f and %.4f, from afar %.4f and %.4f\n", shapes[k], asked[a][0],
+            asked[a][1], near[0], near[1], far[0], far[1]);
+    }
+  }
+}
+
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(outlines_do_not_jump),
-                                     cmocka_unit_test(rims_are_as_thick),
-                                     cmocka_unit_test(contacts_are_tangential)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(outlines_do_not_jump), cmocka_unit_test(rims_are_as_thick),
+      cmocka_unit_test(contacts_are_tangential), cmocka_unit_test(second_kind_has_its_part)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

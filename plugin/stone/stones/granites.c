@@ -33,6 +33,7 @@ STONE(inada, "Inada granite (Inada-ishi, Ibaraki)",
       IUGS "; " GSJ);
 
 static const sozai_value values_makabe[] = {
+    WHOLE("seed", 31),
     NUMBER("grain_size", 1.8),
     NUMBER("grain_grading", 0.7),
     NUMBER("grain_interlock", 0.7),
@@ -62,6 +63,7 @@ STONE(makabe, "Makabe granite (Makabe-ishi, Ibaraki)",
       "Bluish grey two-mica granite, finer than Inada's and even.", IUGS "; " GSJ);
 
 static const sozai_value values_aji[] = {
+    WHOLE("seed", 36),
     NUMBER("grain_size", 0.75),
     NUMBER("grain_grading", 0.6),
     NUMBER("grain_interlock", 0.6),
@@ -73,8 +75,8 @@ static const sozai_value values_aji[] = {
     NUMBER("cleavage", 0.6),
     NUMBER("turbidity", 0.6),
     NUMBER("grain_variation", 0.1),
-    NUMBER("mottle", 0.09),
-    NUMBER("mottle_size", 16.0),
+    NUMBER("mottle", 0.18),
+    NUMBER("mottle_size", 26.0),
     SRGB("base_colour", 168, 171, 174),
     SRGB("second_colour", 122, 125, 129),
     SRGB("third_colour", 184, 182, 178),
@@ -90,6 +92,7 @@ STONE(aji, "Aji granite (Aji-ishi, Kagawa), fine",
       IUGS "; " GSJ);
 
 static const sozai_value values_shirakawa[] = {
+    WHOLE("seed", 33),
     NUMBER("grain_size", 2.4),
     NUMBER("grain_grading", 0.7),
     NUMBER("grain_interlock", 0.7),
@@ -120,6 +123,7 @@ STONE(shirakawa, "Shirakawa granite (Shirakawa-ishi, Kyoto)",
       IUGS "; " GSJ);
 
 static const sozai_value values_mannari[] = {
+    WHOLE("seed", 34),
     NUMBER("grain_size", 4.2),
     NUMBER("grain_grading", 0.85),
     NUMBER("grain_interlock", 0.95),
@@ -149,6 +153,7 @@ STONE(
     IUGS "; " GSJ);
 
 static const sozai_value values_rosa_beta[] = {
+    WHOLE("seed", 35),
     NUMBER("grain_size", 3.6),
     NUMBER("grain_grading", 0.8),
     NUMBER("grain_interlock", 0.95),
@@ -178,6 +183,7 @@ STONE(rosa_beta, "Rosa Beta granite (Sardinia)",
       IUGS "; " EN12440 "; " CALLWEY);
 
 static const sozai_value values_baltic_brown[] = {
+    WHOLE("seed", 37),
     NUMBER("grain_size", 2.2),
     NUMBER("grain_grading", 0.8),
     NUMBER("grain_interlock", 0.8),
@@ -193,21 +199,21 @@ static const sozai_value values_baltic_brown[] = {
     SRGB("second_colour", 82, 74, 66),
     SRGB("third_colour", 112, 90, 70),
     NUMBER("inclusion_size", 42.0),
-    NUMBER("inclusion_share", 0.6),
+    NUMBER("inclusion_share", 0.75),
     NUMBER("inclusion_second_share", 0.0),
-    NUMBER("inclusion_gap", 0.8),
+    NUMBER("inclusion_gap", 0.3),
     NUMBER("inclusion_roundness", 0.3),
-    NUMBER("inclusion_grading", 0.8),
-    NUMBER("inclusion_rim", 1.1),
+    NUMBER("inclusion_grading", 0.6),
+    NUMBER("inclusion_rim", 0.9),
     NUMBER("inclusion_cleavage", 1.0),
     NUMBER("inclusion_turbidity", 1.0),
-    NUMBER("inclusion_opacity", 0.8),
-    NUMBER("inclusion_interlock", 0.45),
-    NUMBER("inclusion_variation", 0.16),
-    NUMBER("inclusion_blur", 0.5),
+    NUMBER("inclusion_opacity", 0.7),
+    NUMBER("inclusion_interlock", 0.8),
+    NUMBER("inclusion_variation", 0.28),
+    NUMBER("inclusion_blur", 0.3),
     CHOICE("inclusion_contact", "tangential"),
     SRGB("inclusion_colour", 121, 84, 63),
-    SRGB("inclusion_second_colour", 70, 70, 52),
+    SRGB("inclusion_second_colour", 62, 62, 48),
     NUMBER("black_share", 0.08),
     NUMBER("speck_size", 3.4),
     NUMBER("speck_flatness", 0.4),
@@ -223,6 +229,7 @@ STONE(baltic_brown, "Baltic Brown (rapakivi granite, Finland)",
       IUGS "; " EN12440);
 
 static const sozai_value values_gabbro[] = {
+    WHOLE("seed", 38),
     NUMBER("grain_size", 1.5),
     NUMBER("grain_grading", 0.7),
     NUMBER("grain_stretch", 1.3),

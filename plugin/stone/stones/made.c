@@ -14,15 +14,15 @@ static const sozai_value values_terrazzo[] = {
     NUMBER("inclusion_size", 11.7),
     NUMBER("inclusion_share", 0.24),
     NUMBER("inclusion_second_share", 0.16),
-    NUMBER("inclusion_gap", 1.2),
+    NUMBER("inclusion_gap", 0.7),
     NUMBER("inclusion_roundness", 0.1),
-    NUMBER("inclusion_grading", 0.75),
+    NUMBER("inclusion_grading", 0.6),
     NUMBER("inclusion_interlock", 0.06),
     NUMBER("inclusion_variation", 0.13),
     NUMBER("inclusion_cleavage", 0.25),
     NUMBER("inclusion_turbidity", 0.6),
     SRGB("inclusion_colour", 182, 148, 120),
-    SRGB("inclusion_second_colour", 121, 128, 122),
+    SRGB("inclusion_second_colour", 126, 133, 127),
     NUMBER("black_share", 0.07),
     NUMBER("white_share", 0.16),
     NUMBER("speck_size", 4.2),
@@ -68,6 +68,7 @@ STONE(
     CONCRETE);
 
 static const sozai_value values_exposed_aggregate[] = {
+    WHOLE("seed", 73),
     NUMBER("grain_size", 0.7),
     NUMBER("grain_grading", 0.7),
     NUMBER("grain_interlock", 0.5),
@@ -106,6 +107,7 @@ STONE(exposed_aggregate, "Exposed-aggregate concrete",
       CONCRETE "; " EN1338);
 
 static const sozai_value values_araidashi[] = {
+    WHOLE("seed", 74),
     NUMBER("grain_size", 0.5),
     NUMBER("grain_grading", 0.7),
     NUMBER("grain_interlock", 0.5),
