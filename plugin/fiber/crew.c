@@ -14,6 +14,7 @@ typedef struct {
   void *context;
   crew_progress progress;
   uint32_t jobs;
+  uint8_t *ran; /* of each job: whether it has; where there is a pool that may give up half way */
   atomic_uint done;
   atomic_bool cancelled;
 } crew;
@@ -21,6 +22,10 @@ typedef struct {
 static void run_job(void *context, uint32_t i) {
   crew *c = context;
   if (atomic_load(&c->cancelled)) return;
+  if (c->ran) {
+    if (c->ran[i]) return; /* a strand that was moved would be moved on */
+    c->ran[i] = 1;
+  }
   uint64_t mode = float_mode_enter(); /* of a thread of the host's */
   c->work(c->context, i);
   float_mode_leave(mode);
@@ -32,11 +37,12 @@ static void run_job(void *context, uint32_t i) {
 
 int32_t crew_run(const sozai_host *host, uint32_t jobs, void (*work)(void *context, uint32_t i),
                  void *context, crew_progress progress) {
-  crew c = {host, work, context, progress, jobs, 0, false};
+  crew c = {host, work, context, progress, jobs, NULL, 0, false};
+  if (host->parallel && jobs && !(c.ran = host_alloc(host, jobs, 64))) return SOZAI_ERROR_MEMORY;
   if (!host->parallel || host->parallel(host->user, jobs, run_job, &c) != 0) {
-    atomic_store(&c.done, 0); /* what a pool that refused has run is run again */
     for (uint32_t i = 0; i < jobs; i++) run_job(&c, i);
   }
+  host_free(host, c.ran, jobs, 64);
   if (!atomic_load(&c.cancelled)) return SOZAI_OK;
   return fail(SOZAI_ERROR_CANCELLED, "cancelled by the host: %s", progress.what);
 }

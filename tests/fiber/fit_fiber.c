@@ -41,7 +41,7 @@ static const double sure = 0.006, sure_of_look = 1.5, sure_of_look_in_bulk = 0.3
                     over_back = 0.002;
 static const double grazing[ELEVATIONS] = {10, 20, 40, 85}; /* and not, degrees */
 /* How far an amount's logarithm may go with each feature, over the feature's spread. */
-static const double steep = 0.4;
+static const double steep = 1.0;
 
 /* Which amounts go by what, beside themselves. */
 #define ALL_BUT_(x) ((1u << CLOTH_FEATURES) - 1 - (x))
@@ -107,8 +107,8 @@ static cloth varied(cloth c, uint32_t which) {
   sample_stream d = {sample_hash(which)};
   if (which % 2) c.slub = 0;
   c.diameter *= exp(between(&d, -0.5, 0.5));
-  c.flatness = fmin(c.flatness * between(&d, 0.75, 1.3), 1);
-  c.width = fmin(c.width * between(&d, 0.92, 1.08), 1.4);
+  c.flatness = fmin(fmax(c.flatness * exp(between(&d, -0.9, 0.35)), 0.15), 1);
+  c.width = fmin(c.width * between(&d, 0.85, 1.15), 1.4);
   c.twist = between(&d, 0, 38);
   c.elevation_spread *= between(&d, 0.4, 1.5);
   c.flyaway = fmin(c.flyaway * between(&d, 0, 2), 0.39);
@@ -224,7 +224,7 @@ static void cloth_off(int which, double *out) {
   const sample *s = &samples[which];
   const clothed *r = &s->real;
   if (s->held_out && !looking) return;
-  const double asked = s->preset ? sure : 6 * sure;
+  const double asked = s->preset ? sure : 12 * sure;
   double looks[LOOKS][3] = {{0}};
   sozai_texture *t = cloth_as_texture(&s->of, textures, colours);
   for (int f = 0; f < SCALES; f++) {
@@ -275,6 +275,29 @@ static void bulk_off(int which, double *out) {
 
 /* ---- unknowns ---------------------------------------------------------- */
 
+static double features_of[CLOTHS_MAX][CLOTH_FEATURES];
+
+/* How far the cloths' own amounts go. While they are fitted nothing bounds them. */
+static void unbound(void) {
+  for (int a = 0; a < FIT_AMOUNTS; a++) {
+    fitting->low[a] = -1e3;
+    fitting->high[a] = 1e3;
+  }
+}
+
+static void bound(void) {
+  for (int a = 0; a < FIT_AMOUNTS; a++) {
+    fitting->low[a] = 1e3;
+    fitting->high[a] = -1e3;
+    for (int s = 0; s < sample_count; s++) {
+      double log = fitted_sum(fitting->amount[a], features_of[s], fitting->least, fitting->most,
+                              fitting->middle, CLOTH_FEATURES);
+      fitting->low[a] = fmin(fitting->low[a], log);
+      fitting->high[a] = fmax(fitting->high[a], log);
+    }
+  }
+}
+
 typedef struct {
   int features;
   double *least, *most, *middle;
@@ -294,11 +317,14 @@ static void add_made(made *m, int sample) {
 }
 
 /* A row's first is free; what it goes by is held near none. */
-static void add_row(fit *f, const made *m, double *row, uint32_t goes_by_, double reach) {
+static void add_row(fit *f, const made *m, double *row, uint32_t goes_by_, double reach,
+                    bool from_none) {
   for (int k = 0; k < m->features; k++) {
     if (k && !(goes_by_ >> k & 1)) continue;
     assert_true(f->unknowns < UNKNOWN_MAX);
-    f->list[f->unknowns++] = (unknown){&row[k], row[k], k ? steep / m->spread[k] : reach};
+    /* towards none and not the last fit: what no cloth asks for would add up over fits */
+    f->list[f->unknowns++] =
+        (unknown){&row[k], k && from_none ? 0 : row[k], k ? steep / m->spread[k] : reach};
   }
 }
 
@@ -309,14 +335,17 @@ static void fit_cloths(void) {
   for (int s = 0; s < sample_count; s++) {
     textures->destroy(cloth_as_texture(&samples[s].of, textures, colours));
     add_made(&m, s);
+    memcpy(features_of[s], made_of, sizeof features_of[s]);
   }
   trace_all();
+  unbound();
   for (int a = 0; a < FIT_AMOUNTS; a++)
-    add_row(&f, &m, fitting->amount[a], goes_by[a], goes_by[a] ? 0.7 : 0.15);
+    add_row(&f, &m, fitting->amount[a], goes_by[a], goes_by[a] ? 0.7 : 0.15, true);
   f.samples = sample_count + 1;
   f.residuals = 6 * SCALES + 3 * LOOKS;
   f.off = cloth_off;
   fit_run(&f, steps_of_cloths);
+  bound();
 }
 
 static void fit_bulks(void) {
@@ -344,7 +373,8 @@ static void fit_bulks(void) {
     fprintf(stderr, "%s: %.3f %.3f %.3f\n", s->is.name, s->real.mean[0], s->real.mean[1],
             s->real.mean[2]);
   }
-  for (int a = 0; a < BULK_AMOUNTS; a++) add_row(&f, &m, fitting->bulk[a], bulk_goes_by[a], 0.7);
+  for (int a = 0; a < BULK_AMOUNTS; a++)
+    add_row(&f, &m, fitting->bulk[a], bulk_goes_by[a], 0.7, false);
   f.samples = bulk_count + 1;
   f.residuals = ENERGIES;
   f.off = bulk_off;
@@ -379,6 +409,8 @@ static void print_fit(void) {
   for (int a = 0; a < FIT_AMOUNTS; a++)
     print_amount("FIT", amounts[a], fitting->amount[a], CLOTH_FEATURES);
   printf("      },\n");
+  print_row(".low", fitting->low, FIT_AMOUNTS);
+  print_row(".high", fitting->high, FIT_AMOUNTS);
   print_row(".bulk_least", fitting->bulk_least, BULK_FEATURES);
   print_row(".bulk_most", fitting->bulk_most, BULK_FEATURES);
   print_row(".bulk_middle", fitting->bulk_middle, BULK_FEATURES);
@@ -408,7 +440,7 @@ static void print_rest(void) {
     const sample *q = &samples[s];
     const clothed *r = &q->real;
     const char *kind = q->preset ? "*" : q->held_out ? "-" : " ";
-    double asked = q->preset ? sure : 6 * sure;
+    double asked = q->preset ? sure : 12 * sure;
     cloth_off(s, off);
     print_off(q->of.preset, kind, 0, 2, off, r->albedo, r->albedo_chance, asked);
     print_off("", " ", 1, 2, off, r->mean, r->mean_chance, asked);

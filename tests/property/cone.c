@@ -224,8 +224,8 @@ static void of_finishes(void **state) {
                {"finish=oiled; coat=0.6", 0.6, 0.25, 0},
                {"finish=lacquered; coat_roughness=0.1", 1, 0.1, 0},
                {"finish=lacquered; reflection=fibre_cone", 1, 0.25, 0},
-               {"finish=lacquered; surface=brushed", 1, 0.25, 0.5},
-               {"surface=charred; charring=1", 0.5, 0.45, 0.55}};
+               {"finish=lacquered; surface=brushed", 1, 0.25, 0.8},
+               {"surface=charred; charring=1", 0.5, 0.45, 1.01}};
   for (unsigned k = 0; k < sizeof cases / sizeof *cases; k++) {
     sozai_texture *t = wood_make("keyaki", cases[k].text);
     points p = {0};

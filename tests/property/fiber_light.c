@@ -145,11 +145,72 @@ static void gloss_is_tilted(void **state) {
   }
 }
 
+/* A cloth is told by numbers that are fitted to a few, and an artist turns it to where none of them
+ * lies: there it is brighter and darker as cloths are, not by several times. */
+static double mean_radiance(const char *preset, const sozai_value *value, double *most) {
+  sozai_texture *t = make(preset, value, value != NULL);
+  points p = {0};
+  for (int e = 0; e < 4; e++) {
+    for (int v = 0; v < 4; v++) {
+      for (int k = 0; k < 3; k++) {
+        unsigned j = points_add(&p, 1, 2, 0, 50);
+        aim(p.light, j, PI * (20 + 20 * e) / 180, 0);
+        aim(p.view, j, PI * (20 + 20 * v) / 180, PI * (20 + 90 * k) / 180);
+      }
+    }
+  }
+  points_ask(&p, t);
+  double sum = 0;
+  for (unsigned j = 0; j < p.count; j++) {
+    sum += (double)p.out[RADIANCE + 1][j] / p.count;
+    *most = fmax(*most, (double)p.out[RADIANCE + 1][j]);
+  }
+  points_free(&p);
+  textures->destroy(t);
+  return sum;
+}
+
+static void far_from_what_was_fitted(void **state) {
+  (void)state;
+  static const char *const presets[] = {"poplin", "canvas",  "denim",      "linen", "burlap",
+                                        "serge",  "flannel", "silk_satin", "tweed"};
+  static const sozai_value turned[] = {NUMBER_OF("yarn_flatness", 0.2),
+                                       NUMBER_OF("yarn_flatness", 1),
+                                       NUMBER_OF("yarn_width", 0.7),
+                                       NUMBER_OF("yarn_width", 1.3),
+                                       NUMBER_OF("yarn_swell", 0),
+                                       NUMBER_OF("yarn_swell", 0.5),
+                                       NUMBER_OF("twist", 0),
+                                       NUMBER_OF("twist", 40),
+                                       NUMBER_OF("slub", 0),
+                                       NUMBER_OF("slub", 1),
+                                       NUMBER_OF("flyaway", 0),
+                                       NUMBER_OF("flyaway", 0.4),
+                                       NUMBER_OF("roughness", 4),
+                                       NUMBER_OF("roughness", 25)};
+  double least = 9, most = 0, brightest = 0;
+  for (int k = 0; k < 9; k++) {
+    double as_it_is = mean_radiance(presets[k], NULL, &brightest);
+    for (unsigned i = 0; i < sizeof turned / sizeof *turned; i++) {
+      double ratio = mean_radiance(presets[k], &turned[i], &brightest) / as_it_is;
+      if (ratio < 0.6 || ratio > 1.5)
+        print_message("%s, %s %g: %.2f of its light\n", presets[k], turned[i].id,
+                      turned[i].number[0], ratio);
+      least = fmin(least, ratio);
+      most = fmax(most, ratio);
+    }
+  }
+  print_message("turned, cloths are %.2f to %.2f times as bright; radiance is %.2f at most\n",
+                least, most, brightest);
+  assert_true(least > 0.5 && most < 1.6 && brightest < 4);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(energy),
       cmocka_unit_test(none_from_behind),
       cmocka_unit_test(gloss_is_tilted),
+      cmocka_unit_test(far_from_what_was_fitted),
   };
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

@@ -234,9 +234,11 @@ static void long_text(void **unused) {
   refused(text("width", s), SOZAI_ERROR_KIND, "width|xxxx");
   refused(text("shape", s), SOZAI_ERROR_RANGE, "shape|round");
   refused(text(s, "1"), SOZAI_ERROR_UNKNOWN, "xxxx");
-  memset(s, '1', 200);
-  s[200] = 0;
+  memset(s, '1', 600);
+  s[600] = 0;
   refused(text("width", s), SOZAI_ERROR_KIND, "width|1111");
+  s[200] = 0;
+  refused(text("width", s), SOZAI_ERROR_RANGE, "width|40");
   memset(s, 'x', 65536);
   s[65536] = 0;
   sozai_value v = text("name", s);

@@ -50,8 +50,9 @@ static double amount_of(const fibertex_constants *w, const settings *s, int whic
       [CLOTH_SLUB] = number_at(s, P_SLUB),
       [CLOTH_COARSE] = 0.0005 * number_at(s, P_DIAMETER) / (double)w->yarn[0].height};
   const fibertex_fitted *fit = fibertex_fit(feature);
-  return scalar_exp(
-      fitted_sum(fit->amount[which], feature, fit->least, fit->most, fit->middle, CLOTH_FEATURES));
+  double log =
+      fitted_sum(fit->amount[which], feature, fit->least, fit->most, fit->middle, CLOTH_FEATURES);
+  return scalar_exp(scalar_least(scalar_most(log, fit->low[which]), fit->high[which]));
 }
 
 double fibertex_over_black(double slab, double c) {

@@ -70,6 +70,9 @@ typedef struct {
   double least[CLOTH_FEATURES], most[CLOTH_FEATURES],
       middle[CLOTH_FEATURES]; /* of what was fitted */
   double amount[FIT_AMOUNTS][CLOTH_FEATURES];
+  /* the logarithms of the cloths that were fitted: a cloth of features that none of them had
+   * together has no more and no less */
+  double low[FIT_AMOUNTS], high[FIT_AMOUNTS];
   double bulk_least[BULK_FEATURES], bulk_most[BULK_FEATURES], bulk_middle[BULK_FEATURES];
   double bulk[BULK_AMOUNTS][BULK_FEATURES];
 } fibertex_fitted;
