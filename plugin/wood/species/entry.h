@@ -34,11 +34,8 @@ SPECIES_ALL(DECLARE)
  * White: what a tinted one leaves to the diffuse part is a product of two colours, another in each
  * working space. */
 #define LUSTRE CHOICE("reflection", "fibre_cone"), NUMBER("specular_tint", 0.0)
-/* Of coloured wood, in its own colour: so little of it that the product stays within what two
- * working spaces may differ by. */
-#define TINTED_LUSTRE(reflectance)                                                                 \
-  CHOICE("reflection", "fibre_cone"), NUMBER("specular_tint", 1.0),                                \
-      NUMBER("fibre_reflectance", reflectance)
+/* Of dark wood, on which as much would lie like milk. */
+#define FAINT_LUSTRE(reflectance) LUSTRE, NUMBER("fibre_reflectance", reflectance)
 #define INTERLOCKED(slope, years, length) INTERLOCKED_BY(slope, years, length, 0.7)
 
 #define CURL(slope, length, irregularity, reach)                                                   \

@@ -59,7 +59,7 @@ static const sozai_value values_pommele_sapele[] = {
     QUILT(0.1, 9.0, 10.0),
     NUMBER("slope_noise", 0.06),
     NUMBER("slope_noise_length", 12.0),
-    TINTED_LUSTRE(0.05),
+    FAINT_LUSTRE(0.02),
     DIFFUSE_POROUS(14.0, 125.0, 0.2),
     NUMBER("fibre_brightness", 0.17),
     SRGB("earlywood_colour", 150, 92, 62),
