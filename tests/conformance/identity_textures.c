@@ -116,7 +116,7 @@ static int make_stones(void) {
         {.id = "stone_length", .kind = SOZAI_KIND_FLOAT},
         {.id = "stone_width", .kind = SOZAI_KIND_FLOAT},
         {.id = "joint_width", .kind = SOZAI_KIND_FLOAT, .number = {9}},
-        {.id = "joint_wander", .kind = SOZAI_KIND_FLOAT, .number = {i % 2u * 0.05}},
+        {.id = "joint_wander", .kind = SOZAI_KIND_FLOAT, .number = {i % 2u * 0.045}},
         {.id = "corner_radius", .kind = SOZAI_KIND_FLOAT, .number = {4.0 + i % 3u}},
         {.id = "edge_round", .kind = SOZAI_KIND_FLOAT, .number = {5}},
         {.id = "bevel", .kind = SOZAI_KIND_FLOAT, .number = {i % 2u * 2.0}},
