@@ -509,8 +509,8 @@ typedef struct sozai_host {
   void *(*alloc)(void *user, size_t size, size_t align);
   void (*free)(void *user, void *memory, size_t size, size_t align);
   /* Run task(context, i) for every i below count, in any order, and return
-   * when all are done. Not 0: refused, and the plugin runs them all itself, also
-   * those that have run: that changes nothing. */
+   * when all are done. Not 0: refused, and the plugin runs those that have not run
+   * itself: that changes nothing. */
   int32_t (*parallel)(void *user, uint32_t count, void (*task)(void *context, uint32_t i),
                       void *context);
   /* Long work, 0 to 1: growing, and reading pictures. Not 0: cancel. */

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "recipe.h"
 
 const char *shot_material(const shot *s) { return s->material ? s->material : "wood"; }
 
@@ -17,12 +18,6 @@ static bool gives(const sozai_preset *preset, const char *id) {
 static bool is_of(const shot *s, const sozai_preset *preset) {
   if (s->with && !gives(preset, s->with)) return false;
   return !s->without || !gives(preset, s->without);
-}
-
-static bool has_parameter(const sozai_texture_info *info, const char *id) {
-  for (uint32_t i = 0; i < info->parameter_count; i++)
-    if (strcmp(info->parameters[i]->id, id) == 0) return true;
-  return false;
 }
 
 static void add_param(shot *s, const char *param) {
@@ -51,11 +46,11 @@ static void make_own(picture *p, const shot *s, const sozai_texture_info *info, 
   p->preset = preset->id;
   snprintf(p->name, sizeof p->name, "%s-%s", s->name, preset->id);
   snprintf(p->title, sizeof p->title, "%s, %s", preset->label, s->title);
-  if (s->own_log && has_parameter(info, "seed")) {
+  if (s->own_log && parameter_of(info, "seed")) {
     snprintf(p->seed, sizeof p->seed, "seed=%u", i + 1);
     add_param(&p->shot, p->seed);
   }
-  if (s->aside > 0.0 && has_parameter(info, "cut_offset")) {
+  if (s->aside > 0.0 && parameter_of(info, "cut_offset")) {
     /* as many to the left as to the right, and none after its like */
     double place = fmod(0.618034 * (i + 1), 1.0) * 2.0 - 1.0;
     snprintf(p->offset, sizeof p->offset, "cut_offset=%.1f 0 0", place * s->aside);

@@ -90,26 +90,14 @@ static bool render_recipe(session *s, recipe *r, const request *q, int kind, fai
   return ok;
 }
 
-static bool sets(const recipe *r, const char *id) {
-  for (size_t i = 0; i < r->param_count; i++)
-    if (strcmp(r->params[i].id, id) == 0) return true;
-  return false;
-}
-
-static bool can_be_cut(const sozai_texture_info *info) {
-  for (uint32_t i = 0; i < info->parameter_count; i++)
-    if (strcmp(info->parameters[i]->id, "cut") == 0) return true;
-  return false;
-}
-
 /* A texture is a whole log unless something else is said, and a board with the pith in its middle
  * is one that no mill sells. What a file describes is seen as any host sees it. */
 static bool saw(recipe *r, const request *q, const session *s, failure *why) {
   if (q->cut) return recipe_set(r, "cut", q->cut, 0, why);
   bool board = !q->look.shape || strcmp(q->look.shape, "board") == 0;
-  if (!board || r->file || sets(r, "cut")) return true;
+  if (!board || r->file || recipe_sets(r, "cut")) return true;
   const sozai_texture_info *info = recipe_info(r, s->plugin.textures, why);
-  return info && (!can_be_cut(info) || recipe_set(r, "cut", "flat", 0, why));
+  return info && (!parameter_of(info, "cut") || recipe_set(r, "cut", "flat", 0, why));
 }
 
 static bool render_named(const char *name, const request *q, failure *why) {

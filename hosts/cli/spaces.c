@@ -124,12 +124,6 @@ static bool has_space(const sozai_parameter *p) {
   return (p->kind == SOZAI_KIND_COLOUR && p->default_text) || p->kind == SOZAI_KIND_IMAGE;
 }
 
-static const sozai_parameter *find(const sozai_texture_info *info, const char *id) {
-  for (uint32_t i = 0; i < info->parameter_count; i++)
-    if (strcmp(info->parameters[i]->id, id) == 0) return info->parameters[i];
-  return NULL;
-}
-
 bool spaces_of_texture(space_uses *u, const sozai_texture_info *info, const colour *c,
                        failure *why) {
   bool ok = true;
@@ -139,7 +133,7 @@ bool spaces_of_texture(space_uses *u, const sozai_texture_info *info, const colo
   for (uint32_t i = 0; ok && i < info->preset_count; i++) {
     const sozai_preset *preset = info->presets[i];
     for (uint32_t k = 0; ok && k < preset->value_count; k++) {
-      const sozai_parameter *p = find(info, preset->values[k].id);
+      const sozai_parameter *p = parameter_of(info, preset->values[k].id);
       if (p && has_space(p)) ok = add_value(u, p, &preset->values[k], preset->id, c, why);
     }
   }

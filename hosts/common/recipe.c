@@ -20,9 +20,23 @@ static bool set_string(char **slot, const char *text, failure *why) {
   return true;
 }
 
-static recipe_param *slot_for(recipe *r, const char *id, failure *why) {
+static recipe_param *find_param(const recipe *r, const char *id) {
   for (size_t i = 0; i < r->param_count; i++)
     if (strcmp(r->params[i].id, id) == 0) return &r->params[i];
+  return NULL;
+}
+
+bool recipe_sets(const recipe *r, const char *id) { return find_param(r, id) != NULL; }
+
+const sozai_parameter *parameter_of(const sozai_texture_info *info, const char *id) {
+  for (uint32_t i = 0; i < info->parameter_count; i++)
+    if (strcmp(info->parameters[i]->id, id) == 0) return info->parameters[i];
+  return NULL;
+}
+
+static recipe_param *slot_for(recipe *r, const char *id, failure *why) {
+  recipe_param *there = find_param(r, id);
+  if (there) return there;
   if (!limits_check(HOST_LIMIT_RECIPE_PARAMETERS, r->param_count + 1, "parameters", why)) {
     return NULL;
   }
@@ -173,11 +187,8 @@ static sozai_value value_of(const recipe_param *p) {
 }
 
 static bool is_path(const sozai_texture_info *info, const char *id) {
-  for (uint32_t i = 0; i < info->parameter_count; i++)
-    if (strcmp(info->parameters[i]->id, id) == 0)
-      return info->parameters[i]->kind == SOZAI_KIND_PATH ||
-             info->parameters[i]->kind == SOZAI_KIND_IMAGE;
-  return false;
+  const sozai_parameter *p = parameter_of(info, id);
+  return p && (p->kind == SOZAI_KIND_PATH || p->kind == SOZAI_KIND_IMAGE);
 }
 
 /* Relative paths from their file's own folder. What is whole stays as it is. */

@@ -52,6 +52,11 @@ bool recipe_set(recipe *r, const char *id, const char *text, int line, failure *
 bool recipe_set_pair(recipe *r, const char *pair, failure *why);
 bool recipe_set_preset(recipe *r, const char *preset, failure *why);
 
+bool recipe_sets(const recipe *r, const char *id);
+
+/* That parameter of a texture, or NULL. */
+const sozai_parameter *parameter_of(const sozai_texture_info *info, const char *id);
+
 /* The kind of texture it names. */
 const sozai_texture_info *recipe_info(const recipe *r, const sozai_textures_1 *textures,
                                       failure *why);

@@ -31,11 +31,7 @@ typedef struct matching {
   moments weights;
 } matching;
 
-static bool is_given(const recipe *r, const char *id) {
-  for (size_t i = 0; id && i < r->param_count; i++)
-    if (strcmp(r->params[i].id, id) == 0) return true;
-  return false;
-}
+static bool is_given(const recipe *r, const char *id) { return id && recipe_sets(r, id); }
 
 /* ---- the preset --------------------------------------------------------------- */
 
@@ -57,9 +53,8 @@ static bool read_brightness(matching *m, const sozai_texture *texture, failure *
   if (m->board->textures->value(texture, id, &v) != SOZAI_OK)
     return fail(why, EXIT_FAILURE, "%s: %s", id, m->board->textures->last_error());
   m->out->brightness = m->out->preset_brightness = v.number[0];
-  for (uint32_t i = 0; i < m->info->parameter_count; i++)
-    if (strcmp(m->info->parameters[i]->id, id) == 0)
-      m->most_brightness = m->info->parameters[i]->hard_max;
+  const sozai_parameter *p = parameter_of(m->info, id);
+  if (p) m->most_brightness = p->hard_max;
   return true;
 }
 

@@ -1,10 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "kernel.h"
 
-/* Points that a kernel is handed at a time: it counts in steps of some hundred, which would run
- * past the end of 32 bits. */
-#define POINTS_AT_A_TIME (1u << 30)
-
 int32_t kernel_choose(const kernel_set table[CPU_COUNT], kernel_set *out) {
   int set;
   int32_t r = cpu_choose(&set);
@@ -51,7 +47,7 @@ static __attribute__((noinline)) void run_pieces(const kernel_set *use, const vo
   for (int k = 0; k < 64; k++) out[k] = io->wanted >> k & 1 ? io->out[k] : NULL;
   const kernel_io piece = {&b, out, io->wanted};
   for (uint32_t left = io->in->count; left; left -= b.count) {
-    b.count = left < POINTS_AT_A_TIME ? left : POINTS_AT_A_TIME;
+    b.count = kernel_piece(left);
     run(use, constants, &piece);
     skip_all(&b, out, b.count);
   }
@@ -60,7 +56,7 @@ static __attribute__((noinline)) void run_pieces(const kernel_set *use, const vo
 void kernel_run(const kernel_set *use, const void *constants, const kernel_io *io) {
   if (io->in->count == 1) { /* on the path of every point alone: without the division */
     use->single->evaluate(constants, io, 0, 1);
-  } else if (io->in->count <= POINTS_AT_A_TIME) {
+  } else if (io->in->count == kernel_piece(io->in->count)) {
     run(use, constants, io);
   } else {
     run_pieces(use, constants, io);

@@ -46,6 +46,10 @@ typedef struct {
   const kernel *wide, *narrow, *single;
 } kernel_set;
 
+/* Of so many points what a kernel is handed at a time: it counts in steps of some hundred, which
+ * would run past the end of 32 bits. */
+static inline uint32_t kernel_piece(uint32_t left) { return left < 1u << 30 ? left : 1u << 30; }
+
 /* Defines table[CPU_COUNT] of the compilations type_ISA_LANES of a struct `type`
  * whose first member is `kernel kernel`. */
 #if defined(__x86_64__)

@@ -9,7 +9,7 @@
 #include "../core/meter.h"
 #include "../core/scalar.h"
 #include "../core/status.h"
-#include "crew.h"
+#include "../core/crew.h"
 #include "fit.h"
 #include "parameters.h"
 #include "segments.h"

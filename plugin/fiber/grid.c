@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "../core/status.h"
-#include "crew.h"
+#include "../core/crew.h"
 #include "grid_signs.h"
 
 #define PAD 2          /* cells about the hull's box */

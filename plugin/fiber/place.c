@@ -7,7 +7,7 @@
 
 #include "../core/meter.h"
 #include "../core/status.h"
-#include "crew.h"
+#include "../core/crew.h"
 #include "fit.h"
 #include "parameters.h"
 

@@ -4,11 +4,9 @@
  */
 #include "generator.h"
 
-#include <stdatomic.h>
-#include <stdbool.h>
 #include <string.h>
 
-#include "../core/float_mode.h"
+#include "../core/crew.h"
 #include "../core/meter.h"
 #include "../core/status.h"
 #include "field.h"
@@ -47,15 +45,10 @@ typedef struct {
   uint32_t jobs;
   int writing, sprigs;
   float thin;
-  double begin, end; /* of the progress bar */
-  atomic_uint done;
-  atomic_bool cancelled;
 } shoot_crew;
 
 static void run_job(void *context, uint32_t i) {
   shoot_crew *w = context;
-  if (atomic_load(&w->cancelled)) return;
-  uint64_t mode = float_mode_enter();
   const tree_branch *b = &w->tree->branches[i];
   shoot_pen pen = {.tree = w->tree, .writing = w->writing, .sprigs = w->sprigs, .thin = w->thin};
   if (w->writing) pen.at = w->rooms[i];
@@ -66,24 +59,11 @@ static void run_job(void *context, uint32_t i) {
     shoots_on(&pen, i);
   }
   if (!w->writing) w->rooms[i] = pen.used;
-  float_mode_leave(mode);
-  uint32_t done = atomic_fetch_add(&w->done, 1) + 1;
-  double share = (double)done / w->jobs;
-  if (host_progress(w->host, w->begin + share * (w->end - w->begin), "growing shoots"))
-    atomic_store(&w->cancelled, true);
 }
 
 static int32_t run_crew(shoot_crew *w, int writing, double begin, double end) {
   w->writing = writing;
-  w->begin = begin;
-  w->end = end;
-  atomic_store(&w->done, 0);
-  if (!w->host->parallel || w->host->parallel(w->host->user, w->jobs, run_job, w) != 0) {
-    atomic_store(&w->done, 0); /* what a pool that refused has run is run again */
-    for (uint32_t i = 0; i < w->jobs; i++) run_job(w, i);
-  }
-  if (!atomic_load(&w->cancelled)) return SOZAI_OK;
-  return fail(SOZAI_ERROR_CANCELLED, "cancelled by the host: growing shoots");
+  return crew_run(w->host, w->jobs, run_job, w, (crew_progress){"growing shoots", begin, end});
 }
 
 static shoot_room total_of(const shoot_crew *w) {
@@ -193,8 +173,6 @@ static int32_t make_room(shoot_crew *w) {
 static int32_t grow_shoots(tree *t, const sozai_host *host) {
   shoot_crew w = {.tree = t, .host = host, .jobs = (uint32_t)t->branch_count};
   size_t bytes = w.jobs * sizeof *w.rooms;
-  atomic_init(&w.done, 0);
-  atomic_init(&w.cancelled, false);
   w.rooms = host_alloc(host, bytes, 64);
   if (!w.rooms) return SOZAI_ERROR_MEMORY;
   int32_t r = count_shoots(&w);

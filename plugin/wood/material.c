@@ -81,9 +81,6 @@ static const wood_state *state_of(const sozai_texture *t) {
 
 static const wood_kernel *wide_of(const wood_state *w) { return (const wood_kernel *)w->use.wide; }
 
-/* As kernel_run has it, so that no count runs past the end of 32 bits. */
-static uint32_t at_a_time(uint32_t left) { return left < 1u << 30 ? left : 1u << 30; }
-
 static int32_t ring_radius(const sozai_texture *t, uint32_t count, const float *years,
                            const float *theta, const float *y, float *out_r) {
   const wood_state *w = state_of(t);
@@ -95,7 +92,7 @@ static int32_t ring_radius(const sozai_texture *t, uint32_t count, const float *
     return fail(SOZAI_ERROR_UNSUPPORTED, "ring_radius: of plies, each of a place of its own");
   uint64_t mode = float_mode_enter();
   for (uint32_t from = 0, n; from < count; from += n) {
-    n = at_a_time(count - from);
+    n = kernel_piece(count - from);
     wide_of(w)->radius(&w->constants, n, years + from, theta + from, y + from, out_r + from);
   }
   float_mode_leave(mode);
@@ -111,7 +108,7 @@ static int32_t pith(const sozai_texture *t, uint32_t count, const float *y, floa
   }
   uint64_t mode = float_mode_enter();
   for (uint32_t from = 0, n; from < count; from += n) {
-    n = at_a_time(count - from);
+    n = kernel_piece(count - from);
     wide_of(w)->pith(&w->constants, n, y + from, out_x + from, out_z + from);
   }
   float_mode_leave(mode);

@@ -84,28 +84,44 @@ static void count_warnings(void *user, int32_t severity, const char *text) {
   warnings += severity == SOZAI_LOG_WARNING;
 }
 
+/* The plugin in a folder of its own, without services beside it. */
+typedef struct {
+  char folder[32], path[64];
+  loaded l;
+} lone;
+
+static void load_alone(lone *a) {
+  char command[4200];
+  snprintf(a->folder, sizeof a->folder, "/tmp/sozai-alone-XXXXXX");
+  assert_non_null(mkdtemp(a->folder));
+  snprintf(a->path, sizeof a->path, "%s/sozai.so", a->folder);
+  snprintf(command, sizeof command, "cp '%s' '%s'", SOZAI_TEST_PLUGIN, a->path);
+  assert_int_equal(system(command), 0);
+  a->l = load(a->path);
+}
+
+static void unload_alone(lone *a) {
+  unload(&a->l);
+  unlink(a->path);
+  rmdir(a->folder);
+}
+
 static void neither(void **state) {
   (void)state;
-  char folder[] = "/tmp/sozai-alone-XXXXXX", path[64], command[4200];
-  assert_non_null(mkdtemp(folder));
-  snprintf(path, sizeof path, "%s/sozai.so", folder);
-  snprintf(command, sizeof command, "cp '%s' '%s'", SOZAI_TEST_PLUGIN, path);
-  assert_int_equal(system(command), 0);
-  loaded l = load(path);
+  lone a;
+  load_alone(&a);
   sozai_host host = {.size = sizeof host, .log = count_warnings};
   float rgb[3];
   warnings = 0;
-  assert_int_equal(albedo(&l, &host, NULL, rgb), SOZAI_OK);
+  assert_int_equal(albedo(&a.l, &host, NULL, rgb), SOZAI_OK);
   assert_srgb(rgb);
-  assert_int_equal(albedo(&l, &host, "lin_rec709", rgb), SOZAI_OK);
+  assert_int_equal(albedo(&a.l, &host, "lin_rec709", rgb), SOZAI_OK);
   for (int c = 0; c < 3; c++) assert_true(fabs((double)rgb[c] - plain[2].number[c]) < 1e-6);
   assert_int_equal(warnings, 1);
-  assert_int_equal(albedo(&l, &host, "ACEScg", rgb), SOZAI_ERROR_COLOUR);
-  const char *why = l.textures->last_error();
+  assert_int_equal(albedo(&a.l, &host, "ACEScg", rgb), SOZAI_ERROR_COLOUR);
+  const char *why = a.l.textures->last_error();
   if (!strstr(why, "ACEScg") || !strstr(why, "colour")) fail_msg("says: %s", why);
-  unload(&l);
-  unlink(path);
-  rmdir(folder);
+  unload_alone(&a);
 }
 
 /* A host's log may call the plugin, from where it is called or from another thread that it waits
@@ -120,23 +136,17 @@ static void create_another(void *user, int32_t severity, const char *text) {
 
 static void a_log_that_creates(void **state) {
   (void)state;
-  char folder[] = "/tmp/sozai-logged-XXXXXX", path[64], command[4200];
-  assert_non_null(mkdtemp(folder));
-  snprintf(path, sizeof path, "%s/sozai.so", folder);
-  snprintf(command, sizeof command, "cp '%s' '%s'", SOZAI_TEST_PLUGIN, path);
-  assert_int_equal(system(command), 0);
-  loaded l = load(path);
+  lone a;
+  load_alone(&a);
   sozai_host host = {.size = sizeof host, .log = create_another};
   float rgb[3];
-  within = &l;
+  within = &a.l;
   logged = 0;
   alarm(60); /* a lock that is held would hang here */
-  assert_int_equal(albedo(&l, &host, NULL, rgb), SOZAI_OK);
+  assert_int_equal(albedo(&a.l, &host, NULL, rgb), SOZAI_OK);
   alarm(0);
   assert_true(logged > 0);
-  unload(&l);
-  unlink(path);
-  rmdir(folder);
+  unload_alone(&a);
 }
 
 static void beside(void **state) {

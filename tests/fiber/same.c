@@ -2,8 +2,6 @@
  * The same bits on every machine: recorded, so that other compilers and
  * processors are held to them; with threads in any order; under any
  * instruction set. And clean ends: allocations that fail, hosts that cancel. */
-#include <math.h>
-
 #include "allocator.h"
 #include "fiber.h"
 
@@ -77,13 +75,6 @@ static void any_order_any_set(void **unused) {
 
 /* A pool that runs some and then refuses: the same, and no more than all of it is told to be done.
  */
-static float furthest;
-static int32_t told(void *user, float fraction, const char *what) {
-  (void)user, (void)what;
-  furthest = fmaxf(furthest, fraction);
-  return 0;
-}
-
 static void half_of_a_pool(void **unused) {
   (void)unused;
   mesh m = hull();

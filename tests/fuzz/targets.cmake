@@ -49,7 +49,7 @@ endif()
 file(GLOB grown CONFIGURE_DEPENDS ${p}/tree/*.c ${p}/tree/species/*.c ${p}/fiber/*.c
   ${p}/fiber/materials/*.c)
 add_library(fuzz-grown STATIC grown.c values.c ${settings} ${grown} ${p}/geometry.c
-  ${p}/core/scalar.c)
+  ${p}/core/scalar.c ${p}/core/crew.c)
 target_include_directories(fuzz-grown PUBLIC ${p})
 target_link_libraries(fuzz-grown PUBLIC sozai::api)
 sozai_fuzz_options(fuzz-grown)

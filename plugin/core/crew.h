@@ -2,8 +2,8 @@
  *
  * Jobs for as many threads as the host lends, with progress and cancelling.
  */
-#ifndef SOZAI_FIBER_CREW_H
-#define SOZAI_FIBER_CREW_H
+#ifndef SOZAI_CORE_CREW_H
+#define SOZAI_CORE_CREW_H
 
 #include "../../api/sozai.h"
 

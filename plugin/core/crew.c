@@ -4,8 +4,8 @@
 #include <stdatomic.h>
 #include <stdbool.h>
 
-#include "../core/float_mode.h"
-#include "../core/status.h"
+#include "float_mode.h"
+#include "status.h"
 #include "../generator.h"
 
 typedef struct {
@@ -23,7 +23,7 @@ static void run_job(void *context, uint32_t i) {
   crew *c = context;
   if (atomic_load(&c->cancelled)) return;
   if (c->ran) {
-    if (c->ran[i]) return; /* a strand that was moved would be moved on */
+    if (c->ran[i]) return; /* what a job has moved would be moved on */
     c->ran[i] = 1;
   }
   uint64_t mode = float_mode_enter(); /* of a thread of the host's */
