@@ -77,21 +77,50 @@ static void build_bands(stone_constants *w, const settings *s) {
 typedef struct {
   double alpha, height[STONE_RELIEF], size[STONE_RELIEF];
   int pitted;
+  double sheet[CLEFT_FAMILIES], reach[CLEFT_FAMILIES]; /* mm: steps' height, a terrace's length */
 } finish;
 
 static const finish finishes[FINISHES] = {
-    [FINISH_SAWN] = {0.55, {0.05, 0.03}, {6.0, 0.8}, 0},
-    [FINISH_POLISHED] = {0.04, {0.0008}, {-1.0}, 0},
-    [FINISH_HONED] = {0.28, {0.006, 0.003}, {-1.0, 0.4}, 0},
-    [FINISH_FLAMED] = {0.6, {0.9, 0.8, 0.35, 0.12}, {-5.0, -1.8, -0.7, -0.25}, 0},
-    [FINISH_BUSH] = {0.65, {0.9, 0.5, 0.3, 0.1}, {5.5, 3.1, 1.2, 0.4}, 1},
-    [FINISH_SPLIT] = {0.6, {16.0, 6.0, 2.5, 0.9, 0.3}, {130.0, 47.0, 17.0, 6.0, 2.0}, 0},
+    [FINISH_SAWN] = {.alpha = 0.55, .height = {0.05, 0.03}, .size = {6.0, 0.8}},
+    [FINISH_POLISHED] = {.alpha = 0.04, .height = {0.0008}, .size = {-1.0}},
+    [FINISH_HONED] = {.alpha = 0.28, .height = {0.006, 0.003}, .size = {-1.0, 0.4}},
+    [FINISH_FLAMED] = {.alpha = 0.6,
+                       .height = {0.9, 0.8, 0.35, 0.12},
+                       .size = {-5.0, -1.8, -0.7, -0.25}},
+    [FINISH_BUSH] = {.alpha = 0.65,
+                     .height = {0.9, 0.5, 0.3, 0.1},
+                     .size = {5.5, 3.1, 1.2, 0.4},
+                     .pitted = 1},
+    [FINISH_SPLIT] = {.alpha = 0.6,
+                      .height = {16.0, 6.0, 2.5, 0.9, 0.3},
+                      .size = {130.0, 47.0, 17.0, 6.0, 2.0}},
+    [FINISH_RIVEN] = {.alpha = 0.5,
+                      .height = {1.6, 0.5, 0.2, 0.1},
+                      .size = {160.0, 30.0, 8.0, 2.2},
+                      .sheet = {2.4, 0.8},
+                      .reach = {130.0, 48.0}},
 };
 
 /* Variance of one component of gradient noise's gradient, and of that times
  * -5 times its value, over all points: property.stone_relief measures both. */
 #define SLOPE2 0.248
 #define SLOPE2_PITTED 0.212
+
+/* Of a step of height 1 in a family of frequency 1, over all points (property.stone_relief). */
+#define SLOPE2_CLEFT 59.0
+
+static void build_cleft(stone_constants *w, const finish *f, double scale) {
+  for (int i = 0; i < CLEFT_FAMILIES && f->sheet[i] > 0.0; i++) {
+    stone_cleft *c = &w->cleft[i];
+    double slope = scale * f->sheet[i] / f->reach[i];
+    c->height = (float)(scale * f->sheet[i]);
+    c->frequency = (float)(1.0 / f->reach[i]);
+    c->slope2 = (float)(slope * slope * SLOPE2_CLEFT);
+    c->seed = hash1(w->seed_relief + 31u * (uint32_t)(i + 1));
+    w->relief_steep += c->slope2;
+    w->is_cleft = 1;
+  }
+}
 
 static void build_finish(stone_constants *w, const settings *s) {
   const finish *f = &finishes[choice_at(s, P_FINISH)];
@@ -109,6 +138,7 @@ static void build_finish(stone_constants *w, const settings *s) {
     w->relief_steep += w->relief_slope2[o];
     w->relief_octaves = o + 1;
   }
+  build_cleft(w, f, scale);
   double alpha = f->alpha * number_at(s, P_ROUGHNESS);
   if (alpha > 1.0) alpha = 1.0;
   if (alpha < 0.02) alpha = 0.02;

@@ -510,7 +510,8 @@ static const sozai_parameter paper_white = {
    .doc = "Their proportion; RGB 255, 255, 255.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 0.2, .default_number = {0}};
 
-static const char *const finish_choices[] = {"sawn", "polished", "honed", "flamed", "bush_hammered", "split"};
+static const char *const finish_choices[] = {"sawn", "polished", "honed", "flamed", "bush_hammered", "split",
+                                             "riven"};
 
 static const char *const finish_docs[] = {
    "sawn, flat and dull",
@@ -518,7 +519,8 @@ static const char *const finish_docs[] = {
    "ground to a satin",
    "spalled crystal by crystal under a flame",
    "dressed with the points of a bush hammer",
-   "split along the grain, as it broke"};
+   "split along the grain, as it broke",
+   "split along its cleavage, as slate and flags are: terraces of sheets that end in steps"};
 
 static const sozai_parameter finish = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_CHOICE,

@@ -6,6 +6,7 @@
 #ifndef SOZAI_STONE_RELIEF_H
 #define SOZAI_STONE_RELIEF_H
 
+#include "cleft.h"
 #include "stone.h"
 #include "value.h"
 
@@ -33,6 +34,7 @@ STAGE vf relief_at(const stone_constants *w, const vf p[3], vf s, vf slope[3], v
     height = height + k * v;
     for (int a = 0; a < 3; a++) slope[a] = slope[a] + k * f * scale * g[a];
   }
+  if (w->is_cleft) height = height + cleft_at(w, p, s, slope, lost, square);
   return height;
 }
 

@@ -24,8 +24,10 @@
 /* A stage that is large and called from several places: once in the code. */
 #define STAGE static __attribute__((noinline, unused))
 
-#define STONE_RELIEF 5  /* octaves of a finish's relief */
-#define STONE_CODES 256 /* of the paper's 8-bit RGB */
+#define STONE_RELIEF 5   /* octaves of a finish's relief */
+#define CLEFT_FAMILIES 2 /* of sheets: cleft.h */
+#define CLEFT_ALONG 0.6f /* how often their ends come along the lineation, bed space's x */
+#define STONE_CODES 256  /* of the paper's 8-bit RGB */
 
 /* Colours of the palette, which albedo is a sum of. */
 enum {
@@ -126,6 +128,13 @@ typedef struct {
   float inset[PAPER_STONES * 4 * (PAPER_PARTS + 1)];    /* texels, from the place's side */
 } stone_tile;
 
+/* Sheets that end in steps, of one size. */
+typedef struct {
+  float height, frequency; /* mm, of a family's steps together; 1/mm */
+  float slope2;            /* variance of the slope, one axis */
+  uint32_t seed;
+} stone_cleft;
+
 #define VEIN_FAMILIES 3
 
 /* Where edges are chipped, least and most of the rounded edge's width. */
@@ -194,7 +203,8 @@ typedef struct {
   /* finish */
   float relief[STONE_RELIEF], relief_frequency[STONE_RELIEF]; /* mm; 1/mm */
   float relief_slope2[STONE_RELIEF];                          /* variance of the slope, one axis */
-  int32_t relief_octaves, pitted;
+  int32_t relief_octaves, pitted, is_cleft;
+  stone_cleft cleft[CLEFT_FAMILIES];
   float alpha2;                /* roughness squared where nothing is lost */
   float specular;              /* reflectance at normal incidence */
   float relief_steep;          /* variance of the slope along one axis, of all octaves */

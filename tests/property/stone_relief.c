@@ -11,8 +11,9 @@
 #include "wood.h"
 
 enum { STONE_NORMAL = 6, STONE_HEIGHT = 9, STONE_ROUGHNESS = 10, STONE_OCCLUSION = 21 };
-static const char *const finishes[] = {"sawn",   "polished",      "honed",
-                                       "flamed", "bush_hammered", "split"};
+enum { FINISHES = 7 };
+static const char *const finishes[FINISHES] = {"sawn",          "polished", "honed", "flamed",
+                                               "bush_hammered", "split",    "riven"};
 
 /* The slope that an answered point's normal stands on, of a face towards +z. */
 static void slope_at(const points *p, unsigned i, double g[2]) {
@@ -49,11 +50,11 @@ static sozai_texture *make(const char *finish) {
 
 static void normal_is_the_heights(void **state) {
   (void)state;
-  for (int f = 0; f < 6; f++) {
+  for (int f = 0; f < FINISHES; f++) {
     sozai_texture *t = make(finishes[f]);
     points p = {0};
     uniform_seed(71);
-    const double h = 0.02;
+    const double h = 0.005;
     for (int i = 0; i < 4000; i++) {
       double x[3];
       for (int c = 0; c < 3; c++) x[c] = 60 * (uniform() - 0.5);
@@ -185,11 +186,11 @@ static void domes_have_their_height(void **state) {
  * to flatten all of it adds: alpha^2 = 2 variance. */
 static void lost_slopes_are_roughness(void **state) {
   (void)state;
-  for (int f = 0; f < 6; f++) {
+  for (int f = 0; f < FINISHES; f++) {
     sozai_texture *t = make(finishes[f]);
     points p = {0};
     uniform_seed(72);
-    enum { N = 40000 };
+    enum { N = 400000 };
     for (int i = 0; i < N; i++) {
       double x[3];
       for (int c = 0; c < 3; c++) x[c] = 20000 * (uniform() - 0.5);

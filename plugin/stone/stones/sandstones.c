@@ -88,8 +88,8 @@ static const sozai_value values_york[] = {
     NUMBER("white_share", 0.008),
     SRGB("white_colour", 198, 188, 168),
     CHOICE("bed", "z"),
-    CHOICE("finish", "split"),
-    NUMBER("relief", 0.3),
+    CHOICE("finish", "riven"),
+    NUMBER("relief", 0.6),
     CHOICE("layout", "ashlar"),
     NUMBER("stone_length", 760.0),
     NUMBER("stone_width", 450.0),
@@ -133,9 +133,8 @@ static const sozai_value values_slate[] = {
     NUMBER("white_share", 0.0015),
     NUMBER("speck_size", 0.5),
     SRGB("white_colour", 92, 93, 94),
-    CHOICE("finish", "split"),
-    NUMBER("relief", 0.6),
+    CHOICE("finish", "riven"),
 };
 STONE(slate, "Ogatsu slate (Miyagi)",
-      "Black slate, split along its cleavage: even, fine, with a faint banding.",
+      "Black slate, riven along its cleavage: fine, faintly banded, in sheets that end in steps.",
       PETTIJOHN "; " GSJ);
