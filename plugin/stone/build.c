@@ -109,6 +109,9 @@ static const finish finishes[FINISHES] = {
 /* Of a step of height 1 in a family of frequency 1, over all points (property.stone_relief). */
 #define SLOPE2_CLEFT 59.0
 
+#define WATER_IOR 1.333
+#define SOAKS_FROM 0.35 /* alpha: rougher faces are open, and water darkens them in full */
+
 static void build_cleft(stone_constants *w, const finish *f, double scale) {
   for (int i = 0; i < CLEFT_FAMILIES && f->sheet[i] > 0.0; i++) {
     stone_cleft *c = &w->cleft[i];
@@ -145,6 +148,10 @@ static void build_finish(stone_constants *w, const settings *s) {
   w->alpha2 = (float)(alpha * alpha);
   double n = number_at(s, P_IOR), r = (n - 1.0) / (n + 1.0);
   w->specular = (float)(r * r);
+  double below = (n - WATER_IOR) / (n + WATER_IOR);
+  w->specular_wet = (float)(below * below);
+  double open = alpha / SOAKS_FROM;
+  w->soaks = (float)(open < 1.0 ? open : 1.0);
 }
 
 /* ---- the paper's colours ---------------------------------------------- */

@@ -197,6 +197,8 @@ INLINE void stage_cover(const stone_constants *w, int paved, block *k) {
   /* what the moss has left of the joint, and of the stone; of the joint it takes more */
   vf bare = one - q->moss, open = vmin(joint * (one - q->moss_joint), bare);
   vf stone = bare - open;
+  /* water darkens what it fills: a polished face has next to nothing open, joint and moss have */
+  vf soaks = mix(one, splat(w->soaks), stone);
   /* where crystals or bodies were looked at in parts, how they lie under it is known */
   const int hides = k->mixed[OVER_MOSS];
   for (int c = 0; c < 3; c++) {
@@ -214,7 +216,7 @@ INLINE void stage_cover(const stone_constants *w, int paved, block *k) {
       vf cushion = splat(air->moss_colour[c]) * (splat(0.79f) + q->tuft);
       cushion = cushion * mix(one, splat(dry[c]), q->dry);
       a = a + q->moss * vmax(cushion, splat(0.0f));
-      a = weather_wet_albedo(a, vmax(q->film, q->water));
+      a = weather_wet_albedo(a, vmax(q->film, q->water) * soaks);
     }
     k->albedo[c] = a;
   }
@@ -244,8 +246,10 @@ INLINE void stage_light(const stone_constants *w, int paved, const stone_io *io,
     specular = specular * (one - q->moss);
     vf gloss = smooth_step(splat(0.3f), one, q->film) * (one - splat(0.8f) * q->moss);
     gloss = vmax(gloss * splat(0.9f), q->water);
-    alpha2 = mix(alpha2, mix(splat(0.01f), splat(0.0004f), q->water), gloss);
-    specular = mix(specular, splat(0.0204f), gloss); /* water's */
+    /* a film evens out what is rougher; what is smoother stays so under it */
+    alpha2 = mix(alpha2, vmin(alpha2, mix(splat(0.01f), splat(0.0004f), q->water)), gloss);
+    specular =
+        mix(specular, splat(0.0204f + w->specular_wet), gloss); /* water's, and what is below */
   }
   alpha2 = vmin(alpha2 + splat(2.0f) * q->lost, one);
   put(io, k, STONE_ROUGHNESS, vsqrt(alpha2));

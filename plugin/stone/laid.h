@@ -56,8 +56,8 @@ INLINE void laid_slope(const laid *q, vf x, vf y, vf out[3]) {
 }
 
 /* Round the corner that the nearest two sides make: the distance to a circle
- * within both. */
-INLINE void laid_corner(const stone_paving *v, const cover *c, vf *edge, vf *nx, vf *ny) {
+ * within both. Where there is one. */
+INLINE vm laid_corner(const stone_paving *v, const cover *c, vf *edge, vf *nx, vf *ny) {
   vf one = splat(1.0f), zero = splat(0.0f), r = splat(v->corner), half = splat(v->half);
   vf a = r - (c->nearest - half), b = r - (c->second - half);
   vf cosine = c->nx * c->mx + c->ny * c->my;
@@ -65,14 +65,16 @@ INLINE void laid_corner(const stone_paving *v, const cover *c, vf *edge, vf *nx,
   vf alpha = (a - cosine * b) * k, beta = (b - cosine * a) * k;
   vm there = and_(and_(gt(alpha, zero), gt(beta, zero)),
                   and_(gt(b, zero), lt(vabs(cosine), splat(0.97f))));
-  if (!any(there)) return;
+  if (!any(there)) return there;
   vf x = alpha * c->nx + beta * c->mx, y = alpha * c->ny + beta * c->my;
   vf square = vmax(x * x + y * y, splat(1e-12f)), inverse = inverse_root(square);
   *edge = sel(there, r - square * inverse, *edge);
   *nx = sel(there, x * inverse, *nx);
   *ny = sel(there, y * inverse, *ny);
+  return there;
 }
 
+#define CORNER_OPEN 2.0f /* of its radius: how far a joint reaches between corners, mostly */
 #define CORNER_SEEN 0.5f /* of its radius: footprints that a line across a corner tells, */
 #define CORNER_GONE 1.2f /* and such that it does not */
 
@@ -93,9 +95,12 @@ INLINE void laid_find(const stone_constants *w, const vf p[3], const vf n[3], vf
   *ny = c.ny;
   q->joint = u->joint;
   if (v->corner > 0.0f) {
-    laid_corner(v, &c, &edge, nx, ny);
+    vm round = laid_corner(v, &c, &edge, nx, ny);
     vf e = cover_extent(&c, *nx, *ny, vmax(s, splat(COVER_LEAST)));
-    vf joint = vmax(cover_share(edge, e, splat(-2.0f * v->half), zero), q->joint);
+    /* across a joint lies the next stone; between rounded corners it is farther */
+    vf far_side =
+        sel(round, splat(-2.0f * v->half - CORNER_OPEN * v->corner), splat(-2.0f * v->half));
+    vf joint = vmax(cover_share(edge, e, far_side, zero), q->joint);
     /* a wide footprint has its part of them wherever it is */
     vf size = vmin(u->length, u->width), r = splat(v->corner);
     vf wide = smooth_step(splat(CORNER_SEEN) * r, splat(CORNER_GONE) * r, e);

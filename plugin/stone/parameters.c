@@ -292,13 +292,14 @@ static const sozai_parameter speck_size = {
 static const sozai_parameter black_share = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "black_share", .label = "Black specks' share", .group = "specks", .unit = "",
-   .doc = "Share of area: mica, hornblende, ore.",
+   .doc = "Share of area: mica, hornblende, ore. Round or ragged specks leave room for some 0.3 to 0.45, flakes for less: where the two kinds "
+   "ask for more, both get less, in proportion.",
    .hard_min = 0, .hard_max = 0.5, .soft_min = 0, .soft_max = 0.2, .default_number = {0}};
 
 static const sozai_parameter white_share = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "white_share", .label = "White specks' share", .group = "specks", .unit = "",
-   .doc = "Share of area: quartz, shell, calcite.",
+   .doc = "Share of area: quartz, shell, calcite; likewise.",
    .hard_min = 0, .hard_max = 0.5, .soft_min = 0, .soft_max = 0.2, .default_number = {0}};
 
 static const sozai_parameter speck_stretch = {
@@ -374,7 +375,7 @@ static const sozai_parameter hole_size = {
 static const sozai_parameter hole_share = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "hole_share", .label = "Holes' share", .group = "holes", .unit = "",
-   .doc = "Share of area.",
+   .doc = "Share of area. There is room for some 0.2, of many small ones for 0.15, and no more comes.",
    .hard_min = 0, .hard_max = 0.4, .soft_min = 0, .soft_max = 0.2, .default_number = {0}};
 
 static const sozai_parameter hole_stretch = {

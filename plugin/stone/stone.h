@@ -206,7 +206,9 @@ typedef struct {
   int32_t relief_octaves, pitted, is_cleft;
   stone_cleft cleft[CLEFT_FAMILIES];
   float alpha2;                /* roughness squared where nothing is lost */
-  float specular;              /* reflectance at normal incidence */
+  float specular;              /* reflectance at normal incidence, */
+  float specular_wet;          /* and from water */
+  float soaks;                 /* 0..1: how far the face takes up water, as it is open */
   float relief_steep;          /* variance of the slope along one axis, of all octaves */
   float hole_depth;            /* mm to a cell */
   float raise;                 /* mm: of inclusions over the face, or below 0 under it; */

@@ -13,14 +13,14 @@
 #include "relief.h"
 
 typedef struct {
-  field height;       /* mm over the face, object space */
-  vf lost;            /* variance of slope along one axis that the footprint averages out */
-  vf low, steep;      /* where in the relief's range the place lies, 0..1; its sd of slope */
-  vf edge;            /* mm, of the stones' edges alone */
-  vf in_joint;        /* 1 in the joint, 0 on the stone: of the point, not the footprint */
-  vf polish;          /* how worn, 0..1 */
-  vf grime;           /* light left by dirt */
-  vf sand;            /* light and dark of the joint's filling */
+  field height;      /* mm over the face, object space */
+  vf lost;           /* variance of slope along one axis that the footprint averages out */
+  vf low, steep;     /* where in the relief's range the place lies, 0..1; its sd of slope */
+  vf edge, shoulder; /* mm, of the stones' edges alone; from the joint's middle, what casts shade */
+  vf in_joint;       /* 1 in the joint, 0 on the stone: of the point, not the footprint */
+  vf polish;         /* how worn, 0..1 */
+  vf grime;          /* light left by dirt */
+  vf sand;           /* light and dark of the joint's filling */
   vf moss, tuft, dry; /* share; light and dark; lush, 0, to dry, 1 */
   vf moss_joint;      /* share of what is joint */
   vf film, water;     /* of water: as a film, standing */
@@ -30,8 +30,8 @@ typedef struct {
 INLINE surface surface_none(void) {
   vf zero = splat(0.0f), one = splat(1.0f);
   surface q = {.height = field_of(zero), .lost = zero, .low = splat(0.5f), .steep = zero};
-  q.edge = q.in_joint = q.polish = q.sand = q.moss = q.moss_joint = q.tuft = q.dry = q.film =
-      q.water = zero;
+  q.edge = q.shoulder = q.in_joint = q.polish = q.sand = q.moss = q.moss_joint = q.tuft = q.dry =
+      q.film = q.water = zero;
   q.grime = q.occlusion = one;
   return q;
 }
@@ -115,6 +115,8 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
       height = field_add(height, field_mul(field_scale(sand, splat(0.3f * grain)), joint));
     }
     out->edge = profile.v;
+    /* a chipped edge falls from as much further in */
+    out->shoulder = splat(v->half + 0.5f * v->chamfer) + splat(0.35f) * round.wide.v;
     height = field_add(height, profile);
     out->lost = out->lost * vmax(one - out->in_joint, zero) + lost; /* rounded, it may be over 1 */
     vf far = one - q->near;
@@ -123,7 +125,9 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
     /* the sky that the joint's walls leave */
     vf depth = vmax(zero - profile.v, zero), reach = splat(v->half + 0.3f * v->round);
     vf slot = surface_slot(depth, q->m.v + reach, vmax(reach - q->m.v, zero) + depth * splat(0.2f));
-    slot = sel(gt(q->m.v, reach), splat(0.5f) + splat(0.5f) * slot, slot);
+    /* up on the stone there is the far wall alone */
+    vf up = surface_slot(depth, q->m.v + reach, splat(1e6f));
+    slot = mix(slot, up, smooth_step(splat(0.6f) * reach, splat(1.4f) * reach, q->m.v));
     out->occlusion = mix(splat(v->occlusion), slot, q->near);
   }
   if (air->undulation > 0.0f) {
@@ -221,7 +225,7 @@ INLINE vf surface_lit(const stone_constants *w, int paved, const laid *q, const 
   vf square = q->m.g[0] * q->m.g[0] + q->m.g[1] * q->m.g[1];
   vf across =
       (light[0] * q->m.g[0] + light[1] * q->m.g[1]) * inverse_root(vmax(square, splat(1e-6f)));
-  vf shoulder = splat(v->half + 0.35f * v->round + 0.5f * v->chamfer);
+  vf shoulder = f->shoulder;
   vf crest = splat(-0.42f * v->drop - 0.5f * v->slope * v->chamfer);
   vf way = sel(lt(across, zero), shoulder + q->m.v, shoulder - q->m.v);
   vf rise = c / vmax(vabs(across), splat(1e-3f));

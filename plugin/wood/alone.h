@@ -70,11 +70,17 @@ INLINE void grain_noise_alone(const wood_constants *w, vu own, vf y, const noise
 }
 
 /* fibre_add of all octaves. */
-INLINE fibre_sum fibre_alone(const wood_constants *w, vu own, vf x, vf z, const footprint2 *f) {
+INLINE fibre_sum fibre_alone(const wood_constants *w, vu own, const fibre_eye *near,
+                             const fibre_eye *far) {
   const wood_fours *q = &w->fours;
-  fibre_sum sum = fibre_start(f);
+  fibre_sum sum = fibre_start(), by[2] = {sum, sum};
+  fibre_under(&near->f, &by[0]);
+  fibre_under(&far->f, &by[1]);
   f4 none = {0.0f, 0.0f, 0.0f, 0.0f};
-  f4 spread = 1.0f + load_f4(q->blur) * sum.trace + load_f4(q->blur2) * sum.det;
+  f4 trace = {by[0].trace, by[0].trace, by[1].trace, by[1].trace};
+  f4 det = {by[0].det, by[0].det, by[1].det, by[1].det};
+  f4 x = {near->x, near->x, far->x, far->x}, z = {near->z, near->z, far->z, far->z};
+  f4 spread = 1.0f + load_f4(q->blur) * trace + load_f4(q->blur2) * det;
   f4 keep = max_f4(1.0f / (1.0f - FIBRE_END) / spread - FIBRE_END / (1.0f - FIBRE_END), none);
   noise_axes ax = noise_split_cubic4(x * load_f4(q->frequency), HASH_X);
   noise_axes az = noise_split_cubic4(z * load_f4(q->frequency), HASH_Z);
@@ -112,11 +118,14 @@ INLINE void grain_noise_alone(const wood_constants *w, vu own, vf y, const noise
   }
 }
 
-INLINE fibre_sum fibre_alone(const wood_constants *w, vu own, vf x, vf z, const footprint2 *f) {
-  fibre_sum sum = fibre_start(f);
+INLINE fibre_sum fibre_alone(const wood_constants *w, vu own, const fibre_eye *near,
+                             const fibre_eye *far) {
+  fibre_sum sum = fibre_start();
   for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) {
+    const fibre_eye *at = o < FIBRE_DRIFT ? near : far;
     fibre_octave octave = fibre_octave_of(w, o);
-    fibre_add(&octave, own, x, z, &sum);
+    fibre_under(&at->f, &sum);
+    fibre_add(&octave, own, at->x, at->z, &sum);
   }
   return sum;
 }

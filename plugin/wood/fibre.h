@@ -20,11 +20,23 @@ typedef struct {
   vf trace, det; /* of the footprint in the section */
 } fibre_sum;
 
-INLINE fibre_sum fibre_start(const footprint2 *f) {
+INLINE fibre_sum fibre_start(void) {
   vf zero = splat(0.0f);
-  return (fibre_sum){splat(1.0f), zero, zero, f->aa + f->bb,
-                     vmax(f->aa * f->bb - f->ab * f->ab, zero)};
+  return (fibre_sum){splat(1.0f), zero, zero, zero, zero};
 }
+
+INLINE void fibre_under(const footprint2 *f, fibre_sum *sum) {
+  sum->trace = f->aa + f->bb;
+  sum->det = vmax(f->aa * f->bb - f->ab * f->ab, splat(0.0f));
+}
+
+#define FIBRE_DRIFT 2 /* the octave of drifts; the finer ones are single fibres and bundles */
+
+/* Where octaves are looked up. */
+typedef struct {
+  vf x, z;
+  footprint2 f;
+} fibre_eye;
 
 /* How much of an octave the mean over the footprint keeps, given its value in the
  * middle: the covariance of the two over the noise's variance. 1 / (1 + x^2 / 8) along
@@ -82,7 +94,8 @@ INLINE void fibre_add(const fibre_octave *q, vu own, vf x, vf z, fibre_sum *sum)
 
 /* The factor of brightness, of all of them. */
 INLINE vf fibre_shift(const wood_constants *w, vu own, vf x, vf z, const footprint2 *f) {
-  fibre_sum sum = fibre_start(f);
+  fibre_sum sum = fibre_start();
+  fibre_under(f, &sum);
   for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) {
     fibre_octave q = fibre_octave_of(w, o);
     fibre_add(&q, own, x, z, &sum);

@@ -128,40 +128,65 @@ INLINE void grain_wave_even(const wood_constants *w, vf y, vf extent, grain_plac
   p->variance = splat(0.5f * w->wave_slope * w->wave_slope) * (one - keep * keep);
 }
 
-/* The year's phase, in turns, strength, and place along the long wave, in turns. */
-INLINE void grain_interlocked(const wood_constants *w, vu own, vf y, vf t, grain_place *p) {
-  vf st, ct, sy, cy, sb = splat(0.0f), cb = splat(1.0f), zero = splat(0.0f);
-  vf psi = t * splat(w->interlocked_frequency), psi_t = splat(w->interlocked_frequency);
-  vf a = splat(w->interlocked_slope), a_t = zero, begin = zero, begin_t = zero;
-  int irregular = w->interlocked_irregularity > 0.0f;
-  if (irregular) {
+/* A year's own part of interlocked grain: strength, phase, and where along the long wave it begins,
+ * with their slopes over the year. */
+typedef struct {
+  vf a, a_t, psi_t, st, ct;  /* the phase by its sine and cosine, and in turns a year */
+  vf begin, begin_t, sb, cb; /* turns */
+  int irregular;
+} interlocked_year;
+
+INLINE interlocked_year grain_interlocked_year(const wood_constants *w, vu own, vf t) {
+  interlocked_year q;
+  vf zero = splat(0.0f), psi = t * splat(w->interlocked_frequency);
+  q.psi_t = splat(w->interlocked_frequency);
+  q.a = splat(w->interlocked_slope);
+  q.a_t = q.begin = q.begin_t = q.sb = zero;
+  q.cb = splat(1.0f);
+  q.irregular = w->interlocked_irregularity > 0.0f;
+  if (q.irregular) {
     float much = w->interlocked_irregularity;
     vu seed = wood_seed(w, own, SEED_RIBBON);
     vf slope, f = splat(w->interlocked_frequency * 1.13f);
     noise_axis at = noise_split_cubic(t * f, HASH_X);
     vf k = splat(0.45f / HASH_ONE * much);
     psi = psi + k * noise_value1(&at, seed, &slope);
-    psi_t = psi_t + k * f * slope;
-    vf fade = splat(0.35f / HASH_ONE * much) * a;
-    a = a + fade * noise_value1(&at, seed + splatu(HASH_Y), &slope);
-    a_t = fade * f * slope;
+    q.psi_t = q.psi_t + k * f * slope;
+    vf fade = splat(0.35f / HASH_ONE * much) * q.a;
+    q.a = q.a + fade * noise_value1(&at, seed + splatu(HASH_Y), &slope);
+    q.a_t = fade * f * slope;
     vf turns = splat(0.2f / HASH_ONE * much);
-    begin = turns * noise_value1(&at, seed + splatu(HASH_Z), &slope);
-    begin_t = turns * f * slope;
-    sine_cosine_turns(begin, &sb, &cb);
+    q.begin = turns * noise_value1(&at, seed + splatu(HASH_Z), &slope);
+    q.begin_t = turns * f * slope;
+    sine_cosine_turns(q.begin, &q.sb, &q.cb);
   }
-  sine_cosine_turns(psi, &st, &ct);
-  vf turns_y = y * splat(1.0f / w->interlocked_length);
-  sine_cosine_turns(irregular ? turns_y + begin : turns_y, &sy, &cy);
+  sine_cosine_turns(psi, &q.st, &q.ct);
+  return q;
+}
+
+/* Its displacement at a height, over the year's sine; cy: the long wave's cosine there. */
+INLINE vf interlocked_along(const wood_constants *w, const interlocked_year *q, vf y, vf *cy) {
+  vf sy, turns = y * splat(1.0f / w->interlocked_length);
+  sine_cosine_turns(q->irregular ? turns + q->begin : turns, &sy, cy);
+  return (q->irregular ? sy - q->sb : sy) * splat(w->interlocked_length * 0.15915494f);
+}
+
+/* How that changes with the year, mm. */
+INLINE vf interlocked_by_year(const wood_constants *w, const interlocked_year *q, vf along, vf cy) {
   vf length = splat(w->interlocked_length * 0.15915494f), tau = splat(6.2831853f);
-  vf along = (irregular ? sy - sb : sy) * length;
-  p->d = p->d + a * along * st;
-  vf slope = a * cy * st;
+  vf slope = q->a * along * q->ct * (tau * q->psi_t);
+  if (!q->irregular) return slope;
+  return slope + q->st * (q->a_t * along + q->a * (cy - q->cb) * length * tau * q->begin_t);
+}
+
+INLINE void grain_interlocked(const wood_constants *w, const interlocked_year *q, vf y,
+                              grain_place *p) {
+  vf cy, along = interlocked_along(w, q, y, &cy);
+  p->d = p->d + q->a * along * q->st;
+  vf slope = q->a * cy * q->st;
   p->g = p->g + slope;
   p->g_filtered = p->g_filtered + slope;
-  vf slope_t = a * along * ct * (tau * psi_t);
-  if (irregular) slope_t = slope_t + st * (a_t * along + a * (cy - cb) * length * tau * begin_t);
-  p->d_t = p->d_t + slope_t;
+  p->d_t = p->d_t + interlocked_by_year(w, q, along, cy);
 }
 
 /* What an octave of the slope's noise has of the wood; see fibre_octave. */

@@ -61,6 +61,7 @@ INLINE void evaluate_one(int boards, const wood_constants *restrict w, const woo
     if (w->has_slope_noise) stage_grain_noises(w, boards, k);
     stage_turn(k);
     stage_section(w, io, k);
+    stage_bolt(k);
   }
   if ((want->vessel || want->relief) && place_has_turn(w)) stage_turns(k);
   int rays = want->vessel && w->has_rays;
@@ -141,6 +142,7 @@ INLINE void evaluate_section(int boards, const wood_constants *restrict w,
   }
   EACH(stage_turn(&blocks[k]));
   EACH(stage_section(w, io, &blocks[k]));
+  EACH(stage_bolt(&blocks[k]));
 }
 
 /* Latewood under the footprint, and the fibres' brightness that it strays with. */

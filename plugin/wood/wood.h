@@ -95,6 +95,7 @@ enum {
   SEED_SPALT_MORE,
   SEED_CELL_BEND = SEED_SPALT_MORE + 4,
   SEED_SPLITS,
+  SEED_BOLTS,
   WOOD_SEEDS
 };
 
@@ -210,6 +211,7 @@ typedef struct {
   float slope_noise_size[2];                      /* mm */
   float slope_noise_years;                        /* 1/years */
   int32_t has_wave, has_wave_irregularity, has_interlocked, has_slope_noise;
+  float bolt, inverse_bolt; /* mm: of the stem, what vessels run through; 0: all of it. bolt.h */
 
   /* vessels */
   float pore_cell, inverse_pore_cell, pore_step; /* mm: side of a lattice cell; 1/mm; mm, / 2^32 */

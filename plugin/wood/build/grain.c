@@ -23,6 +23,27 @@ wood_irregular wood_irregular_of(double amount, double length, double variance) 
   };
 }
 
+/* Tangent of the angle by which what is round, or runs along a radius, leans at a bolt's ends. */
+#define BOLT_SHEAR 0.7
+#define BOLT_NEAR 25.0     /* mm: nearer to the pith spirals part more than that */
+#define BOLT_LEAST 12.0    /* mm */
+#define BOLT_MOST 100000.0 /* mm: longer than any tree */
+
+/* See bolt.h: how far fibres part, per mm of height and of radius. */
+static void build_bolts(wood_constants *w) {
+  double parts = (double)w->spiral / BOLT_NEAR;
+  if (parts < 0.0) parts = -parts;
+  if (w->has_interlocked) {
+    double years = 1.0 / (double)w->interlocked_frequency;
+    parts += (double)w->interlocked_slope * TWO_PI / (years * (double)w->ring_width);
+  }
+  if (parts * BOLT_MOST < 2.0 * BOLT_SHEAR) return;
+  double length = 2.0 * BOLT_SHEAR / parts;
+  if (length < BOLT_LEAST) length = BOLT_LEAST;
+  w->bolt = (float)length;
+  w->inverse_bolt = (float)(1.0 / length);
+}
+
 void wood_build_grain(wood_constants *w, const settings *s) {
   int grain = choice_at(s, P_GRAIN), all = grain == GRAIN_COMPOUND;
   if (all || grain == GRAIN_SPIRAL) w->spiral = (float)number_at(s, P_SPIRAL_SLOPE);
@@ -45,6 +66,7 @@ void wood_build_grain(wood_constants *w, const settings *s) {
     w->interlocked_length = (float)number_at(s, P_INTERLOCKED_LENGTH);
     w->interlocked_irregularity = (float)number_at(s, P_INTERLOCKED_IRREGULARITY);
   }
+  build_bolts(w);
   static const double weight[2] = {0.65, 0.35}, scale[2] = {1.0, 0.37};
   double most = number_at(s, P_SLOPE_NOISE), length = number_at(s, P_SLOPE_NOISE_LENGTH);
   w->has_slope_noise = most > 0.0;

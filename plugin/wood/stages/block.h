@@ -7,6 +7,7 @@
 
 #include "../../core/lanes.h"
 #include "../boards.h"
+#include "../bolt.h"
 #include "../canals.h"
 #include "../fibre.h"
 #include "../grain.h"
@@ -37,6 +38,12 @@ typedef struct {
   vf share;   /* 0..1: how far they stand in for the whole */
 } wide_rings;
 
+/* A place in a cross section of the stem. */
+typedef struct {
+  vf c, s, x, z; /* direction from the pith; mm */
+  footprint2 f;  /* over (arc, rho) there */
+} section_place;
+
 /* A block of LANES points on its way through the stages. The stages run over a
  * few blocks each before the next begins, and are short: the blocks do not wait
  * for one another, and the processor sees far enough ahead to have the next one
@@ -57,13 +64,15 @@ typedef struct {
   noise_axis at; /* the year, for the grain's noises */
   wave_phase wave;
   grain_place grain;
-  vf c, sn, x, z; /* reference section: direction and place */
-  vf turn;        /* of the direction, over 2 pi */
-  vf fibre[3];    /* direction, log space */
-  vf sine;        /* of the dive angle */
-  vf b[3], bn;    /* row of the map from surface to rho; that along the normal */
-  vf reach;       /* mm: rings_extent */
-  footprint2 f;   /* over (arc, rho) of the reference section */
+  section_place section; /* in the reference section */
+  vf radius;             /* mm: in either section */
+  section_place bolt;    /* and where what grows in a bolt of the stem is looked up, */
+  bolt_at in;            /* only if it is elsewhere in some lane */
+  vf turn;               /* of the direction, over 2 pi */
+  vf fibre[3];           /* direction, log space */
+  vf sine;               /* of the dive angle */
+  vf b[3], bn;           /* row of the map from surface to rho; that along the normal */
+  vf reach;              /* mm: rings_extent */
   disc pore;
   vessel_cover_t vessels;
   int pores_parted, rows_parted; /* these have been looked up in parts */
@@ -102,6 +111,11 @@ INLINE void store_lanes(const wood_io *io, int channel, const block *k, vf x) {
   store(io->out[channel] + k->o, x);
 }
 #endif
+
+/* Where vessels, rays and cells are. */
+INLINE const section_place *grown_at(const block *k) {
+  return k->in.moved ? &k->bolt : &k->section;
+}
 
 /* The board's offset to the seeds. */
 INLINE vu own_of(int boards, const block *k) { return boards ? k->board.own : splatu(0); }

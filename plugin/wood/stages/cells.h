@@ -26,9 +26,9 @@ INLINE void stage_cells(const wood_constants *w, int boards, block *k) {
   }
   if (!any(gt(k->cover, splat(0.0f)))) return;
   vu own = own_of(boards, k);
-  k->lining = k->cover * cells_rims(w, own, k->x, k->p[1], k->z, k->s, k->extent);
+  k->lining = k->cover * cells_rims(w, own, place.x, k->p[1], place.z, k->s, k->extent);
   if (w->rows) {
-    vf within = cells_tyloses(w, own, k->x, k->p[1], k->z, k->s);
+    vf within = cells_tyloses(w, own, place.x, k->p[1], place.z, k->s);
     k->lining = k->lining + k->vessels.rows * within;
   }
 }

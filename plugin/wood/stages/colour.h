@@ -26,7 +26,8 @@ INLINE season_shares season_shares_of(const wood_constants *w, const block *k) {
   vf season = k->late;
   if (w->has_eyes) season = season + (one - season) * vmin(k->stem.eye, one);
   vf late = season * (one - vmin(k->over_late, one));
-  if (w->has_canals) late = canals_leave(w, &k->canal, k->f.bb, k->ring.inverse_width, late);
+  if (w->has_canals)
+    late = canals_leave(w, &k->canal, k->section.f.bb, k->ring.inverse_width, late);
   late = clamp(late, zero, vmax(one - k->cover, zero));
   vf shift = w->has_eyes ? k->shift * (one - splat(EYE_STAIN) * vmin(k->stem.eye, one)) : k->shift;
   return (season_shares){vmax(one - k->cover - late, zero) * shift, late * shift};
@@ -34,7 +35,8 @@ INLINE season_shares season_shares_of(const wood_constants *w, const block *k) {
 
 /* The colours of both, of heartwood with its pigment or of sapwood. */
 INLINE void season_colours(const wood_constants *w, const block *k, vf early[3], vf late[3]) {
-  vf heart = heart_share(w, k->years, k->c, k->sn, vsqrt(k->f.bb) * k->ring.inverse_width);
+  vf heart = heart_share(w, k->years, k->section.c, k->section.s,
+                         vsqrt(k->section.f.bb) * k->ring.inverse_width);
   vm pale = lt(heart, splat(1.0f));
   UNROLL(3)
   for (int c = 0; c < 3; c++) {

@@ -26,8 +26,8 @@ INLINE void stage_reach(const wood_constants *w, int boards, const wood_io *io, 
   stem_row(k);
   vf b[3] = {k->b[0], k->b[1], k->b[2]};
   if (reach_is_plain(w, boards, k)) {
-    k->f.bb = footprint_along(b, k->nrm, !io->in->normal[0], &k->bn) * (k->s * k->s);
-    k->reach = vsqrt(k->f.bb + splat(12.0f) * k->stem.lost);
+    k->section.f.bb = footprint_along(b, k->nrm, !io->in->normal[0], &k->bn) * (k->s * k->s);
+    k->reach = vsqrt(k->section.f.bb + splat(12.0f) * k->stem.lost);
     return;
   }
   if (boards && w->plies.count) ply_squeeze(&k->board, b);
@@ -86,16 +86,30 @@ INLINE footprint2 footprint_after_reach(const wood_constants *w, int boards, con
   int ball = !io->in->normal[0];
   vf a[3], an, q = k->s * k->s;
   section_arc_row(k, a);
-  footprint2 f = {footprint_along(a, k->nrm, ball, &an) * q, a[0] * k->b[0], k->f.bb};
+  footprint2 f = {footprint_along(a, k->nrm, ball, &an) * q, a[0] * k->b[0], k->section.f.bb};
   f.ab = f.ab + a[1] * k->b[1] + a[2] * k->b[2];
   if (!ball) f.ab = f.ab - an * k->bn;
   f.ab = f.ab * q;
   return f;
 }
 
+/* By how much less the arc shears along rho in the bolt. */
+INLINE vf bolt_shear(const block *k) {
+  vf rho = k->stem.rho, turn = k->in.d * k->divisor;
+  vf shear = rho * ((k->in.d_t * k->ring.inverse_width - turn * rho * k->divisor) * k->divisor);
+  return k->knot ? sel(gt(k->knot->inside, splat(0.0f)), splat(0.0f), shear) : shear;
+}
+
+/* With the arc's row changed by so much of rho's. */
+INLINE footprint2 footprint_in_bolt(const footprint2 *f, vf shear) {
+  vf ab = f->ab + shear * f->bb;
+  return (footprint2){vmax(f->aa + shear * (f->ab + ab), splat(0.0f)), ab, f->bb};
+}
+
 INLINE void stage_section_footprint(const wood_constants *w, int boards, const wood_io *io,
                                     block *k) {
-  k->f = footprint_after_reach(w, boards, io, k);
+  k->section.f = footprint_after_reach(w, boards, io, k);
+  if (k->in.moved) k->bolt.f = footprint_in_bolt(&k->section.f, bolt_shear(k));
 }
 
 #endif

@@ -11,6 +11,8 @@
 #include "knots.h"
 
 INLINE void stage_years(const wood_constants *w, int boards, block *k) {
+  k->in.moved = 0;
+  if (w->bolt > 0.0f) k->in = bolt_find(w, own_of(boards, k), k->p);
   k->grain = grain_spiral(w, k->p[1]);
   k->at = grain_years(w, k->years);
   if (w->has_wave && w->has_wave_irregularity) {
@@ -27,7 +29,9 @@ INLINE void stage_wave(const wood_constants *w, block *k) {
 }
 
 INLINE void stage_interlocked(const wood_constants *w, int boards, block *k) {
-  grain_interlocked(w, own_of(boards, k), k->p[1], k->years, &k->grain);
+  interlocked_year q = grain_interlocked_year(w, own_of(boards, k), k->years);
+  grain_interlocked(w, &q, k->p[1], &k->grain);
+  if (k->in.moved) bolt_interlocked(w, &q, &k->in);
 }
 
 INLINE void stage_grain_noise(const grain_octave *q, int boards, block *k) {
@@ -44,18 +48,36 @@ INLINE void stage_turn(block *k) {
   k->phase = k->grain.d * k->divisor;
   vf s, c;
   sine_cosine(k->knot ? k->phase - k->knot->turn : k->phase, &s, &c);
-  k->c = k->stem.c * c + k->stem.s * s;
-  k->sn = k->stem.s * c - k->stem.c * s;
+  k->section.c = k->stem.c * c + k->stem.s * s;
+  k->section.s = k->stem.s * c - k->stem.c * s;
 }
 
 INLINE void stage_section(const wood_constants *w, const wood_io *io, block *k) {
   vf unused;
-  vf radius = k->stem.rho * (splat(1.0f) + outline_at(w, k->c, k->sn, &unused));
-  k->x = radius * k->c;
-  k->z = radius * k->sn;
+  k->radius = k->stem.rho * (splat(1.0f) + outline_at(w, k->section.c, k->section.s, &unused));
+  k->section.x = k->radius * k->section.c;
+  k->section.z = k->radius * k->section.s;
   if (k->knot) stage_knot_section(k);
-  store_lanes(io, WOOD_REFERENCE, k, k->x);
-  store_lanes(io, WOOD_REFERENCE + 1, k, k->z);
+  store_lanes(io, WOOD_REFERENCE, k, k->section.x);
+  store_lanes(io, WOOD_REFERENCE + 1, k, k->section.z);
+}
+
+/* The same in the point's bolt. In a knot there is but the branch's own. */
+INLINE void stage_bolt(block *k) {
+  if (!k->in.moved) return;
+  vf s, c, turn = (k->grain.d - k->in.d) * k->divisor + k->in.turn;
+  sine_cosine(k->knot ? turn - k->knot->turn : turn, &s, &c);
+  section_place *q = &k->bolt;
+  q->c = k->stem.c * c + k->stem.s * s;
+  q->s = k->stem.s * c - k->stem.c * s;
+  q->x = k->radius * q->c;
+  q->z = k->radius * q->s;
+  if (!k->knot) return;
+  vm in = gt(k->knot->inside, splat(0.0f));
+  q->c = sel(in, k->section.c, q->c);
+  q->s = sel(in, k->section.s, q->s);
+  q->x = sel(in, k->section.x, q->x);
+  q->z = sel(in, k->section.z, q->z);
 }
 
 #endif

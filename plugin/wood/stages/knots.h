@@ -49,10 +49,10 @@ INLINE void stage_knot_section(block *k) {
   vm in = gt(q->inside, splat(0.0f));
   if (!any(in)) return;
   vf turn = inverse_root(vmax(q->a * q->a + q->h * q->h, splat(1e-6f)));
-  k->x = sel(in, q->a, k->x);
-  k->z = sel(in, q->h, k->z);
-  k->c = sel(in, q->a * turn, k->c);
-  k->sn = sel(in, q->h * turn, k->sn);
+  k->section.x = sel(in, q->a, k->section.x);
+  k->section.z = sel(in, q->h, k->section.z);
+  k->section.c = sel(in, q->a * turn, k->section.c);
+  k->section.s = sel(in, q->h * turn, k->section.s);
 }
 
 /* Near knots rho and theta' both depend on all three coordinates: slopes along

@@ -16,9 +16,10 @@ INLINE void stage_picture(const wood_constants *w, int boards, const wood_io *io
   const stem_place *stem = &k->stem;
   stem_row(k);
   footprint2 f = footprint_in_section(w, boards, io, k);
-  vf unused, widen = splat(1.0f) + outline_at(w, k->c, k->sn, &unused);
-  picture_place p = picture_fold(w, k->x, k->z, k->c, k->sn, stem->rho);
-  picture_albedo(w, &p, k->c, k->sn, widen, &f, k->n, k->albedo);
+  vf unused, widen = splat(1.0f) + outline_at(w, k->section.c, k->section.s, &unused);
+  picture_place p =
+      picture_fold(w, k->section.x, k->section.z, k->section.c, k->section.s, stem->rho);
+  picture_albedo(w, &p, k->section.c, k->section.s, widen, &f, k->n, k->albedo);
   store_lanes(io, WOOD_LATEWOOD, k, picture_late(w, k->albedo));
   store_lanes(io, WOOD_VESSEL, k, splat(0.0f));
   k->ray = splat(0.0f);

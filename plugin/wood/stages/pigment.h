@@ -12,7 +12,7 @@
 /* Streaks of minerals along the fibre: a stain, which is no deeper where two
  * meet. */
 static __attribute__((noinline)) void stage_streaks(const wood_constants *w, int boards, block *k) {
-  vessel_place place = vessel_place_of(boards, k);
+  vessel_place place = place_in(boards, &k->section, k);
   vf left;
   trough_sum g =
       tubes_over(&w->streaks, wood_seed(w, place.own, SEED_STREAKS), &place, k->p[1], &left);
@@ -20,8 +20,8 @@ static __attribute__((noinline)) void stage_streaks(const wood_constants *w, int
 }
 
 INLINE void stage_pigment(const wood_constants *w, int boards, block *k) {
-  k->pigment =
-      pigment_at(w, own_of(boards, k), k->stem.rho, vsqrt(k->f.bb), k->x, k->z, k->f.aa + k->f.bb);
+  k->pigment = pigment_at(w, own_of(boards, k), k->stem.rho, vsqrt(k->section.f.bb), k->section.x,
+                          k->section.z, k->section.f.aa + k->section.f.bb);
 }
 
 #endif

@@ -10,11 +10,12 @@
 
 /* Put together in each stage, of which each needs another part. */
 INLINE ray_place ray_place_here(int boards, const block *k) {
+  const footprint2 *f = &grown_at(k)->f;
   return (ray_place){.rho = k->stem.rho,
                      .y = k->p[1],
-                     .aa = k->f.aa,
-                     .ab = k->f.ab,
-                     .bb = k->f.bb,
+                     .aa = f->aa,
+                     .ab = f->ab,
+                     .bb = f->bb,
                      .along = k->extent,
                      .at = k->ray_from,
                      .own = own_of(boards, k)};

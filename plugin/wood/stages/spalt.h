@@ -10,12 +10,15 @@
 
 INLINE void stage_spalt(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf a[3], b[3];
-  spalt_eye q = {.at = {k->x, k->p[1], k->z}, .n = k->nrm, .ball = !io->in->normal[0], .s = k->s};
+  spalt_eye q = {.at = {k->section.x, k->p[1], k->section.z},
+                 .n = k->nrm,
+                 .ball = !io->in->normal[0],
+                 .s = k->s};
   section_rows(k, a, b);
   for (int c = 0; c < 3; c++) {
-    q.row[0][c] = k->c * b[c] - k->sn * a[c];
+    q.row[0][c] = k->section.c * b[c] - k->section.s * a[c];
     q.row[1][c] = splat(c == 1 ? 1.0f : 0.0f);
-    q.row[2][c] = k->sn * b[c] + k->c * a[c];
+    q.row[2][c] = k->section.s * b[c] + k->section.c * a[c];
   }
   if (boards && w->plies.count) {
     for (int c = 0; c < 3; c++) ply_squeeze(&k->board, q.row[c]);

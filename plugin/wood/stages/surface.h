@@ -63,33 +63,59 @@ INLINE void surface_marks(const wood_constants *w, int boards, const wood_io *io
   relief_add(r, splat(1.0f), turned);
 }
 
-/* Where the point is for wear and grooves. */
-INLINE void surface_place_of(const wood_constants *w, int boards, const wood_io *io, block *k,
+/* The way back to log space from a place in a section, whose arc has the row a: of x and z, which
+ * are the radius, `widen` of rho and growing by `slope` along the arc of the reference section,
+ * times the direction. */
+INLINE void surface_section_of(int boards, const block *k, const section_place *q, vf widen,
+                               vf slope, const vf reference[3], const vf a[3], const vf b[3],
+                               surface_section *p) {
+  vf xr = widen * q->c, zr = widen * q->s, xs = slope * q->c, zs = slope * q->s;
+  for (int c = 0; c < 3; c++) {
+    p->arc[c] = a[c];
+    p->along_x[c] = b[c] * xr + (reference[c] * xs - a[c] * zr);
+    p->along_z[c] = b[c] * zr + (reference[c] * zs + a[c] * xr);
+  }
+  p->place = place_in(boards, q, k);
+}
+
+/* Both sections. */
+INLINE void surface_sections(const wood_constants *w, int boards, const wood_io *io, block *k,
                              surface_place *p) {
-  stem_row(k);
-  vf slope, one = splat(1.0f), widen = one + outline_at(w, k->c, k->sn, &slope);
-  vf rho2 = splat(0.0f), along_normal = rho2, b[3];
-  section_rows(k, p->arc, b);
-  k->f = footprint_in_section(w, boards, io, k);
+  vf slope, one = splat(1.0f), widen = one + outline_at(w, k->section.c, k->section.s, &slope);
+  vf a[3], b[3], turned[3];
+  section_rows(k, a, b);
+  k->section.f = footprint_in_section(w, boards, io, k);
   if (k->knot) {
     /* a branch's section is round */
     vm in = gt(k->knot->inside, splat(0.0f));
     widen = sel(in, one, widen);
     slope = sel(in, splat(0.0f), slope);
   }
-  vf xr = widen * k->c, zr = widen * k->sn;
-  vf xa = slope * k->c - zr, za = slope * k->sn + xr;
+  surface_section_of(boards, k, &k->section, widen, slope, a, a, b, &p->stem);
+  p->grown = &p->stem;
+  if (!k->in.moved) return;
+  vf shear = bolt_shear(k);
+  for (int c = 0; c < 3; c++) turned[c] = a[c] + shear * b[c];
+  k->bolt.f = footprint_in_bolt(&k->section.f, shear);
+  surface_section_of(boards, k, &k->bolt, widen, slope, a, turned, b, &p->bolt);
+  p->grown = &p->bolt;
+}
+
+/* Where the point is for wear and grooves. */
+INLINE void surface_place_of(const wood_constants *w, int boards, const wood_io *io, block *k,
+                             surface_place *p) {
+  stem_row(k);
+  vf one = splat(1.0f), rho2 = splat(0.0f), along_normal = rho2;
+  surface_sections(w, boards, io, k, p);
   for (int c = 0; c < 3; c++) {
     p->rho[c] = k->b[c];
-    p->along_x[c] = b[c] * xr + p->arc[c] * xa;
-    p->along_z[c] = b[c] * zr + p->arc[c] * za;
     rho2 = rho2 + k->b[c] * k->b[c];
     along_normal = along_normal + k->b[c] * k->nrm[c];
   }
-  p->place = vessel_place_of(boards, k);
   p->y = k->p[1];
   p->s = k->s;
   stage_reach(w, boards, io, k);
+  if (k->in.moved) k->bolt.f.bb = k->section.f.bb;
   p->reach = k->reach;
   if (io->in->normal[0]) rho2 = vmax(rho2 - along_normal * along_normal, splat(0.0f));
   p->across_rho2 = rho2;

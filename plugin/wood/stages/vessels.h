@@ -9,9 +9,12 @@
 #include "../vessels_row_box.h"
 #include "rings.h"
 
-INLINE vessel_place vessel_place_of(int boards, const block *k) {
+INLINE vessel_place place_in(int boards, const section_place *q, const block *k) {
   return (vessel_place){
-      k->x, k->z, k->c, k->sn, k->turn, k->stem.rho, k->ring, k->f, own_of(boards, k)};
+      q->x, q->z, q->c, q->s, k->turn, k->stem.rho, k->ring, q->f, own_of(boards, k)};
+}
+INLINE vessel_place vessel_place_of(int boards, const block *k) {
+  return place_in(boards, grown_at(k), k);
 }
 
 /* Long footprints here; what is within one tap goes through the stages after this one. */
@@ -19,8 +22,9 @@ INLINE void stage_vessel_parts(const wood_constants *w, int boards, block *k) {
   vf zero = splat(0.0f);
   k->vessels = (vessel_cover_t){zero, zero, zero, zero};
   k->pores_parted = k->rows_parted = 0;
-  vm none = lt(zero, zero), pores = w->has_pores ? pores_cut(w, &k->f) : none;
-  vm rows = w->rows ? rows_cut(w, &k->f) : none, meet = w->rows ? rows_meet(w, &k->f) : none;
+  const footprint2 *f = &grown_at(k)->f;
+  vm none = lt(zero, zero), pores = w->has_pores ? pores_cut(w, f) : none;
+  vm rows = w->rows ? rows_cut(w, f) : none, meet = w->rows ? rows_meet(w, f) : none;
   if (!any(or_(pores, or_(rows, meet)))) return;
   vessel_place place = vessel_place_of(boards, k);
   k->pores_parted = any(pores);
@@ -29,17 +33,18 @@ INLINE void stage_vessel_parts(const wood_constants *w, int boards, block *k) {
   if (k->rows_parted) rows_in_parts(w, &place, rows, &k->vessels);
 }
 
-INLINE void stage_turns(block *k) { k->turn = place_turn(k->c, k->sn); }
+INLINE void stage_turns(block *k) { k->turn = place_turn(grown_at(k)->c, grown_at(k)->s); }
 
 INLINE void stage_disc(const wood_constants *w, int boards, block *k) {
   if (k->pores_parted || !w->has_pores) return;
   vessel_place place = vessel_place_of(boards, k);
-  k->pore = pores_disc(w, &place, k->f.aa, k->f.ab, k->f.bb);
+  k->pore = pores_disc(w, &place, place.f.aa, place.f.ab, place.f.bb);
 }
 
 INLINE void stage_pores(const wood_constants *w, int boards, block *k) {
   if (k->pores_parted || !w->has_pores) return;
-  k->vessels.pores = pores_cover(w, own_of(boards, k), k->x, k->z, &k->pore);
+  const section_place *q = grown_at(k);
+  k->vessels.pores = pores_cover(w, own_of(boards, k), q->x, q->z, &k->pore);
 }
 
 INLINE void stage_rows(const wood_constants *w, int boards, block *k) {
@@ -47,7 +52,7 @@ INLINE void stage_rows(const wood_constants *w, int boards, block *k) {
   vessel_place place = vessel_place_of(boards, k);
   row_place row = row_of(w, &place);
   if (!any(row.near)) return;
-  disc d = rows_disc(w, k->f.aa, k->f.ab, k->f.bb);
+  disc d = rows_disc(w, place.f.aa, place.f.ab, place.f.bb);
   vf zero = splat(0.0f);
   k->vessels.rows = rows_cover(w, &row, k->stem.rho, zero, zero, &d);
 }

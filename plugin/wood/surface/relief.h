@@ -12,16 +12,24 @@
 #include "splits.h"
 #include "wear.h"
 
+/* A place in a section, with its footprint. */
+typedef struct {
+  vessel_place place;
+  vf along_x[3], along_z[3]; /* gradients of the section's x and z over log space, */
+  vf arc[3];                 /* and of its arc */
+} surface_section;
+
 /* The point, as the other stages have found it. */
 typedef struct {
-  vessel_place place;        /* in the reference section, with its footprint */
-  vf y;                      /* log space */
-  vf along_x[3], along_z[3]; /* gradients of the section's x and z over log space, */
-  vf arc[3], rho[3];         /* of its arc, and of rho */
-  vf reach;                  /* mm: what the footprint spans along rho */
-  vf across_rho2;            /* square of rho's gradient within the surface */
-  vf s;                      /* mm: the footprint */
-  vf end;                    /* 0..1: how far the face is end grain */
+  surface_section stem;         /* in the reference section; */
+  surface_section bolt;         /* in the point's bolt, where that is elsewhere: bolt.h */
+  const surface_section *grown; /* and of the two where vessels are */
+  vf y;                         /* log space */
+  vf rho[3];                    /* gradient of rho */
+  vf reach;                     /* mm: what the footprint spans along rho */
+  vf across_rho2;               /* square of rho's gradient within the surface */
+  vf s;                         /* mm: the footprint */
+  vf end;                       /* 0..1: how far the face is end grain */
 } surface_place;
 
 typedef struct {
@@ -37,9 +45,9 @@ INLINE void relief_add(surface_relief *r, vf k, const vf g[3]) {
 
 /* Mean square slope within the surface of what has slope2 over the section:
  * half of it along each axis there. */
-INLINE vf relief_within(const surface_place *p, vf slope2) {
+INLINE vf relief_within(const surface_place *p, const surface_section *q, vf slope2) {
   vf per = splat(1.0f) / vmax(p->s * p->s, splat(1e-12f));
-  return splat(0.5f) * slope2 * (p->place.f.aa + p->place.f.bb) * per;
+  return splat(0.5f) * slope2 * (q->place.f.aa + q->place.f.bb) * per;
 }
 
 INLINE void relief_wear(const wood_constants *w, const surface_place *p, surface_relief *r) {
@@ -47,28 +55,30 @@ INLINE void relief_wear(const wood_constants *w, const surface_place *p, surface
   vf zero = splat(0.0f), one = splat(1.0f), late = zero, slope = zero;
   if (m->erosion > 0.0f) {
     vf k = splat(m->erosion), e = vsqrt(p->reach * p->reach + splat(m->soft * m->soft));
-    late = wear_average(w, &p->place.ring, p->place.rho, e, &slope);
+    late = wear_average(w, &p->stem.place.ring, p->stem.place.rho, e, &slope);
     r->height = r->height + k * (late - one);
     relief_add(r, k * slope, p->rho);
     vf gone = vmax(splat(m->wear_slope2[0]) - wear_slope2(m, e), zero);
     r->lost = r->lost + k * k * gone * p->across_rho2;
   }
   if (m->fibre[0].height == 0.0f) return;
-  vf dx, dz, lost, extent = vsqrt(p->place.f.aa + p->place.f.bb);
-  vf n = wear_fibres(w, p->place.own, p->place.x, p->place.z, extent, &dx, &dz, &lost);
+  vf dx, dz, lost, extent = vsqrt(p->stem.place.f.aa + p->stem.place.f.bb);
+  vf n =
+      wear_fibres(w, p->stem.place.own, p->stem.place.x, p->stem.place.z, extent, &dx, &dz, &lost);
   /* latewood keeps its fibres */
   vf fall = splat(m->fibre_late - 1.0f), share = one + fall * late;
   r->height = r->height + share * n;
   r->dark = r->dark - splat(m->fibre_stain) * share * n;
-  relief_add(r, share * dx, p->along_x);
-  relief_add(r, share * dz, p->along_z);
+  relief_add(r, share * dx, p->stem.along_x);
+  relief_add(r, share * dz, p->stem.along_z);
   relief_add(r, n * fall * slope, p->rho);
-  r->lost = r->lost + share * share * relief_within(p, lost + lost);
+  r->lost = r->lost + share * share * relief_within(p, &p->stem, lost + lost);
 }
 
 INLINE void relief_vessels(const wood_constants *w, const surface_place *p, surface_relief *r) {
   const wood_surface *m = &w->surface;
-  const vessel_place *v = &p->place;
+  const surface_section *q = p->grown;
+  const vessel_place *v = &q->place;
   vf zero = splat(0.0f), one = splat(1.0f);
   /* past what the nearest cells answer the mean takes over */
   vf e2 = v->f.aa + v->f.bb;
@@ -80,11 +90,11 @@ INLINE void relief_vessels(const wood_constants *w, const surface_place *p, surf
       disc d = pores_disc(w, v, v->f.aa, v->f.ab, v->f.bb);
       trough_sum g = grooves_pores(w, v->own, v->x, v->z, &d);
       r->height = r->height - k * g.depth;
-      relief_add(r, zero - k * g.x, p->along_x);
-      relief_add(r, zero - k * g.z, p->along_z);
+      relief_add(r, zero - k * g.x, q->along_x);
+      relief_add(r, zero - k * g.z, q->along_z);
       left = trough_left(&d) * (one - faded) * (one - faded);
     }
-    r->lost = r->lost + relief_within(p, splat(m->pores.slope2) * (one - left));
+    r->lost = r->lost + relief_within(p, q, splat(m->pores.slope2) * (one - left));
   }
   if (m->rows.depth > 0.0f) {
     row_place row = row_of(w, v);
@@ -97,10 +107,10 @@ INLINE void relief_vessels(const wood_constants *w, const surface_place *p, surf
     if (any(and_(lt(faded, one), row.near))) {
       trough_sum g = grooves_rows(w, &row, v->rho, zero, zero, &d);
       r->height = r->height - k * g.depth;
-      relief_add(r, zero - k * g.x, p->arc);
+      relief_add(r, zero - k * g.x, q->arc);
       relief_add(r, zero - k * g.z, p->rho);
     }
-    r->lost = r->lost + relief_within(p, splat(m->rows.slope2) * (one - left));
+    r->lost = r->lost + relief_within(p, q, splat(m->rows.slope2) * (one - left));
   }
 }
 
@@ -108,13 +118,14 @@ INLINE void relief_checks(const wood_constants *w, const surface_place *p, surfa
   const wood_surface *m = &w->surface;
   if (m->check_depth <= 0.0f) return;
   vf left, slope = splat(-m->check_depth), one = splat(1.0f);
-  trough_sum g =
-      tubes_over(&m->checks, wood_seed(w, p->place.own, SEED_CHECKS), &p->place, p->y, &left);
-  relief_add(r, slope * g.x, p->along_x);
-  relief_add(r, slope * g.z, p->along_z);
+  trough_sum g = tubes_over(&m->checks, wood_seed(w, p->stem.place.own, SEED_CHECKS),
+                            &p->stem.place, p->y, &left);
+  relief_add(r, slope * g.x, p->stem.along_x);
+  relief_add(r, slope * g.z, p->stem.along_z);
   r->slope[1] = r->slope[1] + slope * g.y;
   r->height = r->height + slope * g.depth;
-  r->lost = r->lost + slope * slope * relief_within(p, splat(m->checks.slope2) * (one - left));
+  r->lost =
+      r->lost + slope * slope * relief_within(p, &p->stem, splat(m->checks.slope2) * (one - left));
   r->dark = vmin(r->dark + splat(m->check_dark) * g.depth, one);
 }
 
@@ -125,15 +136,16 @@ INLINE void relief_splits(const wood_constants *w, const surface_place *p, surfa
   /* the ends of plies are too thin to split */
   if (m->split_depth <= 0.0f || w->plies.count) return;
   if (!any(gt(p->end, splat(0.0f)))) return;
-  vf turn = place_turn(p->place.c, p->place.s), reach = vsqrt(p->place.f.aa) * splat(0.5f);
+  vf turn = place_turn(p->stem.place.c, p->stem.place.s),
+     reach = vsqrt(p->stem.place.f.aa) * splat(0.5f);
   vi unused;
   turn = turn - vfloor(turn, &unused);
   reach = vmax(reach, splat(0.01f));
-  vu seed = wood_seed(w, p->place.own, SEED_SPLITS);
+  vu seed = wood_seed(w, p->stem.place.own, SEED_SPLITS);
   for (int layer = 0; layer < SPLIT_LAYERS; layer++) {
-    split_place q = split_layer(m, seed, layer, turn, p->place.rho, reach);
+    split_place q = split_layer(m, seed, layer, turn, p->stem.place.rho, reach);
     vf k = splat(m->split_depth) * p->end;
-    relief_add(r, splat(0.0f) - k * q.arc, p->arc);
+    relief_add(r, splat(0.0f) - k * q.arc, p->stem.arc);
     relief_add(r, splat(0.0f) - k * q.rho, p->rho);
     r->height = r->height - k * q.depth;
     r->lost = r->lost + k * k * q.lost;
@@ -149,12 +161,13 @@ INLINE void relief_cracks(const wood_constants *w, const surface_place *p, surfa
   vf keep = one - smooth_step(splat(0.3f * size), splat(1.2f * size), p->s);
   vf left = zero, depth = splat(m->crack_mean), dark = splat(m->crack_dark);
   if (any(gt(keep, zero))) {
-    crack_place c = cracks_at(w, p->place.own, p->place.x, p->y, p->place.z, splat(0.5f) * p->s);
+    crack_place c =
+        cracks_at(w, p->stem.place.own, p->stem.place.x, p->y, p->stem.place.z, splat(0.5f) * p->s);
     depth = mix(depth, c.depth, keep);
     dark = mix(dark, c.dark, keep);
     vf slope = zero - k * keep;
-    relief_add(r, slope * c.x, p->along_x);
-    relief_add(r, slope * c.z, p->along_z);
+    relief_add(r, slope * c.x, p->stem.along_x);
+    relief_add(r, slope * c.z, p->stem.along_z);
     r->slope[1] = r->slope[1] + slope * c.y;
     /* share^2 of the slope's square is left, over share^-1 of the area */
     vf share = splat(m->crack_width) / (splat(m->crack_width) + splat(0.5f) * p->s);
