@@ -28,7 +28,14 @@ typedef struct {
   vf cosine;    /* to the normal, above the surface */
   vf sine, psi; /* of the inclination to the fibre, below */
   vf through;   /* what the surface lets through */
+  vf d[3];      /* itself */
 } cone_ray;
+
+/* Slopes of fibres that the footprint averages: their variance along the radius (c, s), and round
+ * the stem. */
+typedef struct {
+  vf c, s, out, around;
+} cone_lost;
 
 /* Fresnel's reflectance of a dielectric, unpolarised; cosine and the refracted
  * one. */
@@ -56,7 +63,10 @@ INLINE cone_ray cone_enter(const wood_constants *w, const vf d[3], const vf n[3]
   vf ct = cone_refracted(w, r.cosine);
   vf shift = ct - r.cosine * k;
   vf s = splat(0.0f);
-  for (int c = 0; c < 3; c++) s = s + (d[c] * k + n[c] * shift) * f[c];
+  for (int c = 0; c < 3; c++) {
+    r.d[c] = d[c] * k + n[c] * shift;
+    s = s + r.d[c] * f[c];
+  }
   r.sine = clamp(s, splat(-1.0f), one);
   r.psi = arcsin(r.sine);
   r.through = coat_through(w, r.cosine, ct);
@@ -119,12 +129,24 @@ INLINE vf coat_highlight(const wood_constants *w, const vf l[3], const vf v[3], 
   return sel(gt(ci, splat(0.0f)), r, splat(0.0f));
 }
 
+/* The variance of psi_r + psi_i. A fibre that leans by a slope along e changes a direction's sine
+ * by that times its part along e, and psi by as much over its cosine. */
+INLINE vf cone_spread(const cone_ray *i, const cone_ray *r, const cone_lost *lost) {
+  vf one = splat(1.0f), least = splat(0.05f), out, around;
+  vf ki = inverse_root(vmax(one - i->sine * i->sine, least)),
+     kr = inverse_root(vmax(one - r->sine * r->sine, least));
+  vf x = i->d[0] * ki + r->d[0] * kr, z = i->d[2] * ki + r->d[2] * kr;
+  out = x * lost->c + z * lost->s;
+  around = z * lost->c - x * lost->s;
+  return lost->out * out * out + lost->around * around * around;
+}
+
 /* Radiance towards v under l, for light_colour 1. sine: of the dive angle.
- * variance: of the slopes that the footprint averages. coat2: the coat's alpha,
+ * lost: slopes that the footprint averages, or NULL for none. coat2: the coat's alpha,
  * squared. */
 INLINE void cone_radiance(const wood_constants *w, const vf l[3], const vf v[3], const vf n[3],
-                          const vf f[3], vf sine, vf variance, vf coat2, const vf albedo[3],
-                          vf out[3]) {
+                          const vf f[3], vf sine, const cone_lost *lost, vf coat2,
+                          const vf albedo[3], vf out[3]) {
   vf one = splat(1.0f), zero = splat(0.0f);
   cone_ray i = cone_enter(w, l, n, f), r = cone_enter(w, v, n, f);
   vf flip = sel(lt(sine, zero), splat(-1.0f), one);
@@ -132,8 +154,8 @@ INLINE void cone_radiance(const wood_constants *w, const vf l[3], const vf v[3],
   vf ei = cone_reflectance(w, i.sine * flip, &dive), er = cone_reflectance(w, r.sine * flip, &dive);
   vf mean = cone_along(w->cone_mean, &dive), scale = cone_along(w->cone_scale, &dive);
 
-  /* a slope that the footprint averages turns both psi alike */
-  vf width2 = splat(w->cone_width * w->cone_width) + splat(4.0f) * variance;
+  vf width2 = splat(w->cone_width * w->cone_width);
+  if (lost) width2 = width2 + cone_spread(&i, &r, lost);
   vf root = inverse_root(width2), across = r.psi + i.psi;
   vf g = splat(0.39894228f) * root * exp2_(splat(-0.72134752f) * across * across * root * root);
   vf cd = vsqrt((one - i.sine * i.sine) * (one - r.sine * r.sine)) + i.sine * r.sine;

@@ -20,10 +20,7 @@ INLINE void stage_lobe(const wood_constants *w, int boards, const wood_io *io, b
   vf variance = k->grain.variance + k->stem.lost_slope;
   vm widened = gt(variance * k->exponent, splat(1e-4f));
   if (any(widened)) {
-    vf across = k->nrm[2] * k->stem.c - k->nrm[0] * k->stem.s;
-    vf out = k->nrm[0] * k->stem.c + k->nrm[2] * k->stem.s;
-    vf lost = k->grain.variance * across * across + k->stem.lost_slope * out * out;
-    vf wide = one / (one + k->exponent * lost);
+    vf wide = one / (one + k->exponent * lost_towards_normal(k));
     wide = sel(widened, wide, one);
     k->exponent = k->exponent * wide;
     k->strength = k->strength * vsqrt(wide);

@@ -48,6 +48,14 @@ INLINE void view_of(const wood_constants *w, int boards, const wood_io *io, cons
   for (int c = 0; c < 3; c++) out[c] = sel(given, turned[c], k->nrm[c]);
 }
 
+/* Of the fibres' slopes that the footprint averages, the variance of how far they dive: what goes
+ * round the stem dives where the face is along the radius, and the other way round. */
+INLINE vf lost_towards_normal(const block *k) {
+  vf across = k->nrm[2] * k->stem.c - k->nrm[0] * k->stem.s;
+  vf out = k->nrm[0] * k->stem.c + k->nrm[2] * k->stem.s;
+  return k->grain.variance * across * across + k->stem.lost_slope * out * out;
+}
+
 /* Of the coat's facets, squared: its own, and the slopes that the footprint averages over. */
 INLINE vf coat_alpha2(const wood_constants *w, const block *k) {
   vf alpha2 = splat(w->coat_alpha * w->coat_alpha);
