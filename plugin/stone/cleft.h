@@ -45,7 +45,7 @@ INLINE vf cleft_octave(const vf at[3], vf s, vu seed, int o, vf g[3], vf *keep) 
  * out of its variance along one axis, and the height's variance. Under a footprint a step is as
  * wide as that is: exact where a step is much narrower or much wider, and between them as a
  * smooth step's width is the root of both squares. */
-INLINE vf cleft_family(const stone_constants *w, int family, const vf p[3], vf s, vf slope[3],
+STAGE vf cleft_family(const stone_constants *w, int family, const vf p[3], vf s, vf slope[3],
                        vf *lost, vf *square) {
   const stone_cleft *c = &w->cleft[family];
   const vf zero = splat(0.0f), one = splat(1.0f), f = splat(c->frequency);
@@ -73,7 +73,7 @@ INLINE vf cleft_family(const stone_constants *w, int family, const vf p[3], vf s
   return height * all;
 }
 
-STAGE vf cleft_at(const stone_constants *w, const vf p[3], vf s, vf slope[3], vf *lost,
+INLINE vf cleft_at(const stone_constants *w, const vf p[3], vf s, vf slope[3], vf *lost,
                   vf *square) {
   vf height = splat(0.0f);
   for (int i = 0; i < CLEFT_FAMILIES; i++)

@@ -75,6 +75,7 @@ INLINE void evaluate_one(int boards, const wood_constants *restrict w, const woo
     if (want->vessel || want->bundle) stage_section_footprint(w, boards, io, k);
     if (rays) stage_ray_turn(w, boards, k);
     if (want->bundle) stage_bundles(w, boards, k);
+    if (want->bundle && w->drift > 0.0f) stage_drift(w, boards, k);
     if (rays) {
       stage_ray_shell(w, boards, k);
       ray_cell_at(w, &k->ray_at);
@@ -158,6 +159,7 @@ INLINE void evaluate_late(int boards, const wood_constants *restrict w, const wo
       fibre_octave octave = fibre_octave_of(w, o);
       EACH(stage_bundle(&octave, boards, o, &blocks[k]));
     }
+    if (w->drift > 0.0f) EACH(stage_drift(w, boards, &blocks[k]));
   }
   if (w->has_front) EACH(stage_stray(w, &blocks[k]));
   EACH(stage_rings(w, boards, io, &blocks[k]));

@@ -624,6 +624,18 @@ static const sozai_parameter fibre_width = {
    "wide.",
    .hard_min = 0.02, .hard_max = 2, .soft_min = 0.03, .soft_max = 0.3, .default_number = {0.07}};
 
+static const sozai_parameter drift = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "drift", .label = "Drift", .group = "fibres", .unit = "",
+   .doc = "How much lighter and darker the wood becomes along the stem: the standard deviation, relative.",
+   .hard_min = 0, .hard_max = 0.2, .soft_min = 0, .soft_max = 0.1, .default_number = {0}};
+
+static const sozai_parameter drift_length = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "drift_length", .label = "Drift length", .group = "fibres", .unit = "mm",
+   .doc = "Along the stem, over which it does.",
+   .hard_min = 100, .hard_max = 20000, .soft_min = 200, .soft_max = 3000, .default_number = {700}};
+
 static const sozai_parameter early_colour = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
    .id = "earlywood_colour", .label = "Earlywood colour", .group = "colour", .unit = "",
@@ -1253,6 +1265,8 @@ const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_SPALT_WIDTH] = &spalt_line,
    [P_FIBRE_BRIGHTNESS] = &fibre_brightness,
    [P_FIBRE_WIDTH] = &fibre_width,
+   [P_DRIFT] = &drift,
+   [P_DRIFT_LENGTH] = &drift_length,
    [P_EARLY_COLOUR] = &early_colour,
    [P_LATE_COLOUR] = &late_colour,
    [P_VESSEL_COLOUR] = &vessel_colour,

@@ -96,6 +96,7 @@ enum {
   SEED_CELL_BEND = SEED_SPALT_MORE + 4,
   SEED_SPLITS,
   SEED_BOLTS,
+  SEED_DRIFT,
   WOOD_SEEDS
 };
 
@@ -285,6 +286,7 @@ typedef struct {
   float fibre_frequency[WOOD_FIBRE_OCTAVES]; /* 1/mm */
   float fibre_front[WOOD_FIBRE_OCTAVES];     /* mm: of latewood, over the noise's bound */
   float fibre_variance[WOOD_FIBRE_OCTAVES];  /* mm^2: of that */
+  float drift, drift_length, drift_frequency, drift_frequency_radial; /* over HASH_ONE; mm; 1/mm */
   int has_front;
   float fibre_blur[WOOD_FIBRE_OCTAVES]; /* 1/mm^2: over squared extents, how it fades */
 

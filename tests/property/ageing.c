@@ -16,7 +16,7 @@ static void tissue_after(const char *preset, double years, const char *part, dou
   char text[300];
   snprintf(text, sizeof text,
            "construction=solid;porosity=none;ray_density=0;streak_share=0;pigment=0;fibre_"
-           "brightness=0;age_"
+           "brightness=0;drift=0;age_"
            "years=%g;%s",
            years, part);
   sozai_texture *t = wood_make(preset, text);

@@ -92,10 +92,44 @@ static void one_brightness_to_a_fibre(void **state) {
   textures->destroy(t);
 }
 
+/* The wood is lighter and darker along the stem by as much as was asked, slowly. */
+static void drift_along_the_stem(void **state) {
+  (void)state;
+  enum { N = 40000 };
+  static const double drifts[] = {0, 0.03, 0.1};
+  for (int k = 0; k < 3; k++) {
+    char text[400];
+    snprintf(text, sizeof text, BARE "fibre_brightness=0; drift=%g; drift_length=500", drifts[k]);
+    sozai_texture *t = wood_make(NULL, text);
+    points p = {0};
+    uniform_seed(33);
+    for (int i = 0; i < N; i++) {
+      double y = 800000 * (uniform() - 0.5);
+      points_add(&p, 60, y, 0, 0);
+      points_add(&p, 60, y + 10, 0, 0);
+    }
+    points_ask(&p, t);
+    double mean = 0, square = 0, most = 0;
+    for (unsigned i = 0; i < p.count; i++) {
+      double a = (double)p.out[ALBEDO][i] / 0.5;
+      mean += a / p.count;
+      square += a * a / p.count;
+      if (i & 1) most = fmax(most, fabs(a - (double)p.out[ALBEDO][i - 1] / 0.5));
+    }
+    double sd = sqrt(fmax(square - mean * mean, 0));
+    CHECK(fabs(mean - 1) < 0.01 && fabs(sd - drifts[k]) <= 0.1 * drifts[k] + 1e-6 &&
+              most <= 0.15 * drifts[k] + 1e-6,
+          "drift %.2f: mean %.4f, sd %.4f, within 10 mm at most %.4f\n", drifts[k], mean, sd, most);
+    points_free(&p);
+    textures->destroy(t);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(shift_stays_within_its_limit),
       cmocka_unit_test(one_brightness_to_a_fibre),
+      cmocka_unit_test(drift_along_the_stem),
   };
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

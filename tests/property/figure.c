@@ -170,10 +170,60 @@ static void bands_move_with_the_light(void **state) {
   textures->destroy(t);
 }
 
+/* A square's light is the mean of its points': slopes that a footprint averages widen what is
+ * reflected. Wide squares hold many waves, of which little but the mean is left. */
+static void figure_keeps_its_light(void **state) {
+  (void)state;
+  static const struct {
+    const char *preset, *cut;
+    double most; /* of the mean */
+  } figured[] = {{"curly_maple", "cut=flat", 0.03},
+                 {"quilted_maple", "cut=flat", 0.04},
+                 {"sycamore", "cut=quarter", 0.03},
+                 {"itayakaede", "cut=quarter", 0.02}};
+  static const double towards[][3] = {{0, 0, 1}, {0.35, 0.3, 0.887}, {0, 0.5, 0.866}};
+  enum { SQUARES = 60, SIDE = 32 };
+  for (int k = 0; k < 4; k++) {
+    sozai_texture *t = wood_make(figured[k].preset, figured[k].cut);
+    for (int v = 0; v < 3; v++) {
+      for (double size = 30; size < 101; size += 70) {
+        points p = {0};
+        uniform_seed(47);
+        for (int i = 0; i < SQUARES; i++) {
+          double x = 200 * (uniform() - 0.5), y = 400 * (uniform() - 0.5);
+          for (int j = 0; j <= SIDE * SIDE; j++) {
+            double a = (j % SIDE + uniform()) / SIDE - 0.5, b = (j / SIDE + uniform()) / SIDE - 0.5;
+            int all = j == SIDE * SIDE;
+            unsigned at = points_add(&p, x + (all ? 0 : size * a), y + (all ? 0 : size * b), 0,
+                                     all ? size : 0);
+            set3(p.light, at, towards[v][0], towards[v][1], towards[v][2]);
+            set3(p.view, at, -towards[v][0], -towards[v][1], towards[v][2]);
+          }
+        }
+        points_ask(&p, t);
+        double near = 0, far = 0;
+        for (int i = 0, at = 0; i < SQUARES; i++, at++) {
+          for (int j = 0; j < SIDE * SIDE; j++, at++)
+            near += (double)p.out[RADIANCE][at] / (SIDE * SIDE * SQUARES);
+          far += (double)p.out[RADIANCE][at] / SQUARES;
+        }
+        CHECK(fabs(far / near - 1) < figured[k].most,
+              "%-14s light from (%.2f, %.2f): squares of %3.0f mm %.4f, their points %.4f: %+.1f "
+              "%%\n",
+              figured[k].preset, towards[v][0], towards[v][1], size, far, near,
+              100 * (far / near - 1));
+        points_free(&p);
+      }
+    }
+    textures->destroy(t);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(dive_on_the_faces),
       cmocka_unit_test(equation_4),
+      cmocka_unit_test(figure_keeps_its_light),
       cmocka_unit_test(bands_move_with_the_light),
   };
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);

@@ -10,7 +10,8 @@
 
 /* Heartwood red, sapwood blue, and nothing else: red is the share of heartwood. */
 #define BARE                                                                                       \
-  "porosity=none; fibre_brightness=0; ray_density=0; latewood_colour=1 0 0 @ lin_rec709; "         \
+  "porosity=none; fibre_brightness=0; drift=0; ray_density=0; latewood_colour=1 0 0 @ "            \
+  "lin_rec709; "                                                                                   \
   "earlywood_colour=1 0 0 @ lin_rec709; sapwood_earlywood_colour=0 0 1 @ lin_rec709; "             \
   "sapwood_latewood_colour=0 0 1 @ lin_rec709; "
 

@@ -262,9 +262,11 @@ static void moss_and_water(void **state) {
         joint[0], joint[1], joint[2], joint[3], joint[4], stone[0], stone[1], stone[2], stone[3],
         stone[4]);
 
-  sozai_texture *dry = make("inada", "layout=chidori; joint_width=12; joint_depth=6; settle=6");
-  sozai_texture *t = make("inada", "layout=chidori; joint_width=12; joint_depth=6; settle=6; "
-                                   "water_level=-2");
+  sozai_texture *dry =
+      make("inada", "finish=sawn; layout=chidori; joint_width=12; joint_depth=6; settle=6");
+  sozai_texture *t =
+      make("inada", "finish=sawn; layout=chidori; joint_width=12; joint_depth=6; settle=6; "
+                    "water_level=-2");
   points p = {0}, q = {0};
   uniform_seed(16);
   for (int i = 0; i < 40000; i++) {

@@ -24,7 +24,7 @@ wood_irregular wood_irregular_of(double amount, double length, double variance) 
 }
 
 /* Tangent of the angle by which what is round, or runs along a radius, leans at a bolt's ends. */
-#define BOLT_SHEAR 0.7
+#define BOLT_SHEAR 0.6
 #define BOLT_NEAR 25.0     /* mm: nearer to the pith spirals part more than that */
 #define BOLT_LEAST 12.0    /* mm */
 #define BOLT_MOST 100000.0 /* mm: longer than any tree */

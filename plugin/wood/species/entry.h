@@ -55,22 +55,26 @@ SPECIES_ALL(DECLARE)
 #define FAIRLY_DISTINCT 3.0
 #define INDISTINCT 8.0
 
+/* Of any wood, along the stem: a board of 2 m is seldom of one shade from end to end. */
+#define DRIFT NUMBER("drift", 0.03)
+
 /* deepening: of latewood, as densities rise within it in the literature's profiles. */
 #define CONIFER(deepening)                                                                         \
-  CHOICE("porosity", "none"), NUMBER("latewood_stray", 0.12),                                      \
+  CHOICE("porosity", "none"), DRIFT, NUMBER("latewood_stray", 0.12),                               \
       NUMBER("latewood_deepening", deepening)
 #define DIFFUSE_POROUS(density, diameter, spread)                                                  \
-  CHOICE("porosity", "diffuse"), NUMBER("latewood_stray", 0.15),                                   \
+  CHOICE("porosity", "diffuse"), DRIFT, NUMBER("latewood_stray", 0.15),                            \
       NUMBER("vessel_density", density), NUMBER("vessel_diameter", diameter),                      \
       NUMBER("vessel_diameter_spread", spread)
 #define SEMI_RING_POROUS(density, diameter, late, spread)                                          \
-  CHOICE("porosity", "semi_ring"), NUMBER("latewood_stray", 0.2),                                  \
+  CHOICE("porosity", "semi_ring"), DRIFT, NUMBER("latewood_stray", 0.2),                           \
       NUMBER("vessel_density", density), NUMBER("vessel_diameter", diameter),                      \
       NUMBER("vessel_diameter_late", late), NUMBER("vessel_diameter_spread", spread)
 /* The latewood's vessels; the earlywood's follow as EARLYWOOD_ROWS. */
 #define RING_POROUS(density, diameter, spread)                                                     \
-  CHOICE("porosity", "ring"), NUMBER("latewood_stray", 0.12), NUMBER("vessel_density", density),   \
-      NUMBER("vessel_diameter", diameter), NUMBER("vessel_diameter_spread", spread)
+  CHOICE("porosity", "ring"), DRIFT, NUMBER("latewood_stray", 0.12),                               \
+      NUMBER("vessel_density", density), NUMBER("vessel_diameter", diameter),                      \
+      NUMBER("vessel_diameter_spread", spread)
 #define EARLYWOOD_ROWS(rows, density, diameter, spread, jitter)                                    \
   WHOLE("earlywood_rows", rows), NUMBER("earlywood_density", density),                             \
       NUMBER("earlywood_diameter", diameter), NUMBER("earlywood_diameter_spread", spread),         \

@@ -100,7 +100,7 @@ static const sozai_value values_elm[] = {
     SRGB("pigment_colour", 134, 98, 66),
 };
 SPECIES(elm, "Wych elm (Ulmus glabra)",
-        "Brown with a green cast; the latewood's vessels lie in wavy bands.",
+        "Brown with a green cast; a band of wide vessels, and many small ones in the latewood.",
         SCHOCH "; " WAGENFUEHR);
 
 static const sozai_value values_chestnut[] = {

@@ -442,7 +442,7 @@ static const sozai_value values_kihada[] = {
     FIBRES(20.0, 400.0),
 };
 SPECIES(kihada, "Kihada, Amur cork tree (Phellodendron amurense)",
-        "Greenish yellow-brown; a band of large vessels and wavy clusters in the latewood.",
+        "Greenish yellow-brown; a band of large vessels, small ones in the latewood.",
         ITOH "; " FFPRI);
 
 static const sozai_value values_enju[] = {

@@ -309,8 +309,7 @@ static const sozai_value values_jarrah[] = {
     SRGB("pigment_colour", 96, 44, 36),
 };
 SPECIES(jarrah, "Jarrah (Eucalyptus marginata)",
-        "Deep red-brown, even; vessels in slanting lines, filled with red gum.",
-        RICHTER "; " METCALFE);
+        "Deep red-brown, even; large vessels filled with red gum.", RICHTER "; " METCALFE);
 
 static const sozai_value values_silky_oak[] = {
     RINGS(3.0, 0.26, 0.9),
