@@ -110,6 +110,7 @@ void field_fit_apply(const field_fit *fit, tree_plan *p) {
   p->turns = fit->turns;
   p->branches = fit->branches > 1.0 ? fit->branches : 1.0;
   p->turn_spread = 0.0;
+  p->random = 0; /* the paper's sugi: with measurements, from them */
   p->divergence_sd = fit->sd;
   p->divergence_min = fit->least;
   p->divergence_max = fit->most > fit->least + 1.0 ? fit->most : fit->least + 1.0;

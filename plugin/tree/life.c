@@ -87,7 +87,12 @@ int32_t life_make(const tree_plan *p, const sozai_host *host, tree_bud **out, ui
       tree_bud *b = &list[*count];
       b->key = hash1(p->seed * 0x9e3779b1u + hash1((uint32_t)(from + i) + 1u));
       double u_div = (double)tree_unit(hash1(b->key ^ 0xa54ff53au));
-      b->divergence = *count ? turning_divergence(&t, u_div) : 0.0;
+      if (p->random) {
+        b->divergence = 360.0 * u_div; /* from any azimuth, so that the next is any, too */
+      } else {
+        b->divergence = turning_divergence(&t, u_div);
+      }
+      if (!*count) b->divergence = 0.0;
       turning += b->divergence;
       b->z = z;
       b->turning = turning;

@@ -60,6 +60,7 @@ static void take_growth(tree_plan *p, const settings *s) {
   p->divergence_min = number_at(s, T_DIVERGENCE_MIN);
   p->divergence_max = number_at(s, T_DIVERGENCE_MAX);
   p->flush = number_at(s, T_FLUSH);
+  p->random = choice_at(s, T_AZIMUTH) == AZIMUTH_RANDOM;
   p->whorls = choice_at(s, T_WHORL) == WHORL_WHORLS;
 }
 

@@ -19,7 +19,7 @@ typedef struct {
   uint32_t seed;
   double age;
   int years; /* shoots: age rounded up */
-  int orders, foliage, leaf, leaf_from, leaf_site, whorls;
+  int orders, foliage, leaf, leaf_from, leaf_site, whorls, random;
   double leaves_most, upslope;
   double height_max, height_rate, height_shape;
   double girth_max, girth_rate, girth_shape, stem_form, butt, sway;

@@ -100,7 +100,8 @@ static void round_trip(void **unused) {
 static void fit_and_siblings(void **unused) {
   (void)unused;
   sozai_geometry *g =
-      grow("sugi_paper", "age=30 orders=1 crown_scatter=0.05 turning_spread=0 seed=3", NULL);
+      grow("sugi_paper",
+           "age=30 orders=1 azimuth=turning crown_scatter=0.05 turning_spread=0 seed=3", NULL);
   char *text = field_text(g);
   static const char *const columns[] = {"crown_a", "turns_year", "branches_turn", "divergence_mean",
                                         "divergence_sd"};
