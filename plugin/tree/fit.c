@@ -109,7 +109,7 @@ static void read_stem(fit_data *d, const tree_field *f) {
   }
 }
 
-/* The trunk's at each of its nodes, from the lowest that was measured: mm. */
+/* With the trunk's diameter below each, from the node that it was measured at lowest. */
 static int32_t read_branches(fit_data *d, const sozai_host *host, const tree_field *f) {
   const field_block *trunk = &f->blocks[0];
   const field_row *rows = &f->lines[trunk->first];
