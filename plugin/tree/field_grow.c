@@ -12,7 +12,7 @@
 #define TRUNK_SLENDER 0.009 /* radius over length, where not even the trunk was measured */
 #define TIP_SHARE 0.08      /* of the base */
 
-static void set_radii(const field_row *rows, uint32_t count, double base, tree_node *nodes) {
+void field_radii(const field_row *rows, uint32_t count, double base, tree_node *nodes) {
   double total = 0.0, behind = 0.0;
   for (uint32_t i = 0; i < count; i++) total += rows[i].length;
   double r0 = rows[0].diameter > 0.0 ? rows[0].diameter * 5.0 : base;
@@ -84,7 +84,7 @@ static void grow_block(tree *t, const tree_field *f, uint32_t index) {
   } else {
     base = TRUNK_SLENDER * total;
   }
-  set_radii(rows, b->rows, base, nodes);
+  field_radii(rows, b->rows, base, nodes);
   for (uint32_t i = 0; i <= b->rows; i++) {
     for (int c = 0; c < 3; c++) nodes[i].p[c] = p[c];
     if (i < b->rows) stem_step(p, rows[i].length * 10.0, rows[i].theta, rows[i].phi);

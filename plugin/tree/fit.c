@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * Section 3 of the paper as arithmetic: crown a by least squares, divergence,
- * turns and branches a turn; and a plan that grows siblings of a measured tree.
+ * turns and branches a turn; and means of what section 4 adds, elevation and
+ * diameter.
  */
 #include "../core/scalar.h"
 #include "../core/status.h"
+#include "angle.h"
 #include "field.h"
 
 #define LEAST 3u /* branches */
-#define BRANCHES_MOST 4096u
 
 static double turned(double degrees) {
   while (degrees < 0.0) degrees += 360.0;
@@ -31,6 +32,25 @@ static double slope_of(const fit_branch *list, uint32_t count, double height, do
   return xx > 0.0 ? xy / xx : 0.0;
 }
 
+static void fit_build(field_fit *out, const fit_branch *list, uint32_t count) {
+  double lean = 0.0, squares = 0.0, thick = 0.0, length = 0.0, ratio = 0.0;
+  uint32_t with_stem = 0;
+  for (uint32_t i = 0; i < count; i++) {
+    lean += list[i].elevation;
+    squares += list[i].elevation * list[i].elevation;
+    if (!(list[i].diameter > 0.0)) continue;
+    thick += list[i].diameter;
+    length += list[i].length;
+    if (!(list[i].stem > 0.0)) continue;
+    with_stem++;
+    ratio += list[i].diameter / list[i].stem;
+  }
+  if (count > 0) out->lean = lean / count;
+  if (count > 1) out->lean_sd = scalar_root((squares - lean * lean / count) / (count - 1.0));
+  if (length > 0.0) out->slender = thick / length;
+  if (with_stem) out->ratio = ratio / with_stem;
+}
+
 void fit_branches(field_fit *out, const fit_branch *list, uint32_t count, double height,
                   double years, double upslope, double b) {
   *out = (field_fit){.height = height, .count = count, .least = 360.0};
@@ -49,6 +69,7 @@ void fit_branches(field_fit *out, const fit_branch *list, uint32_t count, double
     if (d < out->least) out->least = d;
     if (d > out->most) out->most = d;
   }
+  fit_build(out, list, count);
   if (count > 0) out->rms = scalar_root(residual / count);
   if (count < 2) return;
   double n = count - 1;
@@ -59,58 +80,87 @@ void fit_branches(field_fit *out, const fit_branch *list, uint32_t count, double
   out->branches = out->mean > 0.0 ? 360.0 / out->mean : 0.0;
 }
 
-uint32_t field_first_order(const tree_field *f, fit_branch *out, uint32_t most, double *height) {
-  const field_block *trunk = &f->blocks[0];
-  uint32_t count = 0;
-  *height = 0.0;
-  for (uint32_t i = 0; i < trunk->rows; i++) {
-    const field_row *r = &f->lines[trunk->first + i];
-    *height += 10.0 * r->length * scalar_sin(r->phi * (3.14159265358979323846 / 180.0));
-  }
-  for (uint32_t k = 1; k < f->block_count && count < most; k++) {
-    const field_block *b = &f->blocks[k];
-    if (b->order != 1) continue;
-    fit_branch o = {.azimuth = f->lines[b->first].theta};
-    for (uint32_t i = 0; i < b->node; i++) {
-      const field_row *r = &f->lines[trunk->first + i];
-      o.z += 10.0 * r->length * scalar_sin(r->phi * (3.14159265358979323846 / 180.0));
-    }
-    for (uint32_t i = 0; i < b->rows; i++) o.length += 10.0 * f->lines[b->first + i].length;
-    uint32_t at = count++;
-    for (; at > 0 && out[at - 1].z > o.z; at--) out[at] = out[at - 1];
-    out[at] = o;
-  }
-  return count;
+/* ---- from a table ------------------------------------------------------ */
+
+static double rise_of(const field_row *r) {
+  return 10.0 * r->length * scalar_sin(r->phi * RADIANS);
 }
 
-int32_t field_fit_make(field_fit *out, const tree_field *f, const tree_plan *p) {
-  fit_branch list[BRANCHES_MOST];
-  double height;
-  uint32_t count = field_first_order(f, list, BRANCHES_MOST, &height);
-  if (count < LEAST) {
-    return fail(SOZAI_ERROR_FILE, "field: %u first-order branches are too few to fit: %u at least",
-                count, LEAST);
+static void read_branch(fit_branch *o, const field_row *rows, uint32_t count) {
+  double x = 0.0, y = 0.0, z = 0.0;
+  for (uint32_t i = 0; i < count; i++) {
+    double level = 10.0 * rows[i].length * scalar_cos(rows[i].phi * RADIANS);
+    x += level * scalar_sin(rows[i].theta * RADIANS);
+    y += rise_of(&rows[i]);
+    z += level * scalar_cos(rows[i].theta * RADIANS);
+    o->length += 10.0 * rows[i].length;
   }
-  if (!(height > 10.0)) {
-    return fail(SOZAI_ERROR_FILE, "field: a trunk that rises %.9g mm cannot be fitted: 10 at least",
-                height);
+  o->azimuth = rows[0].theta;
+  o->elevation = angle_of(y, scalar_root(x * x + z * z));
+  o->diameter = 10.0 * rows[0].diameter;
+}
+
+static void read_stem(fit_data *d, const tree_field *f) {
+  const field_block *trunk = &f->blocks[0];
+  for (uint32_t i = 0; i < trunk->rows; i++) {
+    const field_row *r = &f->lines[trunk->first + i];
+    if (r->diameter > 0.0) d->stem[d->stem_count++] = (fit_stem){d->height, 10.0 * r->diameter};
+    d->height += rise_of(r);
   }
-  fit_branches(out, list, count, height, p->age, p->upslope, p->crown_b);
+}
+
+/* With the trunk's diameter below each, from the node that it was measured at lowest. */
+static int32_t read_branches(fit_data *d, const sozai_host *host, const tree_field *f) {
+  const field_block *trunk = &f->blocks[0];
+  const field_row *rows = &f->lines[trunk->first];
+  size_t bytes = (trunk->rows + 1u) * sizeof(tree_node);
+  tree_node *nodes = host_alloc(host, bytes, 64);
+  if (!nodes) return SOZAI_ERROR_MEMORY;
+  field_radii(rows, trunk->rows, 0.0, nodes);
+  for (uint32_t k = 1; k < f->block_count; k++) {
+    const field_block *b = &f->blocks[k];
+    if (b->order != 1) continue;
+    fit_branch o = {0};
+    for (uint32_t i = 0; i < b->node; i++) o.z += rise_of(&rows[i]);
+    read_branch(&o, &f->lines[b->first], b->rows);
+    uint32_t known = 0;
+    for (uint32_t i = 0; i <= b->node && i < trunk->rows; i++) known += rows[i].diameter > 0.0;
+    if (known) o.stem = 2.0 * (double)nodes[b->node].r;
+    uint32_t at = d->count++;
+    for (; at > 0 && d->list[at - 1].z > o.z; at--) d->list[at] = d->list[at - 1];
+    d->list[at] = o;
+  }
+  host_free(host, nodes, bytes, 64);
   return SOZAI_OK;
 }
 
-void field_fit_apply(const field_fit *fit, tree_plan *p) {
-  p->height_max *= fit->height / plan_height(p, p->age);
-  p->crown_a = fit->a_up > 0.0 ? fit->a_up : fit->a;
-  p->crown_a_down = fit->a_down > 0.0 ? fit->a_down : fit->a;
-  p->crown_height = fit->height;
-  p->crown_scatter = fit->rms < 0.9 ? fit->rms : 0.9;
-  p->crown_b_old = p->crown_b;
-  p->crown_ratio = 1.0; /* what was measured is there */
-  p->turns = fit->turns;
-  p->branches = fit->branches > 1.0 ? fit->branches : 1.0;
-  p->turn_spread = 0.0;
-  p->divergence_sd = fit->sd;
-  p->divergence_min = fit->least;
-  p->divergence_max = fit->most > fit->least + 1.0 ? fit->most : fit->least + 1.0;
+int32_t fit_data_make(fit_data *out, const sozai_host *host, const tree_field *f) {
+  *out = (fit_data){.room = f->block_count, .stem_room = f->blocks[0].rows};
+  out->list = host_alloc(host, out->room * sizeof *out->list, 64);
+  out->stem = out->list ? host_alloc(host, out->stem_room * sizeof *out->stem, 64) : NULL;
+  if (!out->stem) return SOZAI_ERROR_MEMORY;
+  read_stem(out, f);
+  return read_branches(out, host, f);
+}
+
+void fit_data_free(fit_data *d, const sozai_host *host) {
+  host_free(host, d->list, d->room * sizeof *d->list, 64);
+  host_free(host, d->stem, d->stem_room * sizeof *d->stem, 64);
+}
+
+int32_t fit_make(field_fit *out, const fit_data *d, const tree_plan *p) {
+  if (d->count < LEAST) {
+    return fail(SOZAI_ERROR_FILE, "field: %u first-order branches are too few to fit: %u at least",
+                d->count, LEAST);
+  }
+  if (!(d->height > 10.0)) {
+    return fail(SOZAI_ERROR_FILE, "field: a trunk that rises %.9g mm cannot be fitted: 10 at least",
+                d->height);
+  }
+  fit_branches(out, d->list, d->count, d->height, p->age, p->upslope, p->crown_b);
+  if (d->stem_count) {
+    out->stem = d->stem[0].diameter;
+    out->stem_at = d->stem[0].z;
+  }
+  return SOZAI_OK;
 }

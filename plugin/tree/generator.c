@@ -21,7 +21,7 @@
 static const sozai_generator_info *describe(void) {
   static sozai_generator_info info = {
       .size = sizeof(sozai_generator_info),
-      .revision = 5,
+      .revision = 6,
       .id = "tree",
       .label = "Tree",
       .doc = "A tree grown year by year, or measured: stem, branches, shoots and leaves, and the "
@@ -193,33 +193,39 @@ static void count_orders(tree *t) {
   t->order_counts[4] = t->organ_count;
 }
 
-/* siblings: the field table that the plan was fitted to, or NULL. */
-static int32_t grow_by_years(tree *t, const sozai_host *host, const tree_field *siblings) {
+/* fit: what the plan was fitted to, or NULL. */
+static int32_t grow_by_years(tree *t, const sozai_host *host, const field_fit *fit) {
   tree_bud *buds = NULL;
   uint32_t count = 0, room = 0;
   int32_t r = life_make(&t->plan, host, &buds, &count, &room);
   if (!r) r = stem_grow(t, host, buds, count);
   if (!r) r = grow_shoots(t, host);
   if (!r) count_orders(t);
-  if (!r) r = report_make(t, host, buds, count, siblings);
+  if (!r) r = report_make(t, host, buds, count, NULL, fit);
   host_free(host, buds, room * sizeof *buds, 64);
   return r;
 }
 
-static int32_t grow_measured(tree *t, const sozai_host *host, const tree_field *f) {
+/* fit: NULL if there is too little to fit. */
+static int32_t grow_measured(tree *t, const sozai_host *host, const tree_field *f,
+                             const field_fit *fit) {
   int32_t r = field_grow(t, host, f);
   if (!r) r = grow_shoots(t, host);
   if (!r) count_orders(t);
-  if (!r) r = report_make(t, host, NULL, 0, f);
+  if (!r) r = report_make(t, host, NULL, 0, f, fit);
   return r;
 }
 
-static int32_t grow_sibling(tree *t, const sozai_host *host, const tree_field *f) {
+static int32_t grow_of_field(tree *t, const sozai_host *host, const tree_field *f, int sibling) {
+  fit_data data;
   field_fit fit;
-  int32_t r = field_fit_make(&fit, f, &t->plan);
+  int32_t r = fit_data_make(&data, host, f);
+  int32_t fitted = r ? r : fit_make(&fit, &data, &t->plan);
+  if (!r && sibling) r = fitted;
+  if (!r && sibling) sibling_plan(&t->plan, &fit, &data);
+  fit_data_free(&data, host);
   if (r) return r;
-  field_fit_apply(&fit, &t->plan);
-  return grow_by_years(t, host, f);
+  return sibling ? grow_by_years(t, host, &fit) : grow_measured(t, host, f, fitted ? NULL : &fit);
 }
 
 static int32_t grow(void *state, const sozai_host *host, const settings *s) {
@@ -231,11 +237,7 @@ static int32_t grow(void *state, const sozai_host *host, const settings *s) {
   if (!text || !*text) return grow_by_years(t, host, NULL);
   tree_field f = {0};
   r = field_read(&f, host, text);
-  if (!r && choice_at(s, T_RESAMPLE) == RESAMPLE_SIBLING) {
-    r = grow_sibling(t, host, &f);
-  } else if (!r) {
-    r = grow_measured(t, host, &f);
-  }
+  if (!r) r = grow_of_field(t, host, &f, choice_at(s, T_RESAMPLE) == RESAMPLE_SIBLING);
   field_free(&f, host);
   return r;
 }

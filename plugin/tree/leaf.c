@@ -14,7 +14,9 @@
 #define SHAPE_DIAMOND 5
 #define SHAPE_ELLIPSE 6
 #define SHAPE_LOBED 7
+#define SHAPE_SPARSE 8 /* a sprig with half its awls, twice as wide */
 #define SPRIG_AWLS 12
+#define SPARSE_AWLS 6
 #define ELLIPSE_POINTS 12
 #define HAND_POINTS 14
 
@@ -22,13 +24,14 @@ static const uint8_t sizes[][2] = {[SHAPE_AWL] = {4, 4},
                                    [SHAPE_SLIVER] = {3, 1},
                                    [SHAPE_SPRIG] = {5 + 3 * SPRIG_AWLS, 6 + SPRIG_AWLS},
                                    [SHAPE_CORE] = {5, 6},
+                                   [SHAPE_SPARSE] = {5 + 3 * SPARSE_AWLS, 6 + SPARSE_AWLS},
                                    [SHAPE_BLADE] = {8, 8},
                                    [SHAPE_DIAMOND] = {4, 2},
                                    [SHAPE_ELLIPSE] = {ELLIPSE_POINTS, ELLIPSE_POINTS - 2},
                                    [SHAPE_LOBED] = {HAND_POINTS, HAND_POINTS - 2}};
 
 static int shape_of(const tree *t, uint32_t level) {
-  if (t->sprigs) return level < 2 ? SHAPE_SPRIG : SHAPE_CORE;
+  if (t->sprigs) return level < 1 ? SHAPE_SPRIG : level < 2 ? SHAPE_SPARSE : SHAPE_CORE;
   if (t->plan.leaf == LEAF_NEEDLE) return level < 1 ? SHAPE_AWL : SHAPE_SLIVER;
   if (level > 0) return SHAPE_DIAMOND;
   return t->plan.leaf == LEAF_BLADE     ? SHAPE_BLADE
@@ -147,13 +150,15 @@ static const float golden[SPRIG_AWLS][2] = {{1.0f, 0.0f},
                                             {0.423362f, -0.905961f},
                                             {0.299745f, 0.954019f}};
 
-/* Needles stand out from the shoot and bend along it: some of them, larger. */
-static void write_sprig(mesh_pen *pen, const frame *f) {
+/* Needles stand out from the shoot and bend along it: some of them, larger. Fewer are as much
+ * wider. */
+static void write_sprig(mesh_pen *pen, const frame *f, int awls) {
+  float wide = 0.3f * (float)(SPRIG_AWLS / awls);
   write_core(pen, f, 0.55f);
-  for (int i = 0; i < SPRIG_AWLS; i++) {
-    float s = ((float)i + 0.5f) / SPRIG_AWLS, x = golden[i][0], z = golden[i][1];
+  for (int i = 0; i < awls; i++) {
+    float s = ((float)i + 0.5f) / (float)awls, x = golden[i][0], z = golden[i][1];
     float from = s * 0.86f * f->length, narrow = 1.0f - 0.45f * s, out = f->half * narrow;
-    float reach = 1.5f * f->half * narrow, w = 0.3f * f->half * narrow;
+    float reach = 1.5f * f->half * narrow, w = wide * f->half * narrow;
     /* out and forward from the core; its width round the shoot */
     uint32_t a = at(pen, f, -w * z, from, w * x, x, 0, z),
              b = at(pen, f, w * z, from, -w * x, x, 0, z),
@@ -219,7 +224,10 @@ void leaf_write(mesh_pen *pen, const tree_organ *o, const leaf_shape *s) {
     write_sliver(pen, &f);
     break;
   case SHAPE_SPRIG:
-    write_sprig(pen, &f);
+    write_sprig(pen, &f, SPRIG_AWLS);
+    break;
+  case SHAPE_SPARSE:
+    write_sprig(pen, &f, SPARSE_AWLS);
     break;
   case SHAPE_CORE:
     write_core(pen, &f, 0.9f);

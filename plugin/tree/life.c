@@ -5,6 +5,7 @@
 #include "../core/scalar.h"
 #include "../core/status.h"
 #include "turning.h"
+#include "way.h"
 
 static double turned(double degrees) {
   double n = degrees / 360.0;
@@ -62,6 +63,18 @@ static int is_down(const tree_plan *p, double azimuth) {
   return off > 90.0 && off < 270.0;
 }
 
+static double elevation_of(const tree_plan *p, const tree_bud *b) {
+  /* with the height above the crown's base at present, or at its death */
+  double t = b->death >= 0.0 ? b->death : p->age;
+  double top = plan_height(p, t), base = plan_crown_base(p, t);
+  double up = top > base ? (b->z - base) / (top - base) : 1.0;
+  if (up < p->angle_from) up = p->angle_from;
+  if (up > p->angle_to) up = p->angle_to;
+  double off = ((double)tree_unit(hash1(b->key ^ 0x1f83d9abu)) - 0.5) * p->angle_spread;
+  double elevation = p->angle_low + (p->angle_top - p->angle_low) * up + off;
+  return p->angle_chord ? way_base(p, b->key, life_length(p, b, p->age), elevation) : elevation;
+}
+
 int32_t life_make(const tree_plan *p, const sozai_host *host, tree_bud **out, uint32_t *count,
                   uint32_t *room) {
   tree_turning t;
@@ -87,7 +100,12 @@ int32_t life_make(const tree_plan *p, const sozai_host *host, tree_bud **out, ui
       tree_bud *b = &list[*count];
       b->key = hash1(p->seed * 0x9e3779b1u + hash1((uint32_t)(from + i) + 1u));
       double u_div = (double)tree_unit(hash1(b->key ^ 0xa54ff53au));
-      b->divergence = *count ? turning_divergence(&t, u_div) : 0.0;
+      if (p->random) {
+        b->divergence = 360.0 * u_div; /* from any azimuth, so that the next is any, too */
+      } else {
+        b->divergence = turning_divergence(&t, u_div);
+      }
+      if (!*count) b->divergence = 0.0;
       turning += b->divergence;
       b->z = z;
       b->turning = turning;
@@ -96,6 +114,7 @@ int32_t life_make(const tree_plan *p, const sozai_host *host, tree_bud **out, ui
       b->down = is_down(p, b->azimuth);
       b->scatter = scatter_of(p, b->key);
       live(p, b);
+      b->elevation = elevation_of(p, b);
       (*count)++;
     }
   }
@@ -111,16 +130,6 @@ double life_radius(const tree_plan *p, const tree_bud *b, double t) {
   if (b->death >= 0.0 && t > b->death) t = b->death;
   double r = 0.5 * p->slender * life_length(p, b, t), stem = plan_radius(p, b->z, t);
   return r < p->thickest * stem ? r : p->thickest * stem;
-}
-
-double life_elevation(const tree_plan *p, const tree_bud *b) {
-  /* with the height above the crown's base at present, or at its death */
-  double t = b->death >= 0.0 ? b->death : p->age;
-  double top = plan_height(p, t), base = plan_crown_base(p, t);
-  double up = top > base ? (b->z - base) / (top - base) : 1.0;
-  if (up < 0.0) up = 0.0;
-  double jitter = ((double)tree_unit(hash1(b->key ^ 0x1f83d9abu)) - 0.5) * 0.5 * p->wander;
-  return p->angle_low + (p->angle_top - p->angle_low) * up + jitter;
 }
 
 double life_left(const tree_plan *p, const tree_bud *b) {

@@ -12,6 +12,7 @@ typedef struct {
   double z;                  /* height on the stem, mm */
   double turning;            /* degrees, summed from the first branch */
   double azimuth;            /* degrees */
+  double elevation;          /* degrees above the horizontal, as it leaves the stem */
   double divergence;         /* from the one before; 0 of the first */
   double birth, death, shed; /* years; TREE_ALIVE */
   double scatter;            /* of its length */
@@ -30,8 +31,5 @@ double life_radius(const tree_plan *p, const tree_bud *b, double t);
 
 /* What share of that length is there still: dead branches break off from their tips. */
 double life_left(const tree_plan *p, const tree_bud *b);
-
-/* Degrees above the horizontal in which the branch leaves the stem. */
-double life_elevation(const tree_plan *p, const tree_bud *b);
 
 #endif

@@ -13,6 +13,9 @@ static const char *const foliage_docs[] = {"full up to leaves_most", "every need
 static const char *const resample_choices[] = {"measured", "sibling"};
 static const char *const resample_docs[] = {"the measured tree itself",
                                             "another tree of the statistics fitted to it"};
+static const char *const azimuth_choices[] = {"turning", "random"};
+static const char *const azimuth_docs[] = {"each on from the last by the divergence",
+                                           "each at random: the paper's sugi that is not measured"};
 static const char *const whorl_choices[] = {"spiral", "whorls"};
 static const char *const whorl_docs[] = {"climbing all along the year's shoot",
                                          "together below the year's bud"};

@@ -38,6 +38,7 @@
  N(DIVERGENCE_SD, "divergence_sd", "Divergence, spread", "turning", "deg", 0, 150, 0, 90, 73, "Standard deviation of the angle from a branch to the next.") \
  N(DIVERGENCE_MIN, "divergence_min", "Divergence, least", "turning", "deg", 0, 359, 0, 180, 33, "Its least.") \
  N(DIVERGENCE_MAX, "divergence_max", "Divergence, greatest", "turning", "deg", 1, 360, 90, 360, 293, "Its greatest.") \
+ C(AZIMUTH, "azimuth", "Azimuths", "turning", azimuth, 0, "How the branches follow one another round the stem.") \
  N(FLUSH, "flush", "Spring flush", "turning", "", 1, 20, 1, 5, 2, "How steeply height rises with turning in spring and how flat it ends in winter: 1 - (1 - u)^flush of the year's shoot.") \
  C(WHORL, "phyllotaxis", "Branches along a year", "turning", whorl, 0, "How the branches of a year stand.") \
  N(CROWN_A, "crown_a", "Crown a", "crown", "", 0.01, 3, 0.1, 1.2, 0.255, "Branch length over tree height is crown_a (1 - z)^crown_b, z the height over tree height; of a tree as tall as crown_height.") \
@@ -108,6 +109,8 @@ enum {
 #define FOLIAGE_NONE 3
 #define RESAMPLE_MEASURED 0
 #define RESAMPLE_SIBLING 1
+#define AZIMUTH_TURNING 0
+#define AZIMUTH_RANDOM 1
 #define WHORL_SPIRAL 0
 #define WHORL_WHORLS 1
 #define ROUND_RANDOM 0

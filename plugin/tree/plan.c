@@ -60,6 +60,7 @@ static void take_growth(tree_plan *p, const settings *s) {
   p->divergence_min = number_at(s, T_DIVERGENCE_MIN);
   p->divergence_max = number_at(s, T_DIVERGENCE_MAX);
   p->flush = number_at(s, T_FLUSH);
+  p->random = choice_at(s, T_AZIMUTH) == AZIMUTH_RANDOM;
   p->whorls = choice_at(s, T_WHORL) == WHORL_WHORLS;
 }
 
@@ -84,6 +85,10 @@ static void take_crown(tree_plan *p, const settings *s) {
   p->wander = number_at(s, T_WANDER);
   p->slender = number_at(s, T_SLENDER);
   p->thickest = number_at(s, T_THICKEST);
+  p->angle_from = 0.0;
+  p->angle_to = 1.0;
+  p->angle_spread = 0.5 * p->wander;
+  p->angle_chord = 0;
 }
 
 void plan_make(tree_plan *p, const settings *s) {

@@ -19,14 +19,18 @@ typedef struct {
   uint32_t seed;
   double age;
   int years; /* shoots: age rounded up */
-  int orders, foliage, leaf, leaf_from, leaf_site, whorls;
+  int orders, foliage, leaf, leaf_from, leaf_site, whorls, random;
   double leaves_most, upslope;
   double height_max, height_rate, height_shape;
   double girth_max, girth_rate, girth_shape, stem_form, butt, sway;
   double turns, branches, turn_spread, divergence_sd, divergence_min, divergence_max, flush;
   double crown_a, crown_a_down, crown_b, crown_b_old, crown_height, crown_narrowing;
   double crown_scatter, crown_ratio, crown_age, shedding;
-  double angle_top, angle_low, droop, droop_length, upturn, wander, slender, thickest;
+  double angle_top, angle_low; /* of branches at the crown's top and base: */
+  double angle_from, angle_to; /* a line between these shares of it, level beyond */
+  double angle_spread;         /* the width of how far they stray from it */
+  int angle_chord;             /* of their tips seen from their bases, and not at the base */
+  double droop, droop_length, upturn, wander, slender, thickest;
   tree_side side[4]; /* [2], [3]: of shoots; [0]: of leaves */
   float leaf_width, leaf_stalk;
   float colours[3][3];  /* bark, shoots, leaves */

@@ -73,7 +73,7 @@ static void fill_knots(tree *t, const tree_bud *buds, uint32_t count) {
                           b->death,
                           b->shed,
                           azimuth * RADIANS,
-                          life_elevation(p, b) * RADIANS,
+                          b->elevation * RADIANS,
                           b->z,
                           radius,
                           first,
@@ -133,13 +133,41 @@ static double height_of(const tree *t) {
   return (double)t->nodes[stem->first + stem->nodes - 1].p[1];
 }
 
+/* The stem's diameter at a height. */
+static double stem_at(const tree *t, double z) {
+  const tree_branch *stem = &t->branches[0];
+  const tree_node *a = &t->nodes[stem->first];
+  uint32_t i = 0;
+  while (i + 2 < stem->nodes && z > (double)a[1].p[1]) a++, i++;
+  double low = (double)a[0].p[1], high = (double)a[1].p[1];
+  double share = high > low ? (z - low) / (high - low) : 0.0;
+  if (share < 0.0) share = 0.0;
+  if (share > 1.0) share = 1.0;
+  return 2.0 * ((double)a[0].r + share * ((double)a[1].r - (double)a[0].r));
+}
+
+/* The straight line between two points as length in cm and two angles. */
+static void segment_of(const float *a, const float *b, double out[3]) {
+  double x = (double)b[0] - (double)a[0], y = (double)b[1] - (double)a[1],
+         z = (double)a[2] - (double)b[2]; /* north */
+  double level = scalar_root(x * x + z * z);
+  out[0] = scalar_root(level * level + y * y) / 10.0;
+  out[1] = angle_of(x, z);
+  if (out[1] < 0.0) out[1] += 360.0;
+  out[2] = angle_of(y, level);
+}
+
 /* The first-order branches that are there; count at most. */
 static uint32_t first_order(const tree *t, fit_branch *out) {
   uint32_t count = 0;
   for (uint32_t i = 1; i < t->stems; i++) {
     const tree_branch *b = &t->branches[i];
     if (b->order != 1 || !b->nodes) continue;
-    fit_branch o = {(double)t->nodes[b->first].p[1], (double)b->azimuth, (double)b->length};
+    const tree_node *base = &t->nodes[b->first];
+    double chord[3], z = (double)base->p[1];
+    segment_of(base->p, base[b->nodes - 1].p, chord);
+    fit_branch o = {z,        (double)b->azimuth,      (double)b->length,
+                    chord[2], 2.0 * (double)b->radius, stem_at(t, z)};
     uint32_t at = count++;
     for (; at > 0 && out[at - 1].z > o.z; at--) out[at] = out[at - 1];
     out[at] = o;
@@ -162,20 +190,9 @@ static void fill_turning(tree *t, const fit_branch *list, uint32_t count, const 
                           list[i].azimuth,
                           list[i].z / height,
                           list[i].length / height,
-                          buds ? life_elevation(&t->plan, &buds[at]) : 0.0};
+                          buds ? buds[at].elevation : 0.0};
     add_row(t, TABLE_TURNING, row);
   }
-}
-
-/* The straight line between two points as length in cm and two angles. */
-static void segment_of(const float *a, const float *b, double out[3]) {
-  double x = (double)b[0] - (double)a[0], y = (double)b[1] - (double)a[1],
-         z = (double)a[2] - (double)b[2]; /* north */
-  double level = scalar_root(x * x + z * z);
-  out[0] = scalar_root(level * level + y * y) / 10.0;
-  out[1] = angle_of(x, z);
-  if (out[1] < 0.0) out[1] += 360.0;
-  out[2] = angle_of(y, level);
 }
 
 static void fill_nodes_grown(tree *t) {
@@ -276,13 +293,29 @@ static void fill_statistics(tree *t, const field_fit *fit) {
   add_row(t, TABLE_STATISTICS, row);
 }
 
+#define FIT_COLUMNS 15
+#define FIT_LEAN                                                                                   \
+  10 /* and its deviation: angles, whose error is how far tips are off, over the                   \
+        branches' length */
+
+static void fit_row(double out[FIT_COLUMNS], double what, const field_fit *f) {
+  const double row[FIT_COLUMNS] = {what,        f->a,       f->a_up, f->a_down,  f->turns,
+                                   f->branches, f->mean,    f->sd,   f->height,  f->count,
+                                   f->lean,     f->lean_sd, f->stem, f->slender, f->ratio};
+  for (int i = 0; i < FIT_COLUMNS; i++) out[i] = row[i];
+}
+
 static void fill_fit(tree *t, const field_fit *was, const field_fit *is) {
-  const double a[] = {0.0,           was->a,    was->a_up, was->a_down, was->turns,
-                      was->branches, was->mean, was->sd,   was->height, was->count};
-  const double b[] = {1.0,          is->a,    is->a_up, is->a_down, is->turns,
-                      is->branches, is->mean, is->sd,   is->height, is->count};
-  double error[10] = {2.0};
-  for (int i = 1; i < 10; i++) error[i] = a[i] > 0.0 || a[i] < 0.0 ? b[i] / a[i] - 1.0 : 0.0;
+  double a[FIT_COLUMNS], b[FIT_COLUMNS], error[FIT_COLUMNS] = {2.0};
+  fit_row(a, 0.0, was);
+  fit_row(b, 1.0, is);
+  for (int i = 1; i < FIT_COLUMNS; i++) {
+    if (i == FIT_LEAN || i == FIT_LEAN + 1) {
+      error[i] = (b[i] - a[i]) * RADIANS;
+    } else {
+      error[i] = a[i] > 0.0 || a[i] < 0.0 ? b[i] / a[i] - 1.0 : 0.0;
+    }
+  }
   add_row(t, TABLE_FIT, a);
   add_row(t, TABLE_FIT, b);
   add_row(t, TABLE_FIT, error);
@@ -291,7 +324,7 @@ static void fill_fit(tree *t, const field_fit *was, const field_fit *is) {
 /* ---- the whole --------------------------------------------------------- */
 
 static int32_t make_rooms(tree *t, const sozai_host *host, const tree_bud *buds, uint32_t count,
-                          const tree_field *field) {
+                          const tree_field *field, const field_fit *was) {
   const tree_plan *p = &t->plan;
   const uint64_t most[TREE_TABLES] = {[TABLE_BRANCHES] = t->stems,
                                       [TABLE_KNOTS] = buds ? count : t->stems,
@@ -301,7 +334,7 @@ static int32_t make_rooms(tree *t, const sozai_host *host, const tree_bud *buds,
                                       [TABLE_TURNING] = t->stems,
                                       [TABLE_NODES] = buds ? 2ull * t->stems + 1 : field->row_count,
                                       [TABLE_STATISTICS] = 1,
-                                      [TABLE_FIT] = field ? 3 : 0};
+                                      [TABLE_FIT] = was ? 3 : 0};
   for (int i = 0; i < TREE_TABLES; i++) {
     int32_t r = room_for(&t->tables[i], host, i, most[i]);
     if (r) return r;
@@ -310,9 +343,9 @@ static int32_t make_rooms(tree *t, const sozai_host *host, const tree_bud *buds,
 }
 
 int32_t report_make(tree *t, const sozai_host *host, const tree_bud *buds, uint32_t count,
-                    const tree_field *field) {
+                    const tree_field *field, const field_fit *was) {
   const tree_plan *p = &t->plan;
-  int32_t r = make_rooms(t, host, buds, count, field);
+  int32_t r = make_rooms(t, host, buds, count, field, was);
   if (r) return r;
   size_t bytes = (t->stems + 1u) * sizeof(fit_branch);
   if (host_rehearses(host)) {
@@ -323,7 +356,7 @@ int32_t report_make(tree *t, const sozai_host *host, const tree_bud *buds, uint3
   fit_branch *list = host_alloc(host, bytes, 64);
   if (!list) return SOZAI_ERROR_MEMORY;
   uint32_t there = first_order(t, list);
-  field_fit fit, was;
+  field_fit fit;
   fit_branches(&fit, list, there, height_of(t), p->age, p->upslope, plan_crown_b(p, p->age));
   fill_branches(t);
   fill_turning(t, list, there, buds, count);
@@ -338,6 +371,8 @@ int32_t report_make(tree *t, const sozai_host *host, const tree_bud *buds, uint3
     fill_nodes_measured(t, field);
   }
   fill_statistics(t, &fit);
-  if (field && field_fit_make(&was, field, p) == SOZAI_OK) fill_fit(t, &was, &fit);
+  if (!was) return SOZAI_OK;
+  if (was->stem > 0.0) fit.stem = stem_at(t, was->stem_at);
+  fill_fit(t, was, &fit);
   return SOZAI_OK;
 }

@@ -5,12 +5,10 @@
 #include "../core/scalar.h"
 #include "../core/status.h"
 #include "axis.h"
+#include "way.h"
 
 #define STEM_LEAST 8u
 #define STEM_MOST 96u
-#define TURNS_MOST 13u
-#define TURN_PARTS 3u /* segments in which a turn of the way is taken */
-#define KEPT 0.8      /* of what the way has turned aside, from turn to turn: light calls it back */
 
 void stem_step(float p[3], double l, double theta, double phi) {
   double level = l * scalar_cos(phi * RADIANS);
@@ -58,66 +56,28 @@ static void grow_stem(tree *t) {
   t->node_count = n;
 }
 
-/* How often a branch turns aside along its length. */
-static uint32_t branch_turns(double length, double wander) {
-  double n = 3.0 + length / (wander > 12.0 ? 180.0 : 300.0);
-  return n > TURNS_MOST ? TURNS_MOST : (uint32_t)n;
-}
-
-/* Segments of the whole branch, and nodes of what is left of it. */
-static uint32_t branch_segments(double length, double wander) {
-  return branch_turns(length, wander) * TURN_PARTS;
-}
-
+/* Nodes of what is left of it. */
 static uint32_t branch_nodes(const tree_plan *p, const tree_bud *b) {
-  uint32_t all = branch_segments(life_length(p, b, p->age), p->wander);
+  uint32_t all = way_segments(p, life_length(p, b, p->age));
   uint32_t n = (uint32_t)(life_left(p, b) * all + 0.5);
   return 1u + (n < 2 ? 2 : n);
-}
-
-/* How far a branch's way is turned aside, degrees, after its i-th turn. */
-typedef struct {
-  double azimuth, elevation;
-} way;
-
-static way turn_aside(way before, const tree_plan *p, uint32_t key, uint32_t i) {
-  uint32_t h = hash1(key + 0x632be59bu * i);
-  return (way){KEPT * before.azimuth + 2.0 * p->wander * ((double)tree_unit(h) - 0.5),
-               KEPT * before.elevation + 1.4 * p->wander * ((double)tree_unit(hash1(h)) - 0.5)};
-}
-
-/* Down along the first half and up again towards the tip, by the sine of the
- * way along; longer branches bend further. */
-static double bent(const tree_plan *p, double length, double share) {
-  double bend = length / p->droop_length;
-  if (bend > 1.5) bend = 1.5;
-  return bend * (p->upturn * share * share - p->droop * scalar_sin(3.14159265 * share));
 }
 
 static void lay_branch(const tree_plan *p, const tree_branch *o, double length, const float base[3],
                        tree_node *nodes) {
   float at[3] = {base[0], base[1], base[2]};
-  uint32_t segments = branch_segments(length, p->wander);
+  uint32_t segments = way_segments(p, length);
   double radius = (double)o->radius, step = length / segments;
-  way from = {0.0, 0.0}, to = {0.0, 0.0}; /* it leaves the stem as its knot does */
+  way w = {{0.0, 0.0}, {0.0, 0.0}};
   for (uint32_t i = 0; i < o->nodes; i++) {
     double share = (double)i / segments;
     for (int c = 0; c < 3; c++) nodes[i].p[c] = at[c];
     /* a cone, a little fuller than straight */
     nodes[i].r = (float)(radius * (1.0 - 0.85 * share) + 0.15 * radius * share * (1.0 - share));
     if (nodes[i].r < 0.3f) nodes[i].r = 0.3f;
-    uint32_t part = i % TURN_PARTS;
-    if (i > 0 && part == 0) {
-      from = to;
-      to = turn_aside(from, p, o->key, i / TURN_PARTS);
-    }
-    double middle = share + 0.5 / segments, turned = (part + 0.5) / TURN_PARTS;
-    double phi = (double)o->elevation + bent(p, length, middle < 1.0 ? middle : 1.0) +
-                 from.elevation + turned * (to.elevation - from.elevation);
-    if (phi > 86.0) phi = 86.0;
-    if (phi < -86.0) phi = -86.0;
-    stem_step(at, step, (double)o->azimuth + from.azimuth + turned * (to.azimuth - from.azimuth),
-              phi);
+    double theta = (double)o->azimuth, phi = (double)o->elevation;
+    way_step(&w, p, o->key, length, i, &theta, &phi);
+    stem_step(at, step, theta, phi);
   }
 }
 
@@ -132,7 +92,7 @@ static void grow_branch(tree *t, const tree_bud *b, const float base[3], double 
                      .at = (float)b->z,
                      .length = (float)length,
                      .azimuth = (float)b->azimuth,
-                     .elevation = (float)life_elevation(p, b),
+                     .elevation = (float)b->elevation,
                      .birth = (float)b->birth,
                      .death = (float)b->death,
                      .shed = (float)b->shed};

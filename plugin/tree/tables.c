@@ -93,7 +93,7 @@ static const sozai_column statistics_columns[] = {
 TABLE(statistics, "statistics", "One row.");
 
 static const sozai_column fit_columns[] = {
-    {"what", "", "0: measured; 1: this tree; 2: its relative error."},
+    {"what", "", "0: measured; 1: this tree; 2: its relative error, 0 of what was not measured."},
     {"crown_a", "", "As in statistics."},
     {"crown_a_up", "", ""},
     {"crown_a_down", "", ""},
@@ -102,7 +102,12 @@ static const sozai_column fit_columns[] = {
     {"divergence_mean", "deg", ""},
     {"divergence_sd", "deg", ""},
     {"height", "mm", ""},
-    {"branches", "", "First-order branches."}};
+    {"branches", "", "First-order branches."},
+    {"elevation", "deg", "Mean, of branches' tips seen from their bases; its error in radians."},
+    {"elevation_sd", "deg", "Its standard deviation; likewise."},
+    {"diameter", "mm", "Of the stem where it was measured lowest; 0: nowhere."},
+    {"slenderness", "", "Branches' diameters at their base over their lengths; 0: not measured."},
+    {"branch_share", "", "Mean of their diameters over the stem's there; 0: not measured."}};
 TABLE(fit, "fit", "What a field table's fit gives, and how near this tree is; else no row.");
 
 const sozai_table_info *const tree_table_infos[TREE_TABLES] = {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0
- * Field tables: node positions, thickness, round trips, fits, and every kind
- * of malformed line. */
+ * Field tables: node positions, thickness, round trips, and every kind of
+ * malformed line. */
 #include <math.h>
 #include <stdio.h>
 
@@ -96,42 +96,6 @@ static void round_trip(void **unused) {
   geometry()->release(third);
 }
 
-/* A tree of known numbers, written as a field table and fitted. */
-static void fit_and_siblings(void **unused) {
-  (void)unused;
-  sozai_geometry *g =
-      grow("sugi_paper", "age=30 orders=1 crown_scatter=0.05 turning_spread=0 seed=3", NULL);
-  char *text = field_text(g);
-  static const char *const columns[] = {"crown_a", "turns_year", "branches_turn", "divergence_mean",
-                                        "divergence_sd"};
-  double mean[5] = {0};
-  for (int seed = 0; seed < 20; seed++) {
-    char values[100];
-    snprintf(values, sizeof values, "age=30 orders=1 resample=sibling seed=%d", seed);
-    sozai_geometry *s = grow("sugi_paper", values, text);
-    sozai_table fit = table_of(s, "fit");
-    assert_int_equal(fit.rows, 3);
-    for (int k = 0; k < 5; k++) {
-      if (seed == 0) {
-        double known = statistic(g, columns[k]), got = cell(&fit, 0, columns[k]);
-        print_message("%-16s %8.3f fitted %8.3f\n", columns[k], known, got);
-        assert_true(fabs(got / known - 1) < 0.01);
-      }
-      assert_true(fabs(cell(&fit, 2, columns[k]) -
-                       (cell(&fit, 1, columns[k]) / cell(&fit, 0, columns[k]) - 1)) < 1e-4);
-      mean[k] += cell(&fit, 2, columns[k]) / 20;
-    }
-    assert_true(fabs(cell(&fit, 2, "height")) < 1e-4);
-    geometry()->release(s);
-  }
-  for (int k = 0; k < 5; k++) {
-    print_message("%-16s of 20 siblings off by %+.2f %%\n", columns[k], 100 * mean[k]);
-    assert_true(fabs(mean[k]) < 0.04);
-  }
-  free(text);
-  geometry()->release(g);
-}
-
 static void malformed(void **unused) {
   (void)unused;
   static const struct {
@@ -207,7 +171,6 @@ static void malformed(void **unused) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(node_sums), cmocka_unit_test(round_trip),
-                                     cmocka_unit_test(fit_and_siblings),
                                      cmocka_unit_test(malformed)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -95,6 +95,7 @@ static void every_species(void **unused) {
   for (uint32_t i = 0; i < info->preset_count; i++) {
     sozai_geometry *g = grow(info->presets[i]->id, "age=8 leaves_most=60000", NULL);
     uint64_t before = UINT64_MAX, first = 0, last = 0;
+    double shares[9];
     for (uint32_t level = 0; level <= 8; level++) {
       const sozai_mesh *m = mesh_of(g, level);
       sound(m);
@@ -104,6 +105,7 @@ static void every_species(void **unused) {
         assert_true(volume(m, &m->parts[k]) > 0);
       }
       assert_true(m->triangle_count < before);
+      shares[level] = (double)m->triangle_count / (double)before;
       before = m->triangle_count;
       if (level == 0) first = m->triangle_count;
       last = m->triangle_count;
@@ -117,6 +119,13 @@ static void every_species(void **unused) {
     print_message("%-14s %8llu triangles at level 0, %6llu at level 8\n", info->presets[i]->id,
                   (unsigned long long)first, (unsigned long long)last);
     assert_true(last * 4 < first);
+    print_message("  of the level before:");
+    for (int level = 1; level <= 8; level++) print_message(" %2.0f", 100 * shares[level]);
+    print_message(" %%; at 2 of level 0: %.0f %%\n", 100 * shares[1] * shares[2]);
+    /* docs/tree.md says so */
+    assert_true(shares[1] > 0.23 && shares[1] < 0.6 && shares[2] > 0.23 && shares[2] < 0.5);
+    assert_true(shares[1] * shares[2] > 0.08 && shares[1] * shares[2] < 0.2);
+    assert_true(shares[3] > 0.45 && shares[3] < 0.6 && shares[4] > 0.45 && shares[4] < 0.6);
     geometry()->release(g);
   }
 }

@@ -25,8 +25,9 @@ SPECIES(sugi_h4, "Sugi, planted 1992",
 
 static const sozai_value sugi_paper[] = {
     NUMBER("age", 7),
-    CROWN(0.25, 2.9, 0.5, 0.5, 0.5, 0.15),
+    CROWN(0.25, 2.9, 0, 0.5, 0.5, 0),
     NUMBER("crown_a_down", 0.26),
+    CHOICE("azimuth", "random"),
     CROWN_LIFE(1, 25, 12),
     NUMBER("sway", 0),
     NUMBER("butt", 0),
@@ -35,8 +36,9 @@ static const sozai_value sugi_paper[] = {
     SHOOTS("3", 20, 60, 0, 0.5, 80, "random", 0, 0, 0, 0),
     LEAVES("needle", 3, 1, 15, 1.2, 0.5, 80, "random", 0, 3, 0)};
 SPECIES(sugi_paper, "Sugi, the paper's model",
-        "Section 6.1 of the paper to the letter: alpha 80 degrees, beta random, second order every "
-        "5 cm and 20 cm long, third every 2 cm, needles every 0.3 cm.",
+        "Section 6.1 of the paper to the letter: first order by its equation 2, azimuths random, "
+        "alpha 80 degrees, beta random, second order every 5 cm and 20 cm long, third every 2 cm, "
+        "needles every 0.3 cm.",
         HAYASHI "; the greatest lengths of the third and fourth order are not printed there");
 
 static const sozai_value hinoki[] = {
