@@ -55,6 +55,14 @@ printf 'material: stone\npreset: granite_fan\nimage: {resolution: 32, wrap: peri
 refuses 2 "fan.sozai|wrap: periodic|layout|'fan'" bake "$scratch/fan.sozai" -o "$scratch/fan.exr"
 sed -i 's/image:/params: {layout: none, colour_mode: paper_rgb, paper_pattern: cut}\n&/' "$scratch/fan.sozai"
 works bake "$scratch/fan.sozai" -o "$scratch/fan.exr"
+# What docs/oiio.md shows is taken as it stands.
+docs=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../../docs" && pwd)
+for heading in 'The file' Values; do
+  awk -v "heading=## $heading" '$0 == heading { on = 1; next } on && /^    / { print substr($0, 5); any = 1; next }
+    on && any { exit }' "$docs/oiio.md" >"$scratch/page.sozai"
+  check "docs/oiio.md, $heading: an example" grep -q '^material: wood' "$scratch/page.sozai"
+  works bake "$scratch/page.sozai" -o "$scratch/page.png" --res 32
+done
 # Ids are no shares, and go past what a half can say.
 readonly boards=(bake wood -p layout=herringbone --size 2000x2000 --res 64 --outputs board_id)
 refuses 2 "--outputs|'board_id'|0 and 1|EXR" "${boards[@]}" -o "$scratch/id.tif"
