@@ -111,7 +111,7 @@ static bool check(const request *q, int kind, failure *why) {
               {"look", shown->look != NULL, PICTURE_PNG}};
   for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++)
     if (rows[i].given && rows[i].kind != kind)
-      return fail(why, EXIT_BAD_INPUT, "--%s: is for %s, which '%s' is not", rows[i].option,
+      return fail(why, EXIT_BAD_INPUT, "--%s: only for %s, which '%s' is not", rows[i].option,
                   kind == PICTURE_PNG ? "an EXR" : "a PNG", q->output);
   if (q->bits != 0 && q->bits != 8 && q->bits != 16)
     return fail(why, EXIT_BAD_INPUT, "--bits: %u is neither 8 nor 16", q->bits);
