@@ -11,7 +11,9 @@ set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/sozai)
 set(pkgconfig_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
 install(FILES api/sozai.h api/sozai_colour.h TYPE INCLUDE)
-install(FILES LICENSE README.md CHANGELOG.md TYPE DOC)
+# README.md's links into docs/ lead somewhere from there.
+install(FILES LICENSE README.md CHANGELOG.md CONTRIBUTING.md SECURITY.md TYPE DOC)
+install(DIRECTORY docs TYPE DOC)
 install(FILES docs/example/embed.c DESTINATION ${CMAKE_INSTALL_DOCDIR}/example)
 
 install(TARGETS sozai LIBRARY DESTINATION ${plugin_dir})

@@ -39,15 +39,18 @@ static bool choose_tiles(bake_ground *g, const char *tiles, int own, failure *wh
   return ok;
 }
 
-bool bake_ground_open(bake_ground *g, const recipe *r, const char *tiles, failure *why) {
+bool bake_ground_open(bake_ground *g, const recipe *r, const sozai_textures_1 *textures,
+                      const sozai_texture *texture, const char *tiles, failure *why) {
   memset(g, 0, sizeof *g);
-  if (!surface_open(&g->surface, r, why)) return false;
+  if (!surface_open(&g->surface, r, textures, texture, why)) return false;
   g->atlas = surface_atlas(g->surface);
   bool ok = true;
   if (g->atlas)
     ok = choose_tiles(g, tiles, r->image.udim, why);
   else if (surface_shape_of(g->surface)->kind == SURFACE_VOLUME)
-    ok = fail(why, EXIT_BAD_INPUT, "bake: a volume cannot be baked; give image two numbers");
+    ok = fail(
+        why, EXIT_BAD_INPUT,
+        "bake: a volume cannot be baked: resolution and size of image have at most two numbers");
   else if (tiles)
     ok = fail(why, EXIT_BAD_INPUT, "--udim: only a mesh has tiles");
   else

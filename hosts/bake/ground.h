@@ -13,8 +13,9 @@ typedef struct bake_ground {
   uint32_t count;     /* of pictures */
 } bake_ground;
 
-/* tiles: "1001,1002", or NULL for the recipe's own, else all there are. */
-bool bake_ground_open(bake_ground *g, const recipe *r, const char *tiles, failure *why);
+/* Of r's texture. tiles: "1001,1002", or NULL for the recipe's own, else all there are. */
+bool bake_ground_open(bake_ground *g, const recipe *r, const sozai_textures_1 *textures,
+                      const sozai_texture *texture, const char *tiles, failure *why);
 void bake_ground_close(bake_ground *g);
 
 #endif

@@ -131,8 +131,8 @@ int main(int argc, char **argv) {
   }
   if (ok && (fflush(stdout) != 0 || ferror(stdout)))
     ok = fail(&why, EXIT_FAILURE, "cannot write to standard output");
-  if (ok) return 0;
   progress_clear();
-  fprintf(stderr, "sozai-bench: %s\n", why.text);
-  return why.exit_code;
+  if (!ok) fprintf(stderr, "sozai-bench: %s\n", why.text);
+  cancel_end();
+  return ok ? 0 : why.exit_code;
 }

@@ -54,15 +54,38 @@ static bool set_size(recipe *r, const char *text, failure *why) {
   return true;
 }
 
-static bool set_image(recipe *r, const char *key, const char *text, failure *why) {
-  return !text || recipe_image_set(&r->image, recipe_image_key(key), text, why);
+static bool set_resolution(recipe *r, const char *text, failure *why) {
+  double pixels[2] = {0};
+  size_t count = numbers_read(text, 'x', pixels, 2);
+  bool ok = count > 0;
+  for (size_t i = 0; i < count; i++)
+    ok = ok && pixels[i] >= 1 && pixels[i] <= BAKE_MOST_SIDE &&
+         pixels[i] == (double)(uint32_t)pixels[i];
+  if (!ok)
+    return fail(why, EXIT_BAD_INPUT, "--res: '%.80s' is not N or WxH, whole numbers from 1 to %d",
+                text, BAKE_MOST_SIDE);
+  memset(r->image.resolution, 0, sizeof r->image.resolution);
+  memcpy(r->image.resolution, pixels, sizeof pixels);
+  return true;
+}
+
+static bool set_samples(recipe *r, const char *text, failure *why) {
+  return recipe_image_set(&r->image, recipe_image_key("samples"), text, why) ||
+         fail(why, EXIT_BAD_INPUT, "--samples: '%.40s' is not 1, 2, 4 or 8", text);
+}
+
+/* As render does, of what the command line alone describes. */
+static bool saw(recipe *r, const request *q, const sozai_texture_info *info, failure *why) {
+  bool board = q->shape && strcmp(q->shape, "board") == 0;
+  return !board || session_saw_flat(r, info, why);
 }
 
 static bool set_surface(recipe *r, const request *q, failure *why) {
   if (q->shape && !set_shape(r, q->shape, why)) return false;
   if (q->size && !set_size(r, q->size, why)) return false;
   if (q->scale > 0) r->surface.scale = q->scale;
-  return set_image(r, "resolution", q->resolution, why) && set_image(r, "samples", q->samples, why);
+  return (!q->resolution || set_resolution(r, q->resolution, why)) &&
+         (!q->samples || set_samples(r, q->samples, why));
 }
 
 /* ---- the job ------------------------------------------------------------------ */
@@ -88,8 +111,8 @@ static bool read_shard(bake_job *job, const request *q, failure *why) {
 static bool check_job(const bake_job *job, const request *q, failure *why) {
   const uint32_t *pixels = surface_shape_of(job->ground->surface)->pixels;
   if (pixels[0] > BAKE_MOST_SIDE || pixels[1] > BAKE_MOST_SIDE)
-    return fail(why, EXIT_BAD_INPUT, "--res: %ux%u is more than %d a side", pixels[0], pixels[1],
-                BAKE_MOST_SIDE);
+    return fail(why, EXIT_BAD_INPUT, "--res: %ux%u pixels are more than %d a side", pixels[0],
+                pixels[1], BAKE_MOST_SIDE);
   if (q->mip && (job->outputs->format != BAKE_EXR || job->tile == 0))
     return fail(why, EXIT_BAD_INPUT, "--mip: only an EXR with tiles holds mipmaps");
   if (job->tile % 16 != 0)
@@ -130,7 +153,7 @@ static bool bake_texture(bake_job *job, session *s, const recipe *r, const reque
                          why))
     return false;
   bake_ground ground;
-  bool ok = bake_ground_open(&ground, r, q->udim, why);
+  bool ok = bake_ground_open(&ground, r, job->textures, job->texture, q->udim, why);
   if (ok) {
     job->outputs = &outputs;
     job->ground = &ground;
@@ -144,7 +167,7 @@ static bool bake_texture(bake_job *job, session *s, const recipe *r, const reque
 static bool bake_recipe(session *s, recipe *r, const request *q, failure *why) {
   const sozai_texture_info *info = recipe_info(r, s->plugin.textures, why);
   sozai_texture *texture = NULL;
-  if (!info || !set_surface(r, q, why) ||
+  if (!info || !set_surface(r, q, why) || !saw(r, q, info, why) ||
       !recipe_create(r, s->plugin.textures, &s->host.abi, &texture, why))
     return false;
   bake_job job = {.textures = s->plugin.textures,
@@ -182,7 +205,8 @@ int run_bake(int argc, char **argv) {
       SESSION_TEXTURE_OPTIONS(q.shared),
       {"outputs", 0, OPTION_TEXT, &q.outputs, "A,B",
        "albedo,roughness,... (default: EXR all, else albedo)", 0, 0},
-      {"shape", 0, OPTION_TEXT, &q.shape, "SHAPE", "plane (default), board or a mesh's file", 0, 0},
+      {"shape", 0, OPTION_TEXT, &q.shape, "SHAPE",
+       "plane (default), board or a mesh's file; a board is sawn flat without -p cut=", 0, 0},
       {"size", 0, OPTION_TEXT, &q.size, "WxH[xT]",
        "of a plane or board, in mm (default: 1000x1000)", 0, 0},
       {"scale", 0, OPTION_NUMBER, &q.scale, "MM", "mm per unit of a mesh (default: 1)", 1e-6, 1e6},
@@ -200,7 +224,8 @@ int run_bake(int argc, char **argv) {
        "colour space of colours (default: working space; sRGB in integers)", 0, 0},
       {"shard", 0, OPTION_TEXT, &q.shard, "I/N", "bake the I-th of N shares, for --merge", 0, 0},
       {"merge", 0, OPTION_FLAG, &q.merge, NULL, "write the picture from the shares", 0, 0},
-      {"resume", 0, OPTION_FLAG, &q.resume, NULL, "go on where a bake was stopped", 0, 0},
+      {"resume", 0, OPTION_FLAG, &q.resume, NULL,
+       "go on where a bake was stopped; a share always does", 0, 0},
       SESSION_RUN_OPTIONS(q.shared)};
   static const char *const positional[] = {"material or .sozai file"};
   const command_line line = {

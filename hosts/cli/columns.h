@@ -18,7 +18,7 @@ typedef struct columns {
   uint32_t inputs; /* SOZAI_INPUT_* there are */
 } columns;
 
-/* Read the header, which is the file's first line. */
+/* Read the header, the first line that is not blank. */
 bool columns_read(columns *c, csv_lines *lines, failure *why);
 
 #endif

@@ -10,11 +10,11 @@
 #define BLOCK_BYTES ((size_t)8 << 20)
 
 bool csv_open(csv_lines *lines, FILE *file, const char *name, uint32_t most, failure *why) {
-  *lines =
-      (csv_lines){.file = file, .name = name, .size = 2 * CHUNK, .room = most, .first_line = 1};
+  *lines = (csv_lines){.file = file, .name = name, .size = 2 * CHUNK, .room = most, .next_line = 1};
   lines->text = malloc(lines->size);
   lines->starts = malloc(most * sizeof *lines->starts);
-  if (lines->text && lines->starts) return true;
+  lines->numbers = malloc(most * sizeof *lines->numbers);
+  if (lines->text && lines->starts && lines->numbers) return true;
   csv_close(lines);
   return fail(why, EXIT_FAILURE, "out of memory");
 }
@@ -22,6 +22,7 @@ bool csv_open(csv_lines *lines, FILE *file, const char *name, uint32_t most, fai
 void csv_close(csv_lines *lines) {
   free(lines->text);
   free(lines->starts);
+  free(lines->numbers);
   memset(lines, 0, sizeof *lines);
 }
 
@@ -43,23 +44,32 @@ static bool read_more(csv_lines *lines, failure *why) {
   return true;
 }
 
-/* Keep the line from lines->done of that length; `whole` counts its newline. */
+static bool is_space(char c) { return c == ' ' || c == '\t'; }
+
+static bool is_blank(const char *line) {
+  while (is_space(*line)) line++;
+  return !*line;
+}
+
+/* Keep the line from lines->done of that length, if there is anything on it; `whole` counts its
+ * newline. */
 static bool keep_line(csv_lines *lines, size_t length, size_t whole, failure *why) {
   char *line = lines->text + lines->done;
   if (memchr(line, '\0', length))
     return fail(why, EXIT_BAD_INPUT, "%s:%llu: a zero byte: not text", lines->name,
-                (unsigned long long)lines->first_line + lines->count);
-  lines->starts[lines->count++] = lines->done;
+                (unsigned long long)lines->next_line);
   line[length] = '\0';
   if (length > 0 && line[length - 1] == '\r') line[length - 1] = '\0';
+  if (!is_blank(line)) {
+    lines->starts[lines->count] = lines->done;
+    lines->numbers[lines->count++] = lines->next_line;
+  }
+  lines->next_line++;
   lines->done += whole;
   return true;
 }
 
-bool csv_next(csv_lines *lines, uint32_t most, failure *why) {
-  if (most > lines->room) most = lines->room;
-  lines->first_line += lines->count;
-  lines->count = 0;
+static bool next_block(csv_lines *lines, uint32_t most, failure *why) {
   lines->used -= lines->done;
   if (lines->done) memmove(lines->text, lines->text + lines->done, lines->used);
   lines->done = 0;
@@ -71,7 +81,7 @@ bool csv_next(csv_lines *lines, uint32_t most, failure *why) {
     size_t length = end ? (size_t)(end - start) : left;
     if (length > CSV_LONGEST_LINE)
       return fail(why, EXIT_BAD_INPUT, "%s:%llu: longer than %d characters", lines->name,
-                  (unsigned long long)lines->first_line + lines->count, CSV_LONGEST_LINE);
+                  (unsigned long long)lines->next_line, CSV_LONGEST_LINE);
     if (end) {
       if (!keep_line(lines, length, length + 1, why)) return false;
       searched = 0;
@@ -85,11 +95,17 @@ bool csv_next(csv_lines *lines, uint32_t most, failure *why) {
   return true;
 }
 
+bool csv_next(csv_lines *lines, uint32_t most, failure *why) {
+  lines->count = 0;
+  do { /* a block may be blank lines alone */
+    if (!next_block(lines, most < lines->room ? most : lines->room, why)) return false;
+  } while (lines->count == 0 && !(lines->ended && lines->done == lines->used));
+  return true;
+}
+
 const char *csv_line(const csv_lines *lines, uint32_t index) {
   return lines->text + lines->starts[index];
 }
-
-static bool is_space(char c) { return c == ' ' || c == '\t'; }
 
 bool csv_numbers(const char *line, float *out, uint32_t count, int *bad_field, uint32_t *fields) {
   uint32_t found = 1;

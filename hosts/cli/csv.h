@@ -14,10 +14,11 @@ typedef struct csv_lines {
   const char *name; /* for messages */
   char *text;       /* the block's lines, each zero-terminated, then what was read beyond them */
   size_t size, used, done;
-  size_t *starts; /* of the block's lines in text */
+  size_t *starts;    /* of the block's lines in text */
+  uint64_t *numbers; /* of those lines in the file, from 1 */
   uint32_t room;
-  uint32_t count;      /* lines in this block; 0 at the end of the file */
-  uint64_t first_line; /* number of the block's first line, from 1 */
+  uint32_t count;     /* lines in this block; 0 at the end of the file */
+  uint64_t next_line; /* number of the first one behind them */
   bool ended;
 } csv_lines;
 
@@ -25,7 +26,7 @@ typedef struct csv_lines {
 bool csv_open(csv_lines *lines, FILE *file, const char *name, uint32_t most, failure *why);
 void csv_close(csv_lines *lines);
 
-/* The next `most` lines, or what is left of them. */
+/* The next `most` lines, or what is left of them; those without anything on them are left out. */
 bool csv_next(csv_lines *lines, uint32_t most, failure *why);
 const char *csv_line(const csv_lines *lines, uint32_t index);
 

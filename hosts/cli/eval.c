@@ -36,8 +36,6 @@ typedef struct job {
   uint32_t outputs[EVAL_MOST_OUTPUTS]; /* component of the texture's, in the order printed */
   uint32_t output_count;
   csv_lines lines;
-  uint32_t rows;       /* lines of the block without the blank ones at its end */
-  uint64_t blank_line; /* the first of these, in whichever block; 0: none */
   const char *to_name;
   float *arena; /* for each slice: COLUMNS + output_count arrays of SLICE */
   slice slices[MOST_SLICES];
@@ -93,7 +91,7 @@ static void write_header(const job *j, FILE *to) {
 static bool parse_slice(const job *j, uint32_t first, uint32_t count, float *inputs, failure *why) {
   for (uint32_t i = 0; i < count; i++) {
     const char *line = csv_line(&j->lines, first + i);
-    unsigned long long number = j->lines.first_line + first + i;
+    unsigned long long number = j->lines.numbers[first + i];
     float row[COLUMNS];
     int bad;
     uint32_t fields;
@@ -104,8 +102,7 @@ static bool parse_slice(const job *j, uint32_t first, uint32_t count, float *inp
     }
     if (bad < 0)
       return fail(why, EXIT_BAD_INPUT, "%s:%llu: %u value%s, but the header has %u columns",
-                  j->lines.name, number, *line ? fields : 0, fields == 1 && *line ? "" : "s",
-                  j->columns.count);
+                  j->lines.name, number, fields, fields == 1 ? "" : "s", j->columns.count);
     for (int c = 0; c < bad; c++) line = strchr(line, ',') + 1;
     size_t length = strcspn(line, ",");
     return fail(why, EXIT_BAD_INPUT, "%s:%llu: %s '%.*s' is not a number", j->lines.name, number,
@@ -152,7 +149,7 @@ static void run_slice(void *context, uint32_t index) {
   job *j = context;
   slice *s = &j->slices[index];
   uint32_t first = index * SLICE;
-  uint32_t count = j->rows - first < SLICE ? j->rows - first : SLICE;
+  uint32_t count = j->lines.count - first < SLICE ? j->lines.count - first : SLICE;
   float *inputs = j->arena + (size_t)index * (COLUMNS + j->output_count) * SLICE;
   float *outputs = inputs + COLUMNS * SLICE;
   s->used = 0;
@@ -171,25 +168,16 @@ static bool allocate(job *j, failure *why) {
   return ok || fail(why, EXIT_FAILURE, "out of memory");
 }
 
-/* Blank lines are nothing at the end of a file, and a mistake anywhere else: of
- * those at a block's end the next block tells. */
-static bool count_rows(job *j, failure *why) {
-  const csv_lines *l = &j->lines;
-  j->rows = l->count;
-  while (j->rows > 0 && !*csv_line(l, j->rows - 1)) j->rows--;
-  if (j->blank_line > 0 && j->rows > 0)
-    return fail(why, EXIT_BAD_INPUT, "%s:%llu: 0 values, but the header has %u columns", l->name,
-                (unsigned long long)j->blank_line, j->columns.count);
-  if (j->blank_line == 0 && j->rows < l->count) j->blank_line = l->first_line + j->rows;
-  return true;
+static bool unwritten(const job *j, FILE *to, failure *why) {
+  if (to == stdout) return output_unprinted(why);
+  return fail(why, EXIT_FAILURE, "cannot write %s: %s", j->to_name, strerror(errno));
 }
 
 static bool write_rows(job *j, uint32_t threads, FILE *to, failure *why) {
   for (;;) {
     if (!csv_next(&j->lines, MOST_SLICES * SLICE, why)) return false;
     if (j->lines.count == 0) return true;
-    if (!count_rows(j, why)) return false;
-    uint32_t slices = (j->rows + SLICE - 1) / SLICE;
+    uint32_t slices = (j->lines.count + SLICE - 1) / SLICE;
     parallel_for(threads, slices, run_slice, j);
     for (uint32_t i = 0; i < slices; i++) {
       slice *s = &j->slices[i];
@@ -197,8 +185,7 @@ static bool write_rows(job *j, uint32_t threads, FILE *to, failure *why) {
         *why = s->why;
         return false;
       }
-      if (fwrite(s->text, 1, s->used, to) != s->used)
-        return fail(why, EXIT_FAILURE, "cannot write %s: %s", j->to_name, strerror(errno));
+      if (fwrite(s->text, 1, s->used, to) != s->used) return unwritten(j, to, why);
     }
     if (cancel_requested()) return fail(why, EXIT_FAILURE, "cancelled");
   }
@@ -213,8 +200,7 @@ static bool evaluate_stream(job *j, const char *channels, uint32_t threads, FILE
     write_header(j, to);
     ok = write_rows(j, threads, to, why);
   }
-  if (ok && fflush(to) != 0)
-    ok = fail(why, EXIT_FAILURE, "cannot write %s: %s", j->to_name, strerror(errno));
+  if (ok && fflush(to) != 0) ok = unwritten(j, to, why);
   for (uint32_t i = 0; i < MOST_SLICES; i++) free(j->slices[i].text);
   free(j->arena);
   csv_close(&j->lines);
@@ -286,10 +272,12 @@ int run_eval(int argc, char **argv) {
   static const char *const positional[] = {"material or .sozai file"};
   const command_line line = {
       .usage = "eval <material|file.sozai> [options] < points.csv",
-      .about = "Evaluates a material at points.\n\n"
-               "The input's first line names its columns: px,py,pz (mm), and any of nx,ny,nz\n"
-               "(normal), lx,ly,lz (towards the light), lr,lg,lb (the light's colour), vx,vy,vz\n"
-               "(towards the eye), footprint (mm). The output has a column for each component.\n",
+      .about =
+          "Evaluates a material at points.\n\n"
+          "The input's first line names its columns: px,py,pz (mm), and any of nx,ny,nz\n"
+          "(normal), lx,ly,lz (towards the light), lr,lg,lb (the light's colour), vx,vy,vz\n"
+          "(towards the eye), footprint (mm). The output has a column for each component, and\n"
+          "a line for each of the input's that has anything on it.\n",
       .options = options,
       .option_count = sizeof options / sizeof options[0],
       .positional = positional,

@@ -8,28 +8,32 @@
 #include "output_file.h"
 #include "plugin.h"
 
+/* grown: a texture may have the same name. */
 static void print_presets(const char *id, const char *label, const sozai_preset *const *presets,
-                          uint32_t count) {
-  printf("%s  %s\n", id, label);
+                          uint32_t count, bool grown) {
+  printf("%s  %s", id, label);
+  if (grown) printf("  (grown: sozai grow %s)", id);
+  putchar('\n');
   for (uint32_t k = 0; k < count; k++) printf("  %-24s %s\n", presets[k]->id, presets[k]->label);
 }
 
 static void print_text(const sozai_textures_1 *textures, const sozai_geometry_1 *geometry) {
   for (uint32_t i = 0; i < textures->count(); i++) {
     const sozai_texture_info *info = textures->info(i);
-    print_presets(info->id, info->label, info->presets, info->preset_count);
+    print_presets(info->id, info->label, info->presets, info->preset_count, false);
   }
   for (uint32_t i = 0; geometry && i < geometry->count(); i++) {
     const sozai_generator_info *info = geometry->info(i);
-    print_presets(info->id, info->label, info->presets, info->preset_count);
+    print_presets(info->id, info->label, info->presets, info->preset_count, true);
   }
 }
 
 static void json_presets(json *j, const char *id, const char *label,
-                         const sozai_preset *const *presets, uint32_t count) {
+                         const sozai_preset *const *presets, uint32_t count, bool grown) {
   json_open(j, NULL, '{');
   json_text(j, "id", id);
   json_text(j, "label", label);
+  json_bool(j, "grown", grown);
   json_open(j, "presets", '[');
   for (uint32_t k = 0; k < count; k++) {
     json_open(j, NULL, '{');
@@ -46,11 +50,11 @@ static void print_json(const sozai_textures_1 *textures, const sozai_geometry_1 
   json_open(&j, NULL, '[');
   for (uint32_t i = 0; i < textures->count(); i++) {
     const sozai_texture_info *info = textures->info(i);
-    json_presets(&j, info->id, info->label, info->presets, info->preset_count);
+    json_presets(&j, info->id, info->label, info->presets, info->preset_count, false);
   }
   for (uint32_t i = 0; geometry && i < geometry->count(); i++) {
     const sozai_generator_info *info = geometry->info(i);
-    json_presets(&j, info->id, info->label, info->presets, info->preset_count);
+    json_presets(&j, info->id, info->label, info->presets, info->preset_count, true);
   }
   json_close(&j, ']');
 }

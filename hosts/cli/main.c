@@ -36,7 +36,7 @@ static void print_help(FILE *to) {
   fputs("usage: sozai <command> [options]\n\n", to);
   for (size_t i = 0; i < COMMAND_COUNT; i++)
     fprintf(to, "  %-10s %s\n", commands[i].name, commands[i].help);
-  fputs("\n  sozai <command> --help   a command's options\n"
+  fputs("\n  sozai <command> --help   a command's options; also sozai help <command>\n"
         "  sozai --version          this program's version\n"
         "\nSOZAI_PLUGIN names another sozai.so to load.\n",
         to);
@@ -47,24 +47,58 @@ static int printed(void) {
   return output_printed(&why) ? 0 : report(&why);
 }
 
+static const command *find(const char *name) {
+  for (size_t i = 0; i < COMMAND_COUNT; i++)
+    if (strcmp(name, commands[i].name) == 0) return &commands[i];
+  return NULL;
+}
+
+/* A command's exit code, or none where it was asked to stop. */
+static int run(const command *c, int argc, char **argv) {
+  int code = c->run(argc, argv);
+  cancel_end();
+  return code;
+}
+
+static int unknown(const char *name) {
+  fprintf(stderr, "sozai: unknown command '%s'; see sozai --help\n", name);
+  return EXIT_BAD_INPUT;
+}
+
+/* "help bake" as "bake --help". */
+static int help_on(int argc, char **argv) {
+  static char flag[] = "--help";
+  const command *c = find(argv[0]);
+  if (!c) return unknown(argv[0]);
+  char **with = calloc((size_t)argc + 2, sizeof *with);
+  if (!with) {
+    fputs("sozai: out of memory\n", stderr);
+    return EXIT_FAILURE;
+  }
+  memcpy(with, argv, (size_t)argc * sizeof *with);
+  with[argc] = flag;
+  int code = run(c, argc + 1, with);
+  free(with);
+  return code;
+}
+
 int main(int argc, char **argv) {
   signal(SIGXFSZ, SIG_IGN); /* a file past the size that is allowed is too */
-  signal(SIGPIPE, SIG_IGN); /* a closed pipe is a failed write, and reported as one */
+  signal(SIGPIPE, SIG_IGN); /* a closed pipe is a failed write: what is half made is taken away */
   cancel_install();
   const char *name = argc > 1 ? argv[1] : "";
   if (strcmp(name, "--version") == 0) {
     printf("sozai %s (ABI %u.%u)\n", SOZAI_VERSION, SOZAI_ABI_MAJOR, SOZAI_ABI_MINOR);
     return printed();
   }
+  if (strcmp(name, "help") == 0 && argc > 2) return help_on(argc - 2, argv + 2);
   if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 || strcmp(name, "help") == 0) {
     print_help(stdout);
     return printed();
   }
-  for (size_t i = 0; i < COMMAND_COUNT; i++)
-    if (strcmp(name, commands[i].name) == 0) return commands[i].run(argc - 1, argv + 1);
-  if (*name)
-    fprintf(stderr, "sozai: unknown command '%s'; see sozai --help\n", name);
-  else
-    print_help(stderr);
+  const command *c = find(name);
+  if (c) return run(c, argc - 1, argv + 1);
+  if (*name) return unknown(name);
+  print_help(stderr);
   return EXIT_BAD_INPUT;
 }

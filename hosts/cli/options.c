@@ -153,6 +153,6 @@ int options_parse(const command_line *line, int argc, char **argv, const char **
 
 int report(const failure *why) {
   progress_clear();
-  fprintf(stderr, "sozai: %s\n", why->text);
+  if (why->exit_code != EXIT_CLOSED_PIPE) fprintf(stderr, "sozai: %s\n", why->text);
   return why->exit_code;
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "render.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "commands.h"
@@ -49,18 +50,16 @@ static bool fill_job(render_job *job, const request *q, const recipe *r, int kin
   job->width = q->resolution[0];
   job->height = q->resolution[1];
   if (!job_options_apply(job, &q->look, &r->surface, why)) return false;
-  if (!q->channels) return kind == PICTURE_PNG || all_channels(job, info);
-  if (!session_channels(info, q->channels, job->channels, RENDER_MOST_CHANNELS, &job->channel_count,
-                        why))
-    return false;
-  if (kind == PICTURE_PNG) job->channel_count = 0; /* it has no layers */
-  return true;
+  if (!q->channels) return kind == PICTURE_PNG || all_channels(job, info); /* a PNG has no layers */
+  return session_channels(info, q->channels, job->channels, RENDER_MOST_CHANNELS,
+                          &job->channel_count, why);
 }
 
 static bool write_picture(const film *f, const session *s, const request *q, int kind,
                           const char *path, failure *why) {
   if (kind == PICTURE_EXR) return film_write_exr(f, path, &s->colour, why);
-  return film_write_png(f, path, &s->colour, &s->shown, q->exposure, q->bits, why);
+  return film_write_png(f, path, &s->colour, &s->shown, isnan(q->exposure) ? 0 : q->exposure,
+                        q->bits ? q->bits : 8, why);
 }
 
 static bool render_to(const render_job *job, const session *s, const request *q, int kind,
@@ -90,21 +89,46 @@ static bool render_recipe(session *s, recipe *r, const request *q, int kind, fai
   return ok;
 }
 
-/* A texture is a whole log unless something else is said, and a board with the pith in its middle
- * is one that no mill sells. What a file describes is seen as any host sees it. */
 static bool saw(recipe *r, const request *q, const session *s, failure *why) {
   if (q->cut) return recipe_set(r, "cut", q->cut, 0, why);
   bool board = !q->look.shape || strcmp(q->look.shape, "board") == 0;
-  if (!board || r->file || recipe_sets(r, "cut")) return true;
   const sozai_texture_info *info = recipe_info(r, s->plugin.textures, why);
-  return info && (!parameter_of(info, "cut") || recipe_set(r, "cut", "flat", 0, why));
+  return info && (!board || session_saw_flat(r, info, why));
+}
+
+/* What would have no effect was meant otherwise. */
+static bool check(const request *q, int kind, failure *why) {
+  const display_choice *shown = &q->shared.shown;
+  const struct {
+    const char *option;
+    bool given;
+    int kind; /* of the pictures that it is for */
+  } rows[] = {{"channels", q->channels != NULL, PICTURE_EXR},
+              {"exposure", !isnan(q->exposure), PICTURE_PNG},
+              {"bits", q->bits != 0, PICTURE_PNG},
+              {"display", shown->display != NULL, PICTURE_PNG},
+              {"view", shown->view != NULL, PICTURE_PNG},
+              {"look", shown->look != NULL, PICTURE_PNG}};
+  for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++)
+    if (rows[i].given && rows[i].kind != kind)
+      return fail(why, EXIT_BAD_INPUT, "--%s: only for %s, which '%s' is not", rows[i].option,
+                  kind == PICTURE_PNG ? "an EXR" : "a PNG", q->output);
+  if (q->bits != 0 && q->bits != 8 && q->bits != 16)
+    return fail(why, EXIT_BAD_INPUT, "--bits: %u is neither 8 nor 16", q->bits);
+  for (size_t i = 0; q->cut && i < q->shared.params.count; i++)
+    if (strncmp(q->shared.params.items[i], "cut=", 4) == 0)
+      return fail(why, EXIT_BAD_INPUT, "--cut: '%s' and -p %s say it twice", q->cut,
+                  q->shared.params.items[i]);
+  return true;
 }
 
 static bool render_named(const char *name, const request *q, failure *why) {
   session s;
   recipe r;
   int kind = PICTURE_EXR;
-  if (!picture_kind(q->output, &kind, why) || !session_open(&s, &q->shared, why)) return false;
+  if (!picture_kind(q->output, &kind, why) || !check(q, kind, why) ||
+      !session_open(&s, &q->shared, why))
+    return false;
   bool ok = session_recipe(&r, name, &q->shared, why);
   if (ok) {
     ok = saw(&r, q, &s, why) && render_recipe(&s, &r, q, kind, why);
@@ -116,7 +140,8 @@ static bool render_named(const char *name, const request *q, failure *why) {
 
 int run_render(int argc, char **argv) {
   failure why = {0};
-  request q = {.bevel = 1, .scale = 1, .zoom = 1, .light_size = 4, .sky = 1, .spp = 32, .bits = 8};
+  request q = {
+      .bevel = 1, .scale = 1, .zoom = 1, .light_size = 4, .sky = 1, .spp = 32, .exposure = NAN};
   if (!session_options_init(&q.shared, argc, &why)) return report(&why);
   const option options[] = {
       {"output", 'o', OPTION_TEXT, &q.output, "FILE", "picture to write: .exr (layers) or .png", 0,
@@ -130,7 +155,9 @@ int run_render(int argc, char **argv) {
       {"scale", 0, OPTION_NUMBER, &q.scale, "MM", "mm per unit of a mesh (default: 1)", 1e-6, 1e6},
       {"up", 0, OPTION_TEXT, &q.look.up, "AXIS", "y or z (default: z; for a mesh, y)", 0, 0},
       {"cut", 0, OPTION_TEXT, &q.cut, "CUT",
-       "how a board lies in the log, e.g. log, quarter; as -p cut= (default: flat)", 0, 0},
+       "how it lies in the log, as -p cut= (default: flat for a board that no file\n"
+       "                               describes, else the file's, else log)",
+       0, 0},
       {"res", 0, OPTION_SIZE, &q.resolution, "WxH",
        "pixels (default: 1024x768; a face's proportions from the front)", 1, VIEW_MOST_SIDE},
       {"spp", 0, OPTION_COUNT, &q.spp, "N", "samples per pixel (default: 32)", 1,
@@ -147,7 +174,8 @@ int run_render(int argc, char **argv) {
       {"no-floor", 0, OPTION_FLAG, &q.no_floor, NULL, "no floor and no backdrop", 0, 0},
       {"channels", 0, OPTION_TEXT, &q.channels, "A,B", "layers of an EXR (default: all)", 0, 0},
       SESSION_DISPLAY_OPTIONS(q.shared),
-      {"exposure", 0, OPTION_NUMBER, &q.exposure, "EV", "stops brighter, for PNG", -30, 30},
+      {"exposure", 0, OPTION_NUMBER, &q.exposure, "EV", "stops brighter, for PNG (default: 0)", -30,
+       30},
       {"bits", 0, OPTION_COUNT, &q.bits, "N", "8 or 16 to a channel, for PNG (default: 8)", 8, 16},
       SESSION_RUN_OPTIONS(q.shared)};
   static const char *const positional[] = {"material or .sozai file"};
@@ -162,10 +190,6 @@ int run_render(int argc, char **argv) {
       .positional_count = 1};
   const char *name = NULL;
   int parsed = options_parse(&line, argc, argv, &name, &why);
-  if (parsed == OPTIONS_RUN && q.bits != 8 && q.bits != 16) {
-    fail(&why, EXIT_BAD_INPUT, "--bits: %u is neither 8 nor 16", q.bits);
-    parsed = OPTIONS_BAD;
-  }
   int code = 0;
   if (parsed == OPTIONS_BAD || (parsed == OPTIONS_RUN && !render_named(name, &q, &why)))
     code = report(&why);

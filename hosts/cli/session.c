@@ -64,6 +64,11 @@ bool session_recipe(recipe *r, const char *name, const session_options *o, failu
   return ok;
 }
 
+bool session_saw_flat(recipe *r, const sozai_texture_info *info, failure *why) {
+  if (r->file || recipe_sets(r, "cut") || !parameter_of(info, "cut")) return true;
+  return recipe_set(r, "cut", "flat", 0, why);
+}
+
 bool session_params_here(recipe *r, const option_texts *params, failure *why) {
   char here[MOST_HERE + 8];
   if (params->count == 0) return true;

@@ -5,7 +5,11 @@
 
 #include <stdbool.h>
 
+/* A signal that whoever started this has it ignore stays ignored. */
 void cancel_install(void);
 bool cancel_requested(void);
+/* When all is cleaned up: die of the signal that asked, if one did, so that a shell sees that and
+ * ends its loop too. */
+void cancel_end(void);
 
 #endif

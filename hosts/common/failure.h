@@ -10,6 +10,9 @@ extern "C" {
 #endif
 
 #define EXIT_BAD_INPUT 2 /* the user can mend it; EXIT_FAILURE is everything else */
+/* Nobody reads standard output any more, of which there is nothing to say: what a shell gives for
+ * a command that SIGPIPE ended. */
+#define EXIT_CLOSED_PIPE 141
 
 typedef struct failure {
   int exit_code;

@@ -3,6 +3,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -74,7 +75,17 @@ void output_discard(output_file *o) {
   forget(o);
 }
 
+/* The one that read it has seen enough, as of `| head`. */
+static bool nobody_reads(void) {
+  struct pollfd out = {.fd = STDOUT_FILENO};
+  return poll(&out, 1, 0) == 1 && (out.revents & POLLERR);
+}
+
+bool output_unprinted(failure *why) {
+  if (nobody_reads()) return fail(why, EXIT_CLOSED_PIPE, "%s", "");
+  return fail(why, EXIT_FAILURE, "cannot write standard output");
+}
+
 bool output_printed(failure *why) {
-  return (fflush(stdout) == 0 && !ferror(stdout)) ||
-         fail(why, EXIT_FAILURE, "cannot write standard output");
+  return (fflush(stdout) == 0 && !ferror(stdout)) || output_unprinted(why);
 }

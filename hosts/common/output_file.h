@@ -23,5 +23,7 @@ void output_discard(output_file *o);
 
 /* Whether what was printed to standard output was taken; if not, that is said. */
 bool output_printed(failure *why);
+/* It was not: say so, or nothing of a pipe that nobody reads any more. Always false. */
+bool output_unprinted(failure *why);
 
 #endif

@@ -168,6 +168,16 @@ void recipe_free(recipe *r) {
   memset(r, 0, sizeof *r);
 }
 
+/* The material that has a preset of that name, or NULL. */
+static const sozai_texture_info *preset_owner(const sozai_textures_1 *textures, const char *name) {
+  for (uint32_t i = 0; i < textures->count(); i++) {
+    const sozai_texture_info *info = textures->info(i);
+    for (uint32_t k = 0; k < info->preset_count; k++)
+      if (strcmp(info->presets[k]->id, name) == 0) return info;
+  }
+  return NULL;
+}
+
 const sozai_texture_info *recipe_info(const recipe *r, const sozai_textures_1 *textures,
                                       failure *why) {
   const sozai_texture_info *info = textures->find(r->material);
@@ -177,8 +187,15 @@ const sozai_texture_info *recipe_info(const recipe *r, const sozai_textures_1 *t
     size_t used = strlen(known);
     snprintf(known + used, sizeof known - used, "%s%s", i ? ", " : "", textures->info(i)->id);
   }
-  fail(why, EXIT_BAD_INPUT, "%s%sunknown material '%s'; there is %s", r->file ? r->file : "",
-       r->file ? ": " : "", r->material, known);
+  const sozai_texture_info *of = preset_owner(textures, r->material);
+  char hint[200] = "";
+  if (of)
+    snprintf(hint, sizeof hint,
+             r->file ? ", which is a preset: material: %s, preset: %.80s"
+                     : ", which is a preset: %s --preset %.80s",
+             of->id, r->material);
+  fail(why, EXIT_BAD_INPUT, "%s%sunknown material '%s'%s; there is %s", r->file ? r->file : "",
+       r->file ? ": " : "", r->material, hint, known);
   return NULL;
 }
 
@@ -253,10 +270,28 @@ static const recipe_param *find_culprit(const recipe *r, const sozai_textures_1 
   return NULL;
 }
 
+/* Where a colour could not be read: how one is written. */
+static void add_colour_forms(const recipe *r, const sozai_textures_1 *textures, failure *why) {
+  const sozai_texture_info *info = textures->find(r->material);
+  for (size_t i = 0; info && i < r->param_count; i++) {
+    const sozai_parameter *p = parameter_of(info, r->params[i].id);
+    size_t length = strlen(r->params[i].id);
+    if (!p || p->kind != SOZAI_KIND_COLOUR || strncmp(why->text, p->id, length) != 0 ||
+        why->text[length] != ':')
+      continue;
+    fail(why, why->exit_code,
+         "%s; a colour is \"#rrggbb\" (in a file in quotes: # begins a comment) or r g b, in %s "
+         "unless @ SPACE follows",
+         why->text, p->default_text ? p->default_text : "sRGB");
+    return;
+  }
+}
+
 static bool explain(const recipe *r, const sozai_textures_1 *textures, const sozai_host *host,
                     int32_t result, failure *why) {
   const char *reason = textures->last_error();
   fail(why, exit_code_of(result), "%s", reason && *reason ? reason : "the plugin gave no reason");
+  if (result == SOZAI_ERROR_KIND) add_colour_forms(r, textures, why);
   if (!r->file || exit_code_of(result) != EXIT_BAD_INPUT) return false;
   char text[sizeof why->text];
   memcpy(text, why->text, sizeof text);

@@ -80,8 +80,11 @@ static bool next(reader *in) {
   in->has_event = false;
   if (!yaml_parser_parse(&in->parser, &in->event)) {
     int line = (int)in->parser.problem_mark.line + 1;
-    return fail(in->why, EXIT_BAD_INPUT, "%s:%d: %s", in->path, line,
-                in->parser.problem ? in->parser.problem : "unreadable");
+    const char *problem = in->parser.problem ? in->parser.problem : "unreadable";
+    /* as of {tint: #c08040, ...} */
+    bool missing = strstr(problem, "expected node content") != NULL;
+    return fail(in->why, EXIT_BAD_INPUT, "%s:%d: %s%s", in->path, line, problem,
+                missing ? "; # begins a comment: \"#rrggbb\" stands in quotes" : "");
   }
   in->has_event = true;
   if (in->event.type == YAML_ALIAS_EVENT) return refuse(in, "aliases are not taken here");
@@ -138,13 +141,18 @@ static size_t read_numbers(reader *in, double *out, size_t most, double low, dou
   return count;
 }
 
+static bool read_file_name(reader *in);
+
 static bool unknown_key(reader *in, const char *name, const key *keys, const char *where) {
   char known[256] = "";
   for (const key *k = keys; k->name; k++) {
     size_t used = strlen(known);
     snprintf(known + used, sizeof known - used, "%s%s", k == keys ? "" : ", ", k->name);
   }
-  return refuse(in, "unknown key '%.80s' in %s; there is %s", name, where, known);
+  /* the one place that a colour may have been meant for */
+  const char *colour =
+      keys->read == read_file_name ? "; a colour is \"#rrggbb\" or \"r g b @ SPACE\"" : "";
+  return refuse(in, "unknown key '%.80s' in %s; there is %s%s", name, where, known, colour);
 }
 
 /* A mapping whose keys are known, from its start to its end. */
@@ -198,7 +206,8 @@ static bool join_picture(reader *in, char *text, size_t size) {
                              {NULL, NULL}};
   bool ok = read_mapping(in, keys, "an image");
   char **p = in->picture;
-  if (ok && !p[0]) ok = refuse(in, "an image needs 'file'");
+  if (ok && !p[0])
+    ok = refuse(in, "an image needs 'file'; a colour is \"#rrggbb\" or \"r g b @ SPACE\"");
   if (ok && p[1] && strchr(p[1], ',')) ok = refuse(in, "space '%.80s' has a comma", p[1]);
   if (ok && p[1] && strstr(p[1], " @ ")) ok = refuse(in, "space '%.80s' has ' @ ' in it", p[1]);
   if (ok) {

@@ -40,9 +40,10 @@ static bool open_parts(picture *p, failure *why) {
   if (!p->texture_use) return false;
   p->texture = shared_object(p->texture_use);
   uint32_t count;
-  if (!surface_open(&p->surface, &p->recipe, why)) return false;
+  const sozai_textures_1 *textures = p->library->plugin.textures;
+  if (!surface_open(&p->surface, &p->recipe, textures, p->texture, why)) return false;
   bool solid = surface_shape_of(p->surface)->kind == SURFACE_VOLUME;
-  const sozai_texture_info *info = p->library->plugin.textures->info_of(p->texture);
+  const sozai_texture_info *info = textures->info_of(p->texture);
   if (!outputs_make(&p->outputs, &count, &p->recipe, info, solid, why)) return false;
   bool single = p->recipe.image.subimages == RECIPE_SUBIMAGES_SINGLE;
   if (!subimages_make(&p->subimages, &p->about.subimage_count, p->outputs, count, single, why))

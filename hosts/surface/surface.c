@@ -110,6 +110,25 @@ static bool open_mesh(surface *s, const recipe *r, failure *why) {
               r->file ? r->file : "mesh", s->shape.udim, atlas_udim(s->atlas, 0));
 }
 
+/* Whether a plane's picture may be made to fit itself. A ragged line through stones and joints
+ * would tear them, and each is cut from a place of its own, so that no width fits. */
+static bool check_seamless(const recipe *r, const sozai_textures_1 *textures,
+                           const sozai_texture *texture, failure *why) {
+  const char *begin = r->file ? r->file : "image", *mark = r->file ? ": image: " : ": ";
+  if (!periodic_fits(r->material))
+    return fail(why, EXIT_BAD_INPUT,
+                "%s%swrap: periodic is not for %s, of which no piece fits itself; there is black, "
+                "clamp, mirror",
+                begin, mark, r->material);
+  sozai_value layout = {.text = NULL};
+  bool laid = textures->value(texture, "layout", &layout) == SOZAI_OK && layout.text &&
+              strcmp(layout.text, "none") != 0;
+  return !laid || fail(why, EXIT_BAD_INPUT,
+                       "%s%swrap: periodic is not for stones in a layout ('%s'): the seam would "
+                       "tear them; there is layout: none, or black, clamp, mirror",
+                       begin, mark, layout.text);
+}
+
 static bool check(const surface *s, const recipe *r, failure *why) {
   const recipe_image *i = &r->image;
   int kind = s->shape.kind;
@@ -122,14 +141,9 @@ static bool check(const surface *s, const recipe *r, failure *why) {
   if (kind != SURFACE_MESH && i->udim) return refuse(r, why, "image: udim is for a mesh alone");
   if (kind == SURFACE_VOLUME && i->samples > 1)
     return refuse(r, why, "image: samples is not for a volume");
-  if (i->wrap != RECIPE_WRAP_PERIODIC) return true;
-  if (kind != SURFACE_PLANE || r->surface.shape == RECIPE_BOARD)
+  if (i->wrap == RECIPE_WRAP_PERIODIC &&
+      (kind != SURFACE_PLANE || r->surface.shape == RECIPE_BOARD))
     return refuse(r, why, "image: wrap: periodic is for a plane alone");
-  if (!periodic_fits(r->material))
-    return fail(why, EXIT_BAD_INPUT,
-                "%s: image: wrap: periodic is not for %s, of which no piece fits itself; there is "
-                "black, clamp, mirror",
-                r->file ? r->file : "image", r->material);
   return true;
 }
 
@@ -141,7 +155,8 @@ static uint32_t count_levels(const surface_shape *shape) {
   return levels;
 }
 
-bool surface_open(surface **out, const recipe *r, failure *why) {
+bool surface_open(surface **out, const recipe *r, const sozai_textures_1 *textures,
+                  const sozai_texture *texture, failure *why) {
   *out = NULL;
   surface *s = calloc(1, sizeof *s);
   if (!s) return fail(why, EXIT_FAILURE, "out of memory");
@@ -149,14 +164,15 @@ bool surface_open(surface **out, const recipe *r, failure *why) {
   s->shape.kind = volume                            ? SURFACE_VOLUME
                   : r->surface.shape == RECIPE_MESH ? SURFACE_MESH
                                                     : SURFACE_PLANE;
-  bool ok = check(s, r, why) &&
+  bool seamless = r->image.wrap == RECIPE_WRAP_PERIODIC;
+  bool ok = check(s, r, why) && (!seamless || check_seamless(r, textures, texture, why)) &&
             (s->shape.kind == SURFACE_MESH ? open_mesh(s, r, why) : set_size(s, r, why));
   if (!ok) {
     surface_close(s);
     return false;
   }
   set_pixels(s, r);
-  s->shape.seamless = r->image.wrap == RECIPE_WRAP_PERIODIC;
+  s->shape.seamless = seamless;
   if (s->shape.seamless) s->shape.repeat = periodic_make(s->shape.size);
   s->shape.levels = count_levels(&s->shape);
   s->shape.samples = r->image.samples > 1 ? (uint32_t)r->image.samples : 1;

@@ -38,10 +38,12 @@ typedef struct surface_shape {
   periodic repeat;
 } surface_shape;
 
-/* From the recipe's surface and image. Where the image's size is not said it is
+/* From the recipe's surface and image, and its texture, which says whether a piece
+ * of it can fit itself. Where the image's size is not said it is
  * the board's, else 1000 mm; where its resolution is not, 4096 texels on the
  * longer side. [thread-safe] */
-bool surface_open(surface **out, const recipe *r, failure *why);
+bool surface_open(surface **out, const recipe *r, const sozai_textures_1 *textures,
+                  const sozai_texture *texture, failure *why);
 /* NULL is allowed. [exclusive] */
 void surface_close(surface *s);
 

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "ceilings.h"
 #include "growth.h"
 #include "text_file.h"
 
@@ -50,7 +51,7 @@ bool write_field(const sozai_table *nodes, const char *path, failure *why) {
   name_blocks(nodes, names, children, blocks);
   text_put(&t, "# length cm, azimuth deg, elevation deg, diameter cm\n");
   int64_t last = -1;
-  for (uint64_t i = 0; i < nodes->rows; i++) {
+  for (uint64_t i = 0; i < nodes->rows && t.put <= FIELD_MOST; i++) {
     int64_t block = (int64_t)growth_number(nodes, i, "block");
     if (block != last) {
       text_put(&t, names[block]);
@@ -68,7 +69,13 @@ bool write_field(const sozai_table *nodes, const char *path, failure *why) {
   }
   free(names);
   free(children);
-  return text_close(&t, why);
+  bool fits = t.put <= FIELD_MOST;
+  if (!text_close(&t, why)) return false;
+  return fits ||
+         fail(why, EXIT_BAD_INPUT,
+              "--output: the tree's field table is longer than %d B, the ceiling field_bytes "
+              "of what reads one: grow a younger tree",
+              FIELD_MOST);
 }
 
 bool write_csv(const sozai_table *table, const char *path, failure *why) {

@@ -46,6 +46,7 @@ bool write_gltf(const sozai_mesh *m, const char *path, failure *why);
 /* mesh or curves, one of them NULL. */
 bool write_usda(const sozai_mesh *m, const sozai_curves *c, const char *path, failure *why);
 /* The table "nodes" as a field table. */
+/* Refused where it grows past what may be read again. */
 bool write_field(const sozai_table *nodes, const char *path, failure *why);
 bool write_csv(const sozai_table *t, const char *path, failure *why);
 

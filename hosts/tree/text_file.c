@@ -33,6 +33,7 @@ static void put(text_file *t, const char *text, size_t length) {
   if (length > BUFFER) length = BUFFER;
   memcpy(t->buffer + t->used, text, length);
   t->used += length;
+  t->put += length;
 }
 
 void text_put(text_file *t, const char *text) { put(t, text, strlen(text)); }

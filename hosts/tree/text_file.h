@@ -13,6 +13,7 @@ typedef struct text_file {
   const char *path;
   char *buffer;
   size_t used;
+  uint64_t put; /* bytes so far */
   bool failed, cancelled;
 } text_file;
 

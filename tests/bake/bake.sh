@@ -108,10 +108,14 @@ refuses 2 "--outputs|'radiance'|light" bake wood -o gone.exr --outputs radiance
 refuses 2 "--outputs|'albedo'|twice" bake wood -o gone.exr --outputs albedo,albedo
 refuses 2 "--outputs|'time'|years|EXR" bake wood -o gone.png --outputs time
 refuses 2 "--output|<output>" bake wood -o gone.png --outputs albedo,roughness
-refuses 2 "resolution|'0'" bake wood -o gone.exr --res 0
-refuses 2 "resolution|'1e9'" bake wood -o gone.exr --res 1e9
+for res in 0 1e9 64x x64 6.5 4x4x4; do
+  refuses 2 "--res|'$res'|1 to 65536" bake wood -o gone.exr --res "$res"
+done
+refuses 2 "--samples|'3'|1, 2, 4 or 8" bake wood -o gone.exr --samples 3
+printf 'material: wood\nimage: {resolution: [8, 8, 8]}\n' >volume.sozai
+refuses 2 "volume|image|two numbers" bake volume.sozai -o gone.exr
 refuses 2 "--res|65536" bake wood -o gone.exr --res 65537
-refuses 2 "resolution|'nan'" bake wood -o gone.exr --res nan
+refuses 2 "--res|'nan'" bake wood -o gone.exr --res nan
 refuses 2 "--size|'1x'" bake wood -o gone.exr --size 1x
 refuses 2 "--size|'1x1e30'" bake wood -o gone.exr --size 1x1e30
 refuses 2 "--tile|24|16" bake wood -o gone.exr --tile 24

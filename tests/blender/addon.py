@@ -251,6 +251,10 @@ def refusals():
     finally:
         program.os.path.realpath = find
     check("and the panel says so", "not found" in state.trouble and not state.described)
+    bpy.ops.mesh.primitive_plane_add(size=0.2)
+    refused("and a script's call", ["not found on PATH", "preferences"], bpy.ops.sozai.new,
+            kind="wood")
+    refused("and one that grows", ["not found on PATH"], bpy.ops.sozai.grow_tree, preset="sugi")
     os.environ["SOZAI"], os.environ["PATH"] = old, path
     bpy.ops.sozai.connect()
     check("found again", state.program_path == before and not state.trouble, state.trouble)

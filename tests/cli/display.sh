@@ -94,7 +94,7 @@ refuses 2 "--look|'warm'|there is none" render "${long[@]}" --look warm
 refuses 2 "--display|'Wall'|Other, sRGB" render "${long[@]}" --config other.ocio --display Wall
 refuses 2 "--view|'sozai'|display Other|Log, Warm" render "${long[@]}" --config other.ocio --view sozai
 refuses 2 "--look|'cold'|warm, dim" render "${long[@]}" --config other.ocio --look 'warm, -cold'
-refuses 2 "--view|'Filmic'" render wood -o late.exr --res 16384x16384 --view Filmic
+refuses 2 "--view|a PNG|'late.exr'" render wood -o late.exr --res 16384x16384 --view Filmic
 refuses 2 "--view|'Filmic'" figures -o late --view Filmic
 refuses 2 "--display|'Wall'" gallery -o late --display Wall
 same "nothing is made of them" "" "$(find . -name '*late*')"

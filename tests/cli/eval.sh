@@ -21,6 +21,8 @@ same "preset, and a parameter on top" $'albedo_r,albedo_g,albedo_b\n0.5,0.25,0.1
 
 works eval wood --channels reference <<<$' px , py,pz \r\n 1.5 ,2,\t-3e2\r\n0x10,0,1\r\n\r\n'
 same "spaces, returns, hexadecimal, blank lines at the end" $'reference_x,reference_z\n1.5,-300\n16,1' "$out"
+works eval wood --channels reference <<<$'\n\r\npx,py,pz\n\n1.5,2,3\n \t\n\r\n4,5,6'
+same "blank lines anywhere are skipped" $'reference_x,reference_z\n1.5,3\n4,6' "$out"
 # which are read 65536 lines at a time
 rows() { # how many, and blank lines after them
   echo px,py,pz
@@ -29,8 +31,11 @@ rows() { # how many, and blank lines after them
 }
 works eval wood --channels reference -i <(rows 65535 3)
 same "rows before blank lines that two blocks share" 65536 "$(wc -l <"$scratch/out")"
-works eval wood --channels reference -i <(rows 10 140000)
-refuses 2 ":65537: 0 values" eval wood --channels reference -i <(rows 65535 3; echo 1,2,3) \
+works eval wood --channels reference -i <(rows 10 140000; echo 1,2,3)
+same "and between them" 12 "$(wc -l <"$scratch/out")"
+works eval wood --channels reference -i <(rows 10 0; head -c 20000000 /dev/zero | tr '\0' '\n'; echo 1,2,3)
+same "though they fill blocks" 12 "$(wc -l <"$scratch/out")"
+refuses 2 ":65539: 2 values" eval wood --channels reference -i <(rows 65535 2; echo 1,2) \
   -o "$scratch/blank.csv"
 
 works eval wood --channels reference < <(printf '\xef\xbb\xbfpx,py,pz\n0.1,0,123456789')
@@ -74,7 +79,7 @@ bad_row "standard input:3|px|'1;2'" '1;2,2,3'
 bad_row "standard input:3|pz|'$(printf 'x%.0s' {1..60})'" "1,2,$(printf 'x%.0s' {1..60})"
 bad_row "standard input:3|pz|'$(printf 'x%.0s' {1..60})'" "1,2,$(printf 'x%.0s' {1..65})"
 bad_row "standard input:3|px|'1 2'" '1 2,2,3'
-bad_row 'standard input:3|0 values' $'\n1,2,3'
+bad_row 'standard input:5|2 values' $'\n\n1,2'
 printf 'px,py,pz\n1,2,\0003\n' >"$scratch/zero.csv"
 refuses 2 "zero.csv:2|zero byte" eval wood -i "$scratch/zero.csv"
 {
@@ -121,4 +126,7 @@ same "to the new file" $'reference_x,reference_z\n1,3' "$(<"$scratch/target")"
 "$sozai" eval wood <<<$'px,py,pz\n1,2,3' >/dev/full 2>"$scratch/err"
 same "exit code for a full disk" 1 $?
 check "it says so" grep -q 'cannot write' "$scratch/err"
+"$sozai" eval wood --channels reference -i "$scratch/many.csv" 2>"$scratch/err" | head -n 1 >/dev/null
+same "exit code where nobody reads on" 141 "${PIPESTATUS[0]}"
+same "of which nothing is said" "" "$(<"$scratch/err")"
 finish

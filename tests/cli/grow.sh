@@ -12,6 +12,21 @@ works grow tree -o sugi.field --age 5 --species sugi
 check "a sugi, where no species is named, as the help says" cmp -s usual.field sugi.field
 works grow tree --help
 check "the help says so" grep -qF '(default: sugi)' out
+works grow tree -o preset.field --age 5 --preset keyaki
+works grow tree -o species.field --age 5 --species keyaki
+check "--preset is --species" cmp -s preset.field species.field
+works grow fiber --hull ball -o preset.hair -p count=50 --preset felt
+works grow fiber --hull ball -o material.hair -p count=50 --material felt
+check "--preset is --material" cmp -s preset.hair material.hair
+works list
+check "list says what is grown" grep -q '^tree  .*sozai grow tree' out
+check "and what is not" grep -qx 'wood  Wood' out
+refuses 2 "unknown material 'oak'|wood --preset oak" render oak -o gone.png
+
+# ---- a field table that nothing would read again is not written -------------------------
+works grow tree -o most.field --age 20
+works grow tree --field most.field -o most.obj -p orders=1
+refuses 2 "--output|65536|field_bytes" grow tree -o gone.field --age 40
 
 # ---- a measured one ---------------------------------------------------------------
 works grow tree --field sugi.field -o measured.obj

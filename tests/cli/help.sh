@@ -6,6 +6,13 @@ source "$(dirname -- "${BASH_SOURCE[0]}")/lib.sh" "$@"
 
 works --version
 check "--version says the ABI" grep -q 'ABI 1\.' "$scratch/out"
+works help
+check "help is --help" grep -q '^  render ' "$scratch/out"
+works help bake
+same "help bake" "$("$sozai" bake --help)" "$out"
+works help grow fiber
+same "help grow fiber" "$("$sozai" grow fiber --help)" "$out"
+refuses 2 "unknown command 'bke'" help bke
 works --help
 check "--help lists render" grep -q '^  render ' "$scratch/out"
 for name in list describe eval render bake colour figures gallery match grow saw validate; do
@@ -24,6 +31,19 @@ if [[ -c /dev/full ]]; then # what is not taken is told
     check "and a message" grep -q 'cannot write standard output' "$scratch/err"
   done
 fi
+# A pipe that nobody reads any more is no mistake of ours.
+for words in list "describe wood" "describe wood --json" limits "bake --help"; do
+  read -ra arguments <<<"$words"
+  mkfifo "$scratch/unread"
+  true <"$scratch/unread" &
+  exec 3>"$scratch/unread"
+  wait
+  "$sozai" "${arguments[@]}" >&3 2>"$scratch/err"
+  same "exit code of: sozai $words, to a closed pipe" 141 "$?"
+  same "and no word" "" "$(<"$scratch/err")"
+  exec 3>&-
+  rm "$scratch/unread"
+done
 refuses 2 "unknown option --nosuch|see sozai grow fiber --help" grow fiber --nosuch
 
 refuses 2 "unknown command 'rendr'" rendr

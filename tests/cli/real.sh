@@ -41,6 +41,28 @@ check "end: fibres along +z" "$picture" between "$scratch/end.exr" 32 24 fiber.z
 works render wood --preset keyaki -o "$scratch/shown.png" --res 64x48 --spp 4
 works render wood --preset keyaki -o "$scratch/raw.png" --res 64x48 --spp 4 --view Raw
 check "the view is the display's" not cmp -s "$scratch/shown.png" "$scratch/raw.png"
+# A board of the command line is sawn, and baked as it is rendered.
+for cut in '' cut=flat cut=log; do
+  works bake wood --shape board --size 60x40x20 --res 32 ${cut:+-p "$cut"} -o "$scratch/board$cut.exr"
+done
+check "bake: a board is sawn flat" cmp -s "$scratch/board.exr" "$scratch/boardcut=flat.exr"
+check "unless it is said how" not cmp -s "$scratch/board.exr" "$scratch/boardcut=log.exr"
+printf 'material: wood\nsurface: {shape: board, size: [60, 40, 20]}\nimage: {resolution: 32}\n' >"$scratch/board.sozai"
+works bake "$scratch/board.sozai" -o "$scratch/file.exr"
+check "and a file's is as any host sees it" cmp -s "$scratch/file.exr" "$scratch/boardcut=log.exr"
+# What no line may run through.
+printf 'material: stone\npreset: granite_fan\nimage: {resolution: 32, wrap: periodic}\n' >"$scratch/fan.sozai"
+refuses 2 "fan.sozai|wrap: periodic|layout|'fan'" bake "$scratch/fan.sozai" -o "$scratch/fan.exr"
+sed -i 's/image:/params: {layout: none, colour_mode: paper_rgb, paper_pattern: cut}\n&/' "$scratch/fan.sozai"
+works bake "$scratch/fan.sozai" -o "$scratch/fan.exr"
+# What docs/oiio.md shows is taken as it stands.
+docs=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../../docs" && pwd)
+for heading in 'The file' Values; do
+  awk -v "heading=## $heading" '$0 == heading { on = 1; next } on && /^    / { print substr($0, 5); any = 1; next }
+    on && any { exit }' "$docs/oiio.md" >"$scratch/page.sozai"
+  check "docs/oiio.md, $heading: an example" grep -q '^material: wood' "$scratch/page.sozai"
+  works bake "$scratch/page.sozai" -o "$scratch/page.png" --res 32
+done
 # Ids are no shares, and go past what a half can say.
 readonly boards=(bake wood -p layout=herringbone --size 2000x2000 --res 64 --outputs board_id)
 refuses 2 "--outputs|'board_id'|0 and 1|EXR" "${boards[@]}" -o "$scratch/id.tif"

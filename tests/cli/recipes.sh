@@ -66,6 +66,13 @@ mistake "|recipe_bytes, 1048576" < <(
   echo "material: wood"
   head -c 2000000 /dev/zero | tr '\0' '#'
 )
+# Colours: how they are written, where they are not.
+mistake ":3|tint|cannot read|#rrggbb|quotes|@ SPACE" <<<$'material: wood\nparams:\n  tint: #c08040'
+mistake "|quotes" <<<$'material: wood\nparams: {tint: #c08040, pitch: 2}'
+mistake ":3|tint|red|#rrggbb|r g b" <<<$'material: wood\nparams:\n  tint: red'
+mistake ":3|'value'|file, space|#rrggbb|r g b @ SPACE" <<<$'material: wood\nparams:\n  tint: {value: "#c08040", space: sRGB}'
+mistake ":3|'file'|r g b @ SPACE" <<<$'material: wood\nparams:\n  tint: {space: sRGB}'
+refuses 2 "tint|red|#rrggbb" eval wood -p tint=red <<<"$points"
 refuses 2 "cannot read" eval "$scratch/none.sozai"
 mkdir "$scratch/folder.sozai"
 refuses 2 "cannot read" eval "$scratch/folder.sozai"

@@ -123,23 +123,57 @@ refuses 2 "--bits|12" render wood -o x.png --bits 12
 refuses 2 "cut|'diagonal'" render wood -o x.png --cut diagonal
 refuses 2 "pitch|-4|0.1|1000" render wood -o x.png -p pitch=-4
 refuses 2 "unknown channel 'shade'" render wood -o x.exr --channels shade
-refuses 2 "unknown channel 'shade'" render wood -o x.png --channels shade
+refuses 2 "--channels|an EXR|'x.png'" render wood -o x.png --channels albedo
+for option in exposure=1 bits=8 display=sRGB view=Raw look=; do
+  refuses 2 "--${option%=*}|a PNG|'x.exr'" render wood -o x.exr "--$option"
+done
+refuses 2 "--cut|'end'|-p cut=flat" render wood -o x.png -p cut=flat --cut end
 refuses 2 "cannot write|nowhere" render wood -o nowhere/x.png
 refuses 1 "none.ocio" render wood -o x.png --config none.ocio # the mock has no colour service
 same "nothing is left of them" "" "$(find . -name '*x.png*' -o -name '*x.exr*')"
 
 # ---- Ctrl-C --------------------------------------------------------------------
-# bash has background jobs ignore SIGINT, so SIGTERM, which is handled alike.
-"$sozai" render wood -o cancelled.exr --res 4096x4096 --spp 1024 >cancel.out 2>cancel.err &
-pid=$!
-for _ in {1..100}; do
-  [[ -n $(find . -name '.*cancelled.exr') ]] && break
-  sleep 0.1
+# It cleans up, and dies of the signal, as whoever started it waits to see.
+begin() { # what SIGINT is to it: default or ignore
+  env "--$1-signal=INT" "$sozai" render wood -o cancelled.exr --res 4096x4096 --spp 1024 \
+    >cancel.out 2>cancel.err &
+  pid=$!
+  for _ in {1..100}; do
+    [[ -n $(find . -name '.*cancelled.exr') ]] && break
+    sleep 0.1
+  done
+}
+for signal in INT TERM; do
+  begin default
+  kill -"$signal" "$pid"
+  wait "$pid"
+  code=$?
+  same "$signal: exit code when cancelled" "$signal" "$(kill -l "$code")"
+  check "$signal: it says so" grep -q cancelled cancel.err
+  same "$signal: nothing is left of it" "" "$(find . -name '*cancelled.exr*')"
 done
+begin ignore # as nohup, and a shell's background jobs, have it
+kill -INT "$pid"
+sleep 0.5
+check "SIGINT that is ignored stays ignored" kill -0 "$pid"
 kill -TERM "$pid"
 wait "$pid"
-same "exit code when cancelled" 1 $?
-check "it says so" grep -q cancelled cancel.err
-same "nothing is left of it" "" "$(find . -name '*cancelled.exr*')"
+same "but not SIGTERM" 143 $?
+# A shell's loop ends with it.
+# shellcheck disable=SC2016 # the inner shell's own
+env --default-signal=INT setsid bash -c 'for i in 1 2; do
+  "$0" render wood -o looped.exr --res 4096x4096 --spp 1024 2>/dev/null
+  echo $i >>looped.txt
+done' "$sozai" &
+pid=$!
+for _ in {1..100}; do
+  [[ -n $(find . -name '.*looped.exr') ]] && break
+  sleep 0.1
+done
+kill -INT -- "-$pid" # as a terminal does: the shell and what it waits for
+wait "$pid"
+same "a loop's exit code" 130 $?
+check "it did not go on" test ! -e looped.txt
+same "nothing is left of it either" "" "$(find . -name '*looped*')"
 cd / || exit 1
 finish

@@ -9,10 +9,11 @@ bool cancel_requested(void) { return false; }
 
 static void read_lines(csv_lines *lines, const columns *c, uint32_t block) {
   failure why;
-  uint64_t line = lines->first_line;
+  uint64_t line = lines->numbers[0]; /* the header's */
   while (csv_next(lines, block, &why) && lines->count > 0) {
-    CHECK(lines->count <= block && lines->first_line > line);
-    line = lines->first_line;
+    CHECK(lines->count <= block && lines->numbers[0] > line);
+    line = lines->numbers[lines->count - 1];
+    CHECK(line < lines->next_line);
     for (uint32_t i = 0; i < lines->count; i++) {
       float out[COLUMNS];
       int bad_field;

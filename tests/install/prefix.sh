@@ -17,7 +17,20 @@ mkdir -p "$scratch"
 mv "$scratch/prefix" "$prefix"
 (cd "$prefix" && find . -type f | LC_ALL=C sort)
 
-example=$(find "$prefix" -name embed.c)
+# What README.md links to in docs/ is there, and the add-on as Blender takes it.
+readme=$(find "$prefix" -name README.md)
+while read -r link; do
+  if [[ ! -e ${readme%/*}/$link ]]; then
+    echo "FAILED: README.md's $link is not installed"
+    exit 1
+  fi
+done < <(grep -oE '\]\(docs/[^)#]*' "$readme" | cut -c3-)
+if [[ ! -s $prefix/share/sozai/sozai_addon.zip ]]; then
+  echo "FAILED: no share/sozai/sozai_addon.zip"
+  exit 1
+fi
+
+example=$(find "$prefix" -path '*/sozai/example/embed.c')
 check() { # how, program, plugin
   if [[ ! -f $3 ]]; then
     echo "FAILED: $1: there is no $3"

@@ -69,6 +69,11 @@ void files(void **) {
   refuse_text(
       "material: stone\nsurface: {shape: board, size: [9, 9, 9]}\nimage: {wrap: periodic}\n",
       {"periodic", "plane"});
+  refuse_text("material: stone\npreset: granite_fan\nimage: {wrap: periodic}\n",
+              {"bad.sozai", "periodic", "layout", "'fan'", "clamp"});
+  refuse_text(
+      "material: stone\npreset: carrara\nparams: {layout: stack}\nimage: {wrap: periodic}\n",
+      {"periodic", "layout", "'stack'"});
   refuse_text("material: wood\nimage: {normals: up}\n", {"normals", "'up'", "tangent"});
   refuse_text("material: wood\nimage: {outputs: [albedo, colour]}\n",
               {"outputs", "'colour'", "albedo"});

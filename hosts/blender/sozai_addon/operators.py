@@ -14,7 +14,12 @@ class Job:
 
     @classmethod
     def poll(cls, context):
-        return bool(state.described) and cls.material(context) is not None
+        if not state.has(state.described, cls):
+            return False
+        if cls.material(context) is None:
+            cls.poll_message_set("select an object with a material of sozai's")
+            return False
+        return True
 
     @staticmethod
     def material(context):
@@ -82,8 +87,12 @@ class SOZAI_OT_new(Job, bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        return bool(state.described) and context.object is not None and \
-            context.object.type == "MESH"
+        if not state.has(state.described, cls):
+            return False
+        if context.object is None or context.object.type != "MESH":
+            cls.poll_message_set("select a mesh")
+            return False
+        return True
 
     @staticmethod
     def material(context):

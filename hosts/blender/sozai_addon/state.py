@@ -52,6 +52,13 @@ def connect():
         trouble = str(problem)
 
 
+def has(things, operator):
+    """Whether `described` or `grown` was; a script's call is told why not."""
+    if not things:
+        operator.poll_message_set(trouble or "sozai: the add-on is not enabled")
+    return bool(things)
+
+
 def disconnect():
     grown_settings.unregister()
     while _classes:

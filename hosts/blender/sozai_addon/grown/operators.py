@@ -29,7 +29,12 @@ class Growing:
 
     @classmethod
     def poll(cls, context):
-        return bool(state.grown) and context.mode == "OBJECT"
+        if not state.has(state.grown, cls):
+            return False
+        if context.mode != "OBJECT":
+            cls.poll_message_set("leave the edit mode first")
+            return False
+        return True
 
     def begin(self, context):
         self.wanted = self.request(context)
@@ -146,7 +151,12 @@ class OfGrown:
 
     @classmethod
     def poll(cls, context):
-        return super().poll(context) and settings.is_grown(context.object)
+        if not super().poll(context):
+            return False
+        if not settings.is_grown(context.object):
+            cls.poll_message_set("select strands or a tree that sozai grew")
+            return False
+        return True
 
 
 class SOZAI_OT_grow_update(OfGrown, Growing, bpy.types.Operator):

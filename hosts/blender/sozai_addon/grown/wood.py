@@ -52,8 +52,13 @@ class SOZAI_OT_wood_of_tree(bpy.types.Operator):
     @classmethod
     def poll(cls, context):
         tree = context.object
-        return "wood" in state.described and settings.is_grown(tree) and \
-            tree.sozai_grown.kind == "tree"
+        if not state.has(state.described, cls):
+            return False
+        if not ("wood" in state.described and settings.is_grown(tree) and
+                tree.sozai_grown.kind == "tree"):
+            cls.poll_message_set("select a mesh, then a tree that sozai grew as the active object")
+            return False
+        return True
 
     def invoke(self, context, _event):
         if own_wood(context.object):
