@@ -49,7 +49,6 @@ typedef struct {
   int square;                        /* the footprint is square to a normal that was given */
   laid laid;                         /* where there is a paving */
   field relief;                      /* mm, with its slope; */
-  vf relief_square;                  /* its variance under the footprint */
   surface surface;
   cells_found holes, inclusions; /* that are asked how high they are */
   cells_bends bends;             /* of layers that share them, at the point */

@@ -46,7 +46,7 @@ INLINE vf cleft_octave(const vf at[3], vf s, vu seed, int o, vf g[3], vf *keep) 
  * wide as that is: exact where a step is much narrower or much wider, and between them as a
  * smooth step's width is the root of both squares. */
 STAGE vf cleft_family(const stone_constants *w, int family, const vf p[3], vf s, vf slope[3],
-                       vf *lost, vf *square) {
+                      vf *lost, vf *square) {
   const stone_cleft *c = &w->cleft[family];
   const vf zero = splat(0.0f), one = splat(1.0f), f = splat(c->frequency);
   const vf along[3] = {f * splat(CLEFT_ALONG), f, f};
@@ -74,7 +74,7 @@ STAGE vf cleft_family(const stone_constants *w, int family, const vf p[3], vf s,
 }
 
 INLINE vf cleft_at(const stone_constants *w, const vf p[3], vf s, vf slope[3], vf *lost,
-                  vf *square) {
+                   vf *square) {
   vf height = splat(0.0f);
   for (int i = 0; i < CLEFT_FAMILIES; i++)
     height = height + cleft_family(w, i, p, s, slope, lost, square);

@@ -155,14 +155,14 @@ INLINE void stage_relief(const stone_constants *w, block *k) {
     k->relief = tile_relief(w, k->at, k->s, &q->lost);
     return;
   }
-  k->relief.v = relief_at(w, k->p, k->s, k->relief.g, &q->lost, &k->relief_square);
-  if (w->raise != 0.0f) k->relief = stage_raise(w, k, k->relief, &k->relief_square);
+  k->relief.v = relief_at(w, k->p, k->s, k->relief.g, &q->lost, &q->low);
+  if (w->raise != 0.0f) k->relief = stage_raise(w, k, k->relief, &q->low);
 }
 
-/* Where in the relief's range the place lies. */
+/* Where in the relief's range the place lies; until then q->low is its variance. */
 INLINE void stage_hollow(const stone_constants *w, block *k) {
   surface *q = &k->surface;
-  q->low = surface_below((k->relief.v - splat(w->raise_mean)) * inverse_root(k->relief_square));
+  q->low = surface_below((k->relief.v - splat(w->raise_mean)) * inverse_root(q->low));
   q->steep = vsqrt(vmax(splat(w->relief_steep) - q->lost, splat(0.0f)));
 }
 

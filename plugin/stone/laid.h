@@ -74,7 +74,7 @@ INLINE vm laid_corner(const stone_paving *v, const cover *c, vf *edge, vf *nx, v
   return there;
 }
 
-#define CORNER_OPEN 5.0f /* of its radius: how far a joint reaches between corners, mostly */
+#define CORNER_OPEN 2.5f /* of its radius: how far a joint reaches between corners, mostly */
 #define CORNER_SEEN 0.5f /* of its radius: footprints that a line across a corner tells, */
 #define CORNER_GONE 1.2f /* and such that it does not */
 
@@ -97,10 +97,10 @@ INLINE void laid_find(const stone_constants *w, const vf p[3], const vf n[3], vf
   if (v->corner > 0.0f) {
     vm round = laid_corner(v, &c, &edge, nx, ny);
     vf e = cover_extent(&c, *nx, *ny, vmax(s, splat(COVER_LEAST)));
-    /* across a joint lies the next stone; between rounded corners it is farther, of which wide
-     * footprints know the mean */
+    /* across a joint lies the next stone; between rounded corners it is farther, and farther still
+     * where seams run through: of that wide footprints know the mean */
     vf narrow = one - smooth_step(zero, splat(CORNER_SEEN * v->corner), e);
-    vf beyond = sel(round, splat(CORNER_OPEN * v->corner) * narrow, zero);
+    vf beyond = sel(round, splat(CORNER_OPEN * v->corner) * (one + narrow), zero);
     vf far_side = splat(-2.0f * v->half) - beyond;
     vf joint = vmax(cover_share(edge, e, far_side, zero), q->joint);
     /* a wide footprint has its part of them wherever it is */

@@ -88,7 +88,7 @@ static void measure(const char *set) {
         if (taken > most) by = info->presets[k]->id;
         most = taken > most ? taken : most;
       }
-    print_message("%-7s %-6s %4zu KB at most (%s)\n", set, info->id, most >> 10, by);
+    print_message("%-7s %-6s %6zu B at most (%s)\n", set, info->id, most, by);
     assert_true(most <= PROMISE);
   }
 }
