@@ -15,7 +15,12 @@
 #include "segments.h"
 
 #define STRANDS_JOB 32u
-#define SMOOTH 3 /* passes that spread a push along a strand that bends */
+#define TOO_MANY 0.05 /* of the strands: if more still overlap in the end, the host is told */
+#define SMOOTH 10     /* passes that spread a push along a strand that bends */
+/* What a pushed vertex keeps of its push in each pass, in the first round and the last: spread far,
+ * pushes bend strands slowly and their crimp stays, but what is hemmed in stays so. */
+#define KEPT_FIRST 0.6
+#define KEPT_LAST 0.97
 
 typedef struct {
   fiber *f;
@@ -23,6 +28,7 @@ typedef struct {
   float *next;    /* points after the round */
   uint32_t *met;  /* of each strand: segments of others that overlap its own */
   float *deepest; /* of each */
+  double kept;    /* of a push where it is, pass by pass */
 } round_work;
 
 /* What a strand's neighbours ask of it. */
@@ -185,7 +191,7 @@ static void move_whole(const fiber *f, const pushes *p, double (*at)[3]) {
 }
 
 /* Each vertex by its own push, spread over its neighbours. */
-static void move_bent(const fiber *f, const pushes *p, double (*at)[3]) {
+static void move_bent(const fiber *f, const pushes *p, double kept, double (*at)[3]) {
   uint32_t n = f->vertices;
   double by[STRAND_VERTICES_MAX][3];
   for (uint32_t i = 0; i < n; i++)
@@ -198,8 +204,7 @@ static void move_bent(const fiber *f, const pushes *p, double (*at)[3]) {
       const double *after = by[i + 1 < n ? i + 1 : i];
       double keep[3];
       memcpy(keep, by[i], sizeof keep);
-      /* a pushed vertex keeps its push */
-      double own = p->weight[i] > 0 ? 0.9 : 0.34, other = (1 - own) / 2;
+      double own = p->weight[i] > 0 ? kept : 0.34, other = (1 - own) / 2;
       for (int a = 0; a < 3; a++) by[i][a] = own * keep[a] + other * (before[a] + after[a]);
       memcpy(before, keep, sizeof before);
     }
@@ -229,7 +234,7 @@ static void push_strand(const round_work *w, uint32_t strand) {
   double at[STRAND_VERTICES_MAX][3];
   for (uint32_t i = 0; i < 3 * n; i++) at[i / 3][i % 3] = (double)from[i];
   if (f->plan.contact == CONTACT_BEND)
-    move_bent(f, &p, at);
+    move_bent(f, &p, w->kept, at);
   else
     move_whole(f, &p, at);
   restore_lengths(f, strand, at);
@@ -267,17 +272,20 @@ static int32_t run_rounds(round_work *w, const sozai_host *host) {
   int32_t r = SOZAI_OK;
   for (uint32_t k = 0; !r && k <= rounds; k++) {
     segments_sort(w->near, f);
+    w->kept = KEPT_FIRST + (KEPT_LAST - KEPT_FIRST) * k / (rounds + 1.0);
     crew_progress bar = {"keeping strands apart", 0.6 + 0.38 * k / (rounds + 1.0),
                          0.6 + 0.38 * (k + 1) / (rounds + 1.0)};
     r = crew_run(host, jobs, push_job, w, bar);
-    double met = 0, deepest = 0;
+    double met = 0, deepest = 0, strands = 0;
     for (uint32_t i = 0; i < f->strands; i++) {
       met += 0.5 * w->met[i];
+      strands += w->met[i] > 0;
       if ((double)w->deepest[i] > deepest) deepest = (double)w->deepest[i];
     }
     if (k == 0) f->contacts.first = met, f->contacts.deepest_first = deepest;
     f->contacts.last = met, f->contacts.deepest = deepest;
     f->contacts.rounds = k;
+    f->contacts.strands = strands;
     /* the last look only counts */
     if (r || met <= 0 || k == rounds) break;
     float *old = f->points;
@@ -315,6 +323,14 @@ int32_t fiber_keep_apart(fiber *f, const sozai_host *host) {
   w.deepest = host_alloc(host, (f->strands + 1ull) * sizeof *w.deepest, 64);
   if (!w.next || !w.met || !w.deepest) r = SOZAI_ERROR_MEMORY;
   if (!r) r = run_rounds(&w, host);
+  const fiber_contacts *c = &f->contacts;
+  if (!r && c->strands > TOO_MANY * f->strands)
+    host_log(
+        host, SOZAI_LOG_WARNING,
+        "contact: %.0f of %u strands still overlap others after %.0f rounds, by %.3g mm at the "
+        "deepest: take %sless packing or more rounds",
+        c->strands, f->strands, c->rounds, c->deepest,
+        f->plan.contact == CONTACT_RIGID ? "contact=bend, " : "");
   host_free(host, w.next, bytes, 64);
   host_free(host, w.met, (f->strands + 1ull) * sizeof *w.met, 64);
   host_free(host, w.deepest, (f->strands + 1ull) * sizeof *w.deepest, 64);

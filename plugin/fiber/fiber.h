@@ -49,6 +49,7 @@ typedef struct fiber_contacts {
   double first, last;            /* pairs of segments that overlap, before and after */
   double deepest_first, deepest; /* mm */
   double rounds;
+  double strands; /* that overlap another, after */
 } fiber_contacts;
 
 enum { TABLE_STATISTICS, TABLE_STRANDS, FIBER_TABLES };

@@ -12,7 +12,7 @@
 static const sozai_generator_info *describe(void) {
   static sozai_generator_info info = {
       .size = sizeof(sozai_generator_info),
-      .revision = 1,
+      .revision = 2,
       .id = "fiber",
       .label = "Fibre aggregate",
       .doc =

@@ -38,6 +38,7 @@ static const sozai_column statistics_columns[] = {
     {"contacts", "", "After."},
     {"deepest_first", "mm", "The deepest overlap, before."},
     {"deepest", "mm", "After."},
+    {"contact_strands", "", "Strands that overlap another, after."},
     {"contact_rounds", "", ""},
     {"megabytes", "MB", "That it holds."}};
 
@@ -137,6 +138,7 @@ static void put_statistics(const fiber *f, float *to, uint64_t bytes) {
                                                  c->last,
                                                  c->deepest_first,
                                                  c->deepest,
+                                                 c->strands,
                                                  c->rounds,
                                                  (double)bytes / 1e6};
   for (size_t i = 0; i < COUNT(row); i++) to[i] = (float)row[i];

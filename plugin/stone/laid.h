@@ -75,8 +75,8 @@ INLINE vm laid_corner(const stone_paving *v, const cover *c, vf *edge, vf *nx, v
 }
 
 #define CORNER_OPEN 2.5f /* of its radius: how far a joint reaches between corners, mostly */
-#define CORNER_SEEN 0.5f /* of its radius: footprints that a line across a corner tells, */
-#define CORNER_GONE 1.2f /* and such that it does not */
+#define CORNER_SEEN 0.6f /* of its radius: footprints that a line across a corner tells, */
+#define CORNER_GONE 1.5f /* and such that it does not */
 
 /* Which stone is at a place, and how much of the footprint is joint. p and n, the face's
  * normal, or NULL for the plane's: object space. nx, ny: away from the stone's edge. */

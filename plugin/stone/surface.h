@@ -13,9 +13,11 @@
 #include "relief.h"
 
 typedef struct {
-  field height;      /* mm over the face, object space */
-  vf lost;           /* variance of slope along one axis that the footprint averages out */
-  vf low, steep;     /* where in the relief's range the place lies, 0..1; its sd of slope */
+  field height; /* mm over the face, object space */
+  vf lost;      /* variance of slope along one axis that the footprint averages out */
+  /* where in the relief's range the place lies, 0..1 (until all of it is found, its variance); its
+   * sd of slope */
+  vf low, steep;
   vf edge, shoulder; /* mm, of the stones' edges alone; from the joint's middle, what casts shade */
   vf in_joint;       /* 1 in the joint, 0 on the stone: of the point, not the footprint */
   vf polish;         /* how worn, 0..1 */

@@ -95,6 +95,44 @@ static void kept(void **unused) {
   mesh_free(&m);
 }
 
+/* Felt's crimp where nearly every strand overlaps others: bent, it stays, and little overlaps. */
+static double mean_bend(const sozai_geometry *g) {
+  const sozai_curves *c = curves_of(g);
+  double sum = 0;
+  uint64_t joints = 0;
+  for (uint64_t i = 0; i < c->curve_count; i++)
+    for (uint64_t v = c->first[i]; v + 2 < c->first[i + 1]; v++, joints++) {
+      const float *p = c->points + 3 * v;
+      double dot = 0, l[2] = {0, 0};
+      for (int d = 0; d < 3; d++) {
+        double x = (double)(p[3 + d] - p[d]), y = (double)(p[6 + d] - p[3 + d]);
+        dot += x * y, l[0] += x * x, l[1] += y * y;
+      }
+      sum += acos(fmin(1, dot / sqrt(l[0] * l[1]))) * 180 / 3.14159265;
+    }
+  geometry()->release_curves(c);
+  return sum / (double)joints;
+}
+
+#define FELT                                                                                       \
+  "count=0 packing=0.05 diameter=150 length=6 phi_min=-90 phi_max=90 theta_min=-14 theta_max=26 "
+
+static void crimp_stays(void **unused) {
+  (void)unused;
+  mesh m = box_of(14, 14, 14);
+  sozai_geometry *before = grow(&m, FELT "contact=off"), *after = grow(&m, FELT "contact=bend");
+  double bend[2] = {mean_bend(before), mean_bend(after)};
+  print_message("felt, packing 0.05: mean bend %.2f degrees before, %.2f after; contacts %.0f of "
+                "%.0f, of %.0f strands of %.0f\n",
+                bend[0], bend[1], statistic(after, "contacts"), statistic(after, "contacts_first"),
+                statistic(after, "contact_strands"), statistic(after, "strands"));
+  assert_true(fabs(bend[1] / bend[0] - 1) < 0.05);
+  assert_true(statistic(after, "contacts") < 0.01 * statistic(after, "contacts_first"));
+  geometry()->release(before);
+  geometry()->release(after);
+  mesh_free(&m);
+}
+
 /* count=0: so many that their volume is the packing's share of the hull's. */
 static void packed(void **unused) {
   (void)unused;
@@ -125,6 +163,6 @@ static void packed(void **unused) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(apart), cmocka_unit_test(kept),
-                                     cmocka_unit_test(packed)};
+                                     cmocka_unit_test(crimp_stays), cmocka_unit_test(packed)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,7 +4,7 @@
  * fibre. Lengths in mm, angles in degrees. 0, or what is left out, stands for
  *   the fibre's own       diameter, diameter_spread, packing, crimp, crimp_height, roughness,
  *                         transmission, variation
- *   the default           waver, thickness, bundle, nap_reach, darkening, hollow
+ *   the default           waver, thickness, bundle, nap_reach, darkening, hollow, mottle_size
  *   0                     all else
  */
 #ifndef SOZAI_FIBERTEX_ARRANGEMENTS_H
@@ -29,6 +29,7 @@ typedef struct {
   int32_t coloured, weft_coloured; /* the colours below stand */
   uint8_t colour[3], second[3], weft[3];
   double second_share, variation;
+  double mottle, mottle_size;
 } fiber_arrangement;
 
 extern const fiber_arrangement fiber_arrangements[];

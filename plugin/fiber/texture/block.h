@@ -66,6 +66,7 @@ typedef struct {
   vf s;
   vf nap[2], nap_lost; /* the nap's turn, and how much steeper it is, log2; what the footprint holds
                         * of them, over all, standard deviations */
+  vf cloud;            /* how bright strands are here, 1 in the mean; where there are clouds */
   sums sum;
   vf hole;                     /* what of it neither yarns nor what is below them cover */
   vf shade;                    /* what is left of light by strands close above */

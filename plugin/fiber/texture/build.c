@@ -505,6 +505,9 @@ int32_t fibertex_build(fibertex_constants *w, const sozai_host *host, const sett
   w->second_chance = (int32_t)(256.0 * number_at(s, P_SECOND_SHARE) + 0.5);
   w->second_share = (float)w->second_chance / 256.0f;
   w->variation = (float)number_at(s, P_VARIATION);
+  w->cloud = (float)number_at(s, P_MOTTLE);
+  w->cloud_frequency = (float)(1.0 / number_at(s, P_MOTTLE_SIZE));
+  w->cloud_seed = hash1(w->seed ^ 0x6d6f74u);
   w->structure = choice_at(s, P_STRUCTURE);
   w->solid = 1.0f;
   build_bundles(w, s);

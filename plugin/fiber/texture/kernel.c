@@ -3,6 +3,7 @@
  * Fibre's evaluate: compiled once for each instruction set and width.
  */
 #include "cloth_looks.h"
+#include "cloud.h"
 #include "hull_looks.h"
 #include "measure.h"
 #include "measure_both.h"
@@ -62,6 +63,7 @@ INLINE void evaluate_as(const fibertex_constants *w, int woven, const kernel_io 
       stage_point(w, woven, io, &of[b]);
     }
     if (!woven && w->nap > 0.0f) EACH(b, count) nap_turn(w, &of[b]);
+    if (w->cloud > 0.0f) EACH(b, count) stage_cloud(w, &of[b]);
     EACH(b, count) stage_view(io, &of[b]);
     if (light) {
       EACH(b, count) stage_light(w, io, &of[b]);

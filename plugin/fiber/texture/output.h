@@ -48,11 +48,13 @@ INLINE void stage_put(const fibertex_constants *w, int woven, const kernel_io *i
   for (int c = 0; c < 3; c++) {
     vf a = zero, r = o->white;
     for (int i = 0; i < colours; i++) a = a + o->albedo[i] * splat(w->colour[i][c]);
+    if (w->cloud > 0.0f) a = a * k->cloud;
     out->component[FIBERTEX_ALBEDO + c] = a;
     if (!(wants & WANTS_LIGHT)) continue;
     for (int i = 0; i < colours; i++) {
       r = r + o->glow[i] * splat(w->glow[i][c]) + o->bulk[i] * splat(w->bulk[i][c]);
     }
+    if (w->cloud > 0.0f) r = r * k->cloud;
     if (io->in->light_colour[c]) {
       vf e = load_lanes(io->in->light_colour[c], k->i, k->n);
       r = r * sel(lt(vabs(e), splat(1e30f)), e, zero);

@@ -235,6 +235,18 @@ static const sozai_parameter variation = {
    .doc = "How much lighter or darker a strand may be, relatively.",
    .hard_min = 0, .hard_max = 0.6, .soft_min = 0, .soft_max = 0.35, .default_number = {0.12}};
 
+static const sozai_parameter mottle = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "mottle", .label = "Mottle", .group = "colour", .unit = "",
+   .doc = "Clouds of brightness over all strands, as in felt, lint and dust: relative, the standard deviation; 1 in the mean.",
+   .hard_min = 0, .hard_max = 0.5, .soft_min = 0, .soft_max = 0.2, .default_number = {0}};
+
+static const sozai_parameter mottle_size = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "mottle_size", .label = "Mottle's size", .group = "colour", .unit = "mm",
+   .doc = "How wide the largest clouds are, about; there are others of a half and of a fifth.",
+   .hard_min = 0.5, .hard_max = 10000, .soft_min = 3, .soft_max = 300, .default_number = {15}};
+
 static const sozai_parameter ior = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "ior", .label = "Index of refraction", .group = "light", .unit = "",
@@ -300,6 +312,8 @@ const sozai_parameter *const fibertex_parameters[FIBERTEX_PARAMETERS] = {
    [P_WEFT] = &weft_colour,
    [P_SECOND_SHARE] = &second_share,
    [P_VARIATION] = &variation,
+   [P_MOTTLE] = &mottle,
+   [P_MOTTLE_SIZE] = &mottle_size,
    [P_IOR] = &ior,
    [P_ROUGHNESS] = &roughness,
    [P_TILT] = &tilt,

@@ -93,6 +93,8 @@ static void set_colours(values *v, const fiber_arrangement *a, const fiber_mater
   number(v, "second_share", a->coloured ? a->second_share : f->share_2);
   double spread = 1.732 * f->colour_spread;
   number(v, "variation", either(a->variation, spread < 0.35 ? spread : 0.35));
+  perhaps(v, "mottle", a->mottle);
+  perhaps(v, "mottle_size", a->mottle_size);
 }
 
 const sozai_preset *const *fibertex_presets(uint32_t *count) {

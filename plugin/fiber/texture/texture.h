@@ -131,6 +131,8 @@ typedef struct {
    * and 1/mm: nap.h */
   float nap, nap_steeper, nap_frequency;
   uint32_t nap_seed;
+  float cloud, cloud_frequency; /* of brightness: standard deviation; 1/mm: cloud.h */
+  uint32_t cloud_seed;
   float radius_spread;
   float contact;         /* how much of the light strands take from what is close below */
   float step, step_more; /* optical depth of the first layer; and what each next has more */
