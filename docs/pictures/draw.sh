@@ -38,11 +38,11 @@ sheet() {
   oiiotool "$scratch"/{1,2,3,4,5,6,7,8,9,10,11,12}.png --mosaic 4x3 "${untold[@]}" -d uint8 -o "$folder/$1.png"
 }
 
-# Inada and Mannari granite, Baltic Brown, Rosso Verona; travertine, Calacatta, Rosso Levanto, terrazzo;
+# Inada granite, Ogatsu slate, Baltic Brown, Rosso Verona; travertine, Calacatta, Rosso Levanto, terrazzo;
 # Rosa Beta flamed, setts in fans, a mossy path, araidashi
 draw_stones() {
   stone 1 inada --camera front --size 80x60
-  stone 2 mannari --camera front --size 80x60
+  stone 2 slate --camera front --size 400x300 --light 20,60
   stone 3 baltic_brown --camera front --size 240x180
   stone 4 rosso_verona --camera front --size 320x240
   stone 5 travertino --camera front --size 320x240

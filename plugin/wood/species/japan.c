@@ -84,7 +84,7 @@ static const sozai_value values_mizunara[] = {
     NUMBER("fibre_brightness", 0.13),
     SRGB("earlywood_colour", 203, 171, 128),
     SRGB("latewood_colour", 180, 144, 100),
-    SRGB("vessel_colour", 164, 134, 95),
+    SRGB("vessel_colour", 165, 135, 96),
     SRGB("sapwood_earlywood_colour", 220, 199, 162),
     SRGB("sapwood_latewood_colour", 200, 176, 136),
     NUMBER("heartwood_years", 150.0),
