@@ -11,10 +11,10 @@
 #include "block.h"
 #include "nap.h"
 
-#define CLOUD_OCTAVES 3
+#define CLOUD_OCTAVES 2
 #define CLOUD_FINER 2.17f
 #define CLOUD_WEAKER 0.6f
-#define CLOUD_SIGMA 4.292f /* 1 over the sd of the octaves' sum, 0.191 sqrt(1 + 0.36 + 0.1296) */
+#define CLOUD_SIGMA 4.490f /* 1 over the sd of the octaves' sum, 0.191 sqrt(1 + 0.36) */
 #define CLOUD_MOST 0.95f   /* either way, so that the mean stays 1 and nothing is black */
 
 /* A footprint is looked at in 2 x 2 parts where it is wider than this, of the noise's lattice. */

@@ -244,7 +244,7 @@ static const sozai_parameter mottle = {
 static const sozai_parameter mottle_size = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "mottle_size", .label = "Mottle's size", .group = "colour", .unit = "mm",
-   .doc = "How wide the largest clouds are, about; there are others of a half and of a fifth.",
+   .doc = "How wide the large clouds are, about; there are others of a half.",
    .hard_min = 0.5, .hard_max = 10000, .soft_min = 3, .soft_max = 300, .default_number = {15}};
 
 static const sozai_parameter ior = {
