@@ -20,6 +20,7 @@ static const float cleft_finer[CLEFT_OCTAVES] = {1.0f, 4.3f, 15.0f, 47.0f},
                    cleft_high[CLEFT_OCTAVES] = {1.0f, 0.2f, 0.065f, 0.024f};
 /* finer^2 high^2 summed, of the steepness^2 that the first alone would have */
 #define CLEFT_STEEPER 3.963f
+#define CLEFT_ALONG 0.6f /* how often ends come along the lineation, bed space's x */
 #define CLEFT_SLOPE 0.7f /* the first octave's gradient's length, rms, over its frequency */
 
 /* Where sheets end, in the field's numbers (sd 0.2), and of what they are thick together each one's

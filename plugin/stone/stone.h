@@ -26,7 +26,6 @@
 
 #define STONE_RELIEF 5   /* octaves of a finish's relief */
 #define CLEFT_FAMILIES 2 /* of sheets: cleft.h */
-#define CLEFT_ALONG 0.6f /* how often their ends come along the lineation, bed space's x */
 #define STONE_CODES 256  /* of the paper's 8-bit RGB */
 
 /* Colours of the palette, which albedo is a sum of. */
