@@ -103,32 +103,6 @@ INLINE vf cone_reflectance(const wood_constants *w, vf sine, const cone_dive *d)
   return mix(low, high, d->part);
 }
 
-/* The coat's own highlight: GGX with Smith's shadowing, times pi cos. a2: its
- * alpha, squared. */
-INLINE vf coat_highlight(const wood_constants *w, const vf l[3], const vf v[3], const vf n[3],
-                         vf ci, vf cr, vf a2) {
-  vf one = splat(1.0f), tiny = splat(1e-4f);
-  vf h[3], square = splat(0.0f), nh = square, vh = square;
-  for (int c = 0; c < 3; c++) {
-    h[c] = l[c] + v[c];
-    square = square + h[c] * h[c];
-  }
-  vf k = inverse_root(vmax(square, splat(1e-12f)));
-  for (int c = 0; c < 3; c++) {
-    nh = nh + h[c] * k * n[c];
-    vh = vh + h[c] * k * v[c];
-  }
-  vf d = nh * nh * (a2 - one) + one;
-  vf ca = vmax(ci, tiny), cb = vmax(cr, tiny);
-  vf smith = ca * vsqrt(cb * cb * (one - a2) + a2) + cb * vsqrt(ca * ca * (one - a2) + a2);
-  vf c = clamp(vh, splat(0.0f), one), inverse = splat(w->inverse_ior);
-  vf ct = vsqrt(vmax(one - (one - c * c) * inverse * inverse, splat(0.0f)));
-  vf f = fresnel(splat(w->ior), vmax(c, tiny), ct);
-  /* pi cos times a2 / (pi d^2) F / (2 smith) */
-  vf r = splat(w->coat) * f * a2 * ca / (splat(2.0f) * d * d * smith);
-  return sel(gt(ci, splat(0.0f)), r, splat(0.0f));
-}
-
 /* The variance of psi_r + psi_i. A fibre that leans by a slope along e changes a direction's sine
  * by that times its part along e, and psi by as much over its cosine. */
 INLINE vf cone_spread(const cone_ray *i, const cone_ray *r, const cone_lost *lost) {
@@ -142,11 +116,11 @@ INLINE vf cone_spread(const cone_ray *i, const cone_ray *r, const cone_lost *los
 }
 
 /* Radiance towards v under l, for light_colour 1. sine: of the dive angle.
- * lost: slopes that the footprint averages, or NULL for none. coat2: the coat's alpha,
- * squared. */
+ * lost: slopes of fibres that the footprint averages, or NULL for none. Without the coat's own
+ * highlight. */
 INLINE void cone_radiance(const wood_constants *w, const vf l[3], const vf v[3], const vf n[3],
-                          const vf f[3], vf sine, const cone_lost *lost, vf coat2,
-                          const vf albedo[3], vf out[3]) {
+                          const vf f[3], vf sine, const cone_lost *lost, const vf albedo[3],
+                          vf out[3]) {
   vf one = splat(1.0f), zero = splat(0.0f);
   cone_ray i = cone_enter(w, l, n, f), r = cone_enter(w, v, n, f);
   vf flip = sel(lt(sine, zero), splat(-1.0f), one);
@@ -162,12 +136,11 @@ INLINE void cone_radiance(const wood_constants *w, const vf l[3], const vf v[3],
   vf half = vmax((one + cd) * splat(0.5f), splat(WOOD_CONE_LEAST));
   vf cosine = i.cosine * i.through * r.through;
   vf lobe = splat(3.14159265f) * g / half * cosine * scale;
-  vf coat = w->coat > 0.0f ? coat_highlight(w, l, v, n, i.cosine, r.cosine, coat2) : zero;
   vm seen = and_(gt(i.cosine, zero), gt(r.cosine, zero));
   for (int c = 0; c < 3; c++) {
     vf k = splat(w->fibre_colour[c]);
     vf left = vmax(one - k * ei, zero) * vmax(one - k * er, zero) / (one - k * mean);
-    out[c] = sel(seen, coat + k * lobe + albedo[c] * left * cosine, zero);
+    out[c] = sel(seen, k * lobe + albedo[c] * left * cosine, zero);
   }
 }
 

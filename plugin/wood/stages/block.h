@@ -16,6 +16,7 @@
 #include "../rings.h"
 #include "../spalt.h"
 #include "../stem.h"
+#include "../surface/slopes.h"
 #include "../vessels.h"
 
 #ifndef BLOCKS
@@ -85,7 +86,8 @@ typedef struct {
   vf exponent, strength, incident, rise, tilted, power; /* figure */
   vf light[3];                                          /* log space */
   vf streak, pigment;                                   /* share of minerals; depth of bands */
-  vf lost;                                              /* variance of the surface's slopes */
+  vf fine, fine_power; /* of the lobe, what the relief's steep part has: its strength; over power */
+  const lost_slopes *lost; /* of the relief, where it has one */
   ray_turn ray_from;
   ray_cells ray_at;
   vu ray_on;

@@ -17,23 +17,36 @@ INLINE void stage_cone(const wood_constants *w, const wood_io *io, block *k) {
   }
   vf width2 = splat(w->cone_width * w->cone_width) + splat(4.0f) * lost_towards_normal(k);
   store_lanes(io, WOOD_CONE_WIDTH, k, vsqrt(width2));
-  store_lanes(io, WOOD_COAT, k, splat(w->coat));
-  store_lanes(io, WOOD_COAT_ROUGHNESS, k, vsqrt(vsqrt(coat_alpha2(w, k))));
+  vf coat = splat(w->coat), alpha2 = coat_alpha2(w, k);
+  if (w->surface.relief) {
+    /* one lobe is all that a host has: what is steep lies lower by as much as it is wider */
+    vf steep = vmin(alpha2 + slopes_within(k->lost), splat(1.0f));
+    coat = coat * mix(splat(1.0f), alpha2 / steep, k->lost->share);
+  }
+  store_lanes(io, WOOD_COAT, k, coat);
+  store_lanes(io, WOOD_COAT_ROUGHNESS, k, vsqrt(vsqrt(alpha2)));
 }
 
 INLINE void stage_cone_radiance(const wood_constants *w, int boards, const wood_io *io, block *k) {
-  vf r[3], v[3], coat2 = coat_alpha2(w, k);
+  vf r[3], v[3];
   view_of(w, boards, io, k, v);
   cone_lost lost = {k->stem.c, k->stem.s, k->stem.lost_slope, k->grain.variance};
   vm some = gt(lost.out + lost.around, splat(0.0f));
-  cone_radiance(w, k->light, v, k->nrm, k->fibre, k->sine, any(some) ? &lost : NULL, coat2,
-                k->albedo, r);
+  cone_radiance(w, k->light, v, k->nrm, k->fibre, k->sine, any(some) ? &lost : NULL, k->albedo, r);
   if (w->has_rays) {
     /* the cells of a ray lie along the radius */
     vf zero = splat(0.0f), axis[3] = {k->stem.c, zero, k->stem.s}, shine[3];
     vf dive = zero - (axis[0] * k->nrm[0] + axis[2] * k->nrm[2]);
-    cone_radiance(w, k->light, v, k->nrm, axis, dive, NULL, coat2, k->albedo, shine);
+    cone_radiance(w, k->light, v, k->nrm, axis, dive, NULL, k->albedo, shine);
     for (int c = 0; c < 3; c++) r[c] = mix(r[c], shine[c], k->ray);
+  }
+  if (w->surface.relief) {
+    vf lit = relief_lit(w, k);
+    for (int c = 0; c < 3; c++) r[c] = r[c] * lit;
+  }
+  if (w->coat > 0.0f) {
+    vf coat = coat_highlight(w, k->light, v, k->nrm, w->surface.relief ? k->lost : NULL);
+    for (int c = 0; c < 3; c++) r[c] = r[c] + coat;
   }
   if (boards) {
     /* what lies in the joint has no fibres */

@@ -6,8 +6,28 @@
 #ifndef SOZAI_WOOD_STAGES_KAWAI_H
 #define SOZAI_WOOD_STAGES_KAWAI_H
 
-#include "../cone.h"
 #include "light.h"
+
+/* The exponent of a lobe that slopes of that variance widen: alpha^2 + 2 variance. It stays one of
+ * n >= 1, which is 0 where light comes from below. alpha2: of that. */
+INLINE vf lobe_widened(vf exponent, vf slopes, vf *alpha2) {
+  *alpha2 = splat(2.0f) / (exponent + splat(2.0f)) + slopes;
+  return splat(2.0f) / vmin(*alpha2, splat(2.0f / 3.0f)) - splat(2.0f);
+}
+
+/* The lobe over the relief: of its gentle part and, lower and wider, of its steep one. A lobe's
+ * height goes as its exponent + 2. */
+INLINE void stage_lobe_relief(block *k, vf *roughness) {
+  vf one = splat(1.0f), two = splat(2.0f), gentle, steep, share = k->lost->share;
+  vf n = lobe_widened(k->exponent, slopes_sum(&k->lost->gentle), &gentle);
+  vf n_steep = lobe_widened(k->exponent, slopes_within(k->lost), &steep);
+  vf height = k->strength / (k->exponent + two);
+  k->strength = (one - share) * height * (n + two);
+  k->fine = share * height * (n_steep + two);
+  k->fine_power = n_steep / n;
+  k->exponent = n;
+  *roughness = vmin(vsqrt(gentle), one);
+}
 
 /* Figure, Kawai's equation (4): the lobe's normal dives with the fibre; slopes
  * that the footprint averages widen it instead. */
@@ -26,16 +46,8 @@ INLINE void stage_lobe(const wood_constants *w, int boards, const wood_io *io, b
     k->strength = k->strength * vsqrt(wide);
     roughness = vmin(vsqrt(splat(2.0f) / (k->exponent + splat(2.0f))), one);
   }
-  if (w->surface.relief) {
-    /* slopes of the surface, alike in all directions: alpha^2 + 2 variance. The
-     * lobe itself stays one of n >= 1, which is 0 where light comes from below */
-    vf narrow = splat(2.0f) / (k->exponent + splat(2.0f)), wide = vmin(narrow + k->lost, one);
-    vf lobe = vmin(wide, splat(2.0f / 3.0f));
-    k->exponent = splat(2.0f) / lobe - splat(2.0f);
-    k->strength = k->strength * (narrow / lobe);
-    roughness = vmin(vsqrt(wide), one);
-  }
-  store_lanes(io, WOOD_SPECULAR, k, k->strength);
+  if (w->surface.relief) stage_lobe_relief(k, &roughness);
+  store_lanes(io, WOOD_SPECULAR, k, w->surface.relief ? k->strength + k->fine : k->strength);
   store_lanes(io, WOOD_ROUGHNESS, k, roughness);
 }
 
@@ -50,14 +62,13 @@ INLINE void stage_gloss(block *k) { k->power = power01_log2(k->tilted, k->expone
  * in and out again. What lies in the joint has none. */
 INLINE vf stage_coat(const wood_constants *w, int boards, const wood_io *io, const block *k,
                      vf *through) {
-  vf v[3], one = splat(1.0f), coat2 = coat_alpha2(w, k);
+  vf v[3], one = splat(1.0f);
   view_of(w, boards, io, k, v);
   vf ci = clamp01(k->incident);
   vf cr = clamp01(v[0] * k->nrm[0] + v[1] * k->nrm[1] + v[2] * k->nrm[2]);
   vf in = coat_through(w, ci, cone_refracted(w, ci));
   vf out = coat_through(w, cr, cone_refracted(w, cr));
-  vf coat = coat_highlight(w, k->light, v, k->nrm, ci, cr, coat2);
-  coat = sel(gt(cr, splat(0.0f)), coat, splat(0.0f));
+  vf coat = coat_highlight(w, k->light, v, k->nrm, w->surface.relief ? k->lost : NULL);
   *through = in * out;
   if (boards) {
     vf joint = k->board.unit.joint;
@@ -71,6 +82,10 @@ INLINE void stage_radiance(const wood_constants *w, int boards, const wood_io *i
   vf zero = splat(0.0f);
   vf gloss = k->strength * exp2_(k->power);
   vf diffuse = splat(w->diffuse) * vmax(k->incident, zero);
+  if (w->surface.relief) {
+    gloss = gloss + k->fine * exp2_(k->power * k->fine_power);
+    diffuse = diffuse * relief_lit(w, k);
+  }
   vf coat = zero;
   if (w->coat > 0.0f) {
     vf through;

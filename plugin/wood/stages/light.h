@@ -5,6 +5,7 @@
 #ifndef SOZAI_WOOD_STAGES_LIGHT_H
 #define SOZAI_WOOD_STAGES_LIGHT_H
 
+#include "../coat.h"
 #include "axes.h"
 
 INLINE void stage_light(const wood_constants *w, int boards, const wood_io *io, block *k) {
@@ -56,10 +57,15 @@ INLINE vf lost_towards_normal(const block *k) {
   return k->grain.variance * across * across + k->stem.lost_slope * out * out;
 }
 
-/* Of the coat's facets, squared: its own, and the slopes that the footprint averages over. */
+/* Of the coat's facets, squared: its own, and the gentle slopes that the footprint averages. */
 INLINE vf coat_alpha2(const wood_constants *w, const block *k) {
   vf alpha2 = splat(w->coat_alpha * w->coat_alpha);
-  return w->surface.relief ? vmin(alpha2 + k->lost, splat(1.0f)) : alpha2;
+  return w->surface.relief ? vmin(alpha2 + slopes_sum(&k->lost->gentle), splat(1.0f)) : alpha2;
+}
+
+/* How much light falls on the relief's slopes, over that on the face. */
+INLINE vf relief_lit(const wood_constants *w, const block *k) {
+  return w->surface.relief ? slopes_lit(k->lost, k->incident) : splat(1.0f);
 }
 
 #endif

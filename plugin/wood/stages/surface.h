@@ -59,8 +59,12 @@ INLINE void surface_marks(const wood_constants *w, int boards, const wood_io *io
   for (int c = 0; c < 3; c++) g[c] = along[c] * m.a + across[c] * m.b;
   to_log(w, boards, k, g, turned);
   r->height = r->height + m.height;
-  r->lost = r->lost + m.lost;
   relief_add(r, splat(1.0f), turned);
+  to_log(w, boards, k, along, turned);
+  to_log(w, boards, k, across, g);
+  slopes_along(&r->lost, &r->lost.gentle, turned, m.lost_aa);
+  slopes_along(&r->lost, &r->lost.gentle, g, m.lost_bb);
+  slopes_between(&r->lost, &r->lost.gentle, turned, g, m.lost_ab);
 }
 
 /* The way back to log space from a place in a section, whose arc has the row a: of x and z, which
@@ -114,6 +118,7 @@ INLINE void surface_place_of(const wood_constants *w, int boards, const wood_io 
   }
   p->y = k->p[1];
   p->s = k->s;
+  p->up2 = k->up2;
   stage_reach(w, boards, io, k);
   if (k->in.moved) k->bolt.f.bb = k->section.f.bb;
   p->reach = k->reach;
@@ -130,14 +135,14 @@ static __attribute__((noinline)) void stage_relief(const wood_constants *w, int 
   vf one = splat(1.0f);
   surface_place p;
   surface_place_of(w, boards, io, k, &p);
-  *r = relief_grown(w, &p);
+  *r = relief_grown(w, &p, k->nrm);
   surface_marks(w, boards, io, k, r);
   if (boards) {
     vf face = one - k->board.unit.joint;
     r->height = r->height * face;
     for (int c = 0; c < 3; c++) r->slope[c] = r->slope[c] * face;
   }
-  k->lost = r->lost;
+  k->lost = &r->lost;
   if (w->surface.stains) k->shift = k->shift * (one - r->dark);
 }
 

@@ -117,13 +117,20 @@ static double late_profile(const wood_constants *w, double rho, ring_at *ring) {
   return (double)w->late_weight[ring->number + 1] * rise;
 }
 
+/* What of the slopes is at edges, by the profile's moments: a share of the face with a slope that
+ * is as uniform as a parabola's, 9/5 of the square of the mean square, has all of it. */
+static void build_wear_edges(wood_surface *m, double square, double fourth) {
+  double share = fourth > 0.0 ? 1.8 * square * square / fourth : 1.0;
+  m->wear_share = (float)(share < 1.0 ? share : 1.0);
+}
+
 /* Mean square slope of the rounded profile of wear.h, under boxes from `soft`
  * on, over the whole table. */
 static void build_wear_slopes(wood_constants *w) {
   wood_surface *m = &w->surface;
   double total = (double)w->start[WOOD_RINGS];
   for (int k = 0; k < SURFACE_WEAR_STEPS; k++) {
-    double e = (double)m->soft * scalar_exp(0.5 * k * 0.69314718055994531), sum = 0.0;
+    double e = (double)m->soft * scalar_exp(0.5 * k * 0.69314718055994531), sum = 0.0, fourth = 0.0;
     double wanted = 10.0 * total / e;
     int steps = wanted < 2048.0 ? 2048 : wanted > 65536.0 ? 65536 : (int)wanted;
     ring_at ring[4] = {{0}};
@@ -135,7 +142,9 @@ static void build_wear_slopes(wood_constants *w) {
              about = late_profile(w, rho + e, &ring[2]) - late_profile(w, rho - e, &ring[3]);
       double rise = 0.5 * within + 0.25 * about;
       sum += rise * rise / steps;
+      fourth += rise * rise * rise * rise / steps;
     }
+    if (k == 0) build_wear_edges(m, sum, fourth);
     m->wear_slope2[k] = (float)(sum / (e * e));
   }
 }
@@ -216,7 +225,7 @@ static void build_splits(wood_surface *m, const surface_finish *f, const setting
   m->inverse_split_length = (float)(1.0 / length);
   m->split_cells = (float)(2.0 * PI * length / cell);
   m->split_mean = (float)((double)SPLIT_MEAN * half);
-  m->split_steep2 = (float)((double)SPLIT_STEEP2 / (half * half));
+  m->split_steep2 = (float)((double)SPLIT_STEEP2 / ((double)SPLIT_SHOULDER * half * half));
   m->stains = 1;
 }
 
@@ -249,7 +258,10 @@ static void build_cracks(wood_constants *w, const surface_finish *f, const setti
   double tilt = PLATE_TILT * how;
   m->plate_tilt = (float)(tilt / depth);
   double plates = tilt * tilt * 2.0 / 3.0 * 0.7;
-  m->crack_slope2 = (float)(0.85 * depth * depth * steep * 2.0 / width * 2.791 + plates);
+  m->crack_gentle2 = (float)(1.5 * plates); /* and the outer part of their shoulders */
+  double share = 0.8 * lines * 2.0 * width * 0.55;
+  m->crack_slope2 = (float)(0.85 * depth * depth * steep * 2.0 / width * 2.791 / share);
+  m->crack_share = (float)share;
   m->stains = 1;
 }
 

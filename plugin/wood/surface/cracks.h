@@ -162,6 +162,44 @@ INLINE crack_cell crack_cell_of(const wood_surface *m, vu seed, vf px, vf pz) {
   return (crack_cell){column, fx - mx, fz - mz, edge, ex, ez};
 }
 
+/* The shape of a crack over its depth, x from its middle in its half widths: 9/20 of one parabola
+ * and 11/20 of another that is a quarter as wide. */
+INLINE vf crack_shape(vf x, vf *slope) {
+  vf zero = splat(0.0f), one = splat(1.0f);
+  vf outer = vmax(one - x, zero), core = vmax(one - splat(4.0f) * x, zero);
+  *slope = zero - (splat(0.9f) * outer + splat(4.4f) * core);
+  return splat(0.45f) * outer * outer + splat(0.55f) * core * core;
+}
+
+/* Its integral from the middle. */
+INLINE vf crack_integral(vf x) {
+  vf zero = splat(0.0f), one = splat(1.0f), far = vabs(x);
+  vf outer = vmax(one - far, zero), core = vmax(one - splat(4.0f) * far, zero);
+  vf sum = splat(0.15f) * (one - outer * outer * outer) +
+           splat(0.55f / 12.0f) * (one - core * core * core);
+  return sel(lt(x, zero), zero - sum, sum);
+}
+
+/* Both averaged from x - e to x + e, over which the crack's two sides cancel. */
+INLINE vf crack_average(vf x, vf e, vf *slope) {
+  vf sharp, unused, height = crack_shape(x, &sharp);
+  vm wide = gt(e, splat(0.01f));
+  *slope = sharp;
+  if (!any(wide)) return height;
+  vf per = splat(0.5f) / vmax(e, splat(0.01f));
+  vf mean = (crack_integral(x + e) - crack_integral(x - e)) * per;
+  vf rise = (crack_shape(vabs(x + e), &unused) - crack_shape(vabs(x - e), &unused)) * per;
+  *slope = sel(wide, rise, sharp);
+  return sel(wide, mean, height);
+}
+
+/* How much of the slopes' square such an average leaves: exact where e is small and where it is
+ * large, and at most 0.02 off between. Cracks are narrower by 1.5 on the whole. */
+INLINE vf crack_left(const wood_surface *m, vf e) {
+  vf x = e * splat(1.5f / m->crack_width), one = splat(1.0f);
+  return one / (one + x * (splat(6.7f) + splat(50.0f) * x));
+}
+
 /* widen: mm that the footprint takes at least. */
 INLINE crack_place cracks_at(const wood_constants *w, vu own, vf px, vf py, vf pz, vf widen) {
   const wood_surface *m = &w->surface;
@@ -183,11 +221,12 @@ INLINE crack_place cracks_at(const wood_constants *w, vu own, vf px, vf py, vf p
 
   vf wide = splat(m->crack_width) + widen, inverse = one / wide;
   vf share = splat(m->crack_width) * inverse;
-  vf outer = vmax(one - d * inverse, zero), core = vmax(one - splat(4.0f) * d * inverse, zero);
+  vf core = vmax(one - splat(4.0f) * d * inverse, zero), half = splat(1.0f / m->crack_width);
   crack_place p;
-  p.depth = share * (splat(0.45f) * outer * outer + splat(0.55f) * core * core);
+  vf slope;
+  p.depth = crack_average(d * half, widen * half, &slope);
   p.dark = share * core;
-  vf slope = zero - share * inverse * (splat(0.9f) * outer + splat(4.4f) * core);
+  slope = slope * half;
   vm on_edge = and_(along, not_(hair));
   vf rise = sel(hair, fine.slope, part.slope);
   vf g[3] = {sel(on_edge, slope * cell.ex, zero), sel(on_edge, zero, slope * rise),

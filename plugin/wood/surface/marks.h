@@ -16,10 +16,10 @@
 
 #include "../stem.h"
 
-/* Height, mm; its slopes along a and b; and the sum of both slopes' mean
- * squares that the footprint averages out. */
+/* Height, mm; its slopes along a and b; and those slopes' mean products that the footprint
+ * averages out. */
 typedef struct {
-  vf height, a, b, lost;
+  vf height, a, b, lost_aa, lost_ab, lost_bb;
 } marks_relief;
 
 #define MARK_STRAY 30.0f /* mm along a mark in which its depth changes */
@@ -45,7 +45,9 @@ INLINE vf mark_number(vi mark, vf b, vu seed, vf *slope) {
 INLINE void marks_noise(const surface_noise *q, vu seed, vf x, vf y, vf e, marks_relief *r) {
   if (q->height == 0.0f) return;
   vf keep = splat(1.0f) - smooth_step(splat(0.25f * q->size), splat(q->size), e);
-  r->lost = r->lost + (splat(1.0f) - keep * keep) * splat(q->slope2[0] + q->slope2[1]);
+  vf gone = splat(1.0f) - keep * keep;
+  r->lost_aa = r->lost_aa + gone * splat(q->slope2[0]);
+  r->lost_bb = r->lost_bb + gone * splat(q->slope2[1]);
   if (!any(gt(keep, splat(0.0f)))) return;
   noise_axis ax = noise_split_cubic(x * splat(q->frequency[0]), HASH_X);
   noise_axis ay = noise_split_cubic(y * splat(q->frequency[1]), HASH_Y);
@@ -72,9 +74,10 @@ INLINE void marks_grooves(const wood_surface *m, vu seed, float depth, vf travel
   vf one = splat(1.0f), zero = splat(0.0f), ta, t = travel + marks_uneven(m, seed, travel, &ta);
   vf u = t * splat(m->inverse_pitch), keep = marks_keep(e * vsqrt(one + tb * tb), m->inverse_pitch);
   tb = tb * ta;
-  vf steep2 = ta * ta + tb * tb;
-  vf k = splat(depth), change;
-  r->lost = r->lost + (one - keep * keep) * (k * k * splat(m->slope2) * steep2);
+  vf k = splat(depth), change, gone = (one - keep * keep) * (k * k * splat(m->slope2));
+  r->lost_aa = r->lost_aa + gone * ta * ta;
+  r->lost_ab = r->lost_ab + gone * ta * tb;
+  r->lost_bb = r->lost_bb + gone * tb * tb;
   r->height = r->height - k * splat(MARK_MEAN * MARK_SHAPE);
   if (!any(gt(keep, zero))) return;
   vi mark;
@@ -91,7 +94,7 @@ INLINE void marks_grooves(const wood_surface *m, vu seed, float depth, vf travel
 INLINE void marks_knives(const wood_surface *m, vu seed, vf a, vf b, vf e, marks_relief *r) {
   vf one = splat(1.0f), u = a * splat(m->inverse_pitch), k = splat(m->depth), change;
   vf keep = marks_keep(e, m->inverse_pitch);
-  r->lost = r->lost + (one - keep * keep) * (k * k * splat(m->slope2));
+  r->lost_aa = r->lost_aa + (one - keep * keep) * (k * k * splat(m->slope2));
   r->height = r->height - k * splat(2.0f / 3.0f);
   if (!any(gt(keep, splat(0.0f)))) return;
   vi mark;
@@ -110,7 +113,7 @@ INLINE void marks_knives(const wood_surface *m, vu seed, vf a, vf b, vf e, marks
 INLINE void marks_strokes(const wood_surface *m, vu seed, vf a, vf b, vf e, marks_relief *r) {
   vf one = splat(1.0f), zero = splat(0.0f), k = splat(m->depth);
   vf keep = marks_keep(e, m->inverse_pitch);
-  r->lost = r->lost + (one - keep * keep) * (k * k * splat(m->slope2));
+  r->lost_bb = r->lost_bb + (one - keep * keep) * (k * k * splat(m->slope2));
   if (!any(gt(keep, zero))) return;
   /* the hand does not go straight */
   noise_axis far = noise_split_cubic(a * splat(1.0f / 260.0f), HASH_X);
@@ -142,7 +145,7 @@ INLINE void marks_strokes(const wood_surface *m, vu seed, vf a, vf b, vf e, mark
 
 INLINE marks_relief marks_at(const wood_surface *m, vu seed, vf a0, vf b0, vf e) {
   vf zero = splat(0.0f);
-  marks_relief r = {zero, zero, zero, zero};
+  marks_relief r = {zero, zero, zero, zero, zero, zero};
   vf c = splat(m->turn_c), s = splat(m->turn_s);
   /* no two boards begin at the same tooth, nor below the same part of the blade */
   vu h = hash_mix(seed);
@@ -170,9 +173,12 @@ INLINE marks_relief marks_at(const wood_surface *m, vu seed, vf a0, vf b0, vf e)
   for (int o = 0; o < SURFACE_OCTAVES; o++) {
     marks_noise(&m->scratch[o], seed + splatu(HASH_Z + (uint32_t)o), a, b, e, &r);
   }
-  vf ga = r.a;
+  vf ga = r.a, aa = r.lost_aa, ab = r.lost_ab, bb = r.lost_bb, two = splat(2.0f);
   r.a = c * ga - s * r.b;
   r.b = s * ga + c * r.b;
+  r.lost_aa = c * c * aa - two * c * s * ab + s * s * bb;
+  r.lost_bb = s * s * aa + two * c * s * ab + c * c * bb;
+  r.lost_ab = c * s * (aa - bb) + (c * c - s * s) * ab;
   return r;
 }
 

@@ -9,6 +9,7 @@
 #include "cracks.h"
 #include "grooves.h"
 #include "marks.h"
+#include "slopes.h"
 #include "splits.h"
 #include "wear.h"
 
@@ -29,14 +30,15 @@ typedef struct {
   vf reach;                     /* mm: what the footprint spans along rho */
   vf across_rho2;               /* square of rho's gradient within the surface */
   vf s;                         /* mm: the footprint */
+  vf up2;                       /* squared length of +y within the face */
   vf end;                       /* 0..1: how far the face is end grain */
 } surface_place;
 
 typedef struct {
-  vf height;   /* mm */
-  vf slope[3]; /* gradient of the height, log space */
-  vf lost;     /* sum over the surface's two axes of the slope's variance */
-  vf dark;     /* share of the albedo that checks and cracks take */
+  vf height;        /* mm */
+  vf slope[3];      /* gradient of the height, log space */
+  lost_slopes lost; /* what of it the footprint has averaged out */
+  vf dark;          /* share of the albedo that checks and cracks take */
 } surface_relief;
 
 INLINE void relief_add(surface_relief *r, vf k, const vf g[3]) {
@@ -50,6 +52,35 @@ INLINE vf relief_within(const surface_place *p, const surface_section *q, vf slo
   return splat(0.5f) * slope2 * (q->place.f.aa + q->place.f.bb) * per;
 }
 
+/* Where a groove lies: its paraboloid ends at 1.25 of the disc that its mean is of. */
+#define RELIEF_GROOVED 1.25f
+/* The same of checks, which taper to their ends and are of many sizes. */
+#define RELIEF_CHECKED 3.1f
+
+/* Mean square slope within the face of what has slope2 over the section, in a share of it. */
+INLINE vf relief_square(const surface_place *p, const surface_section *q, float slope2,
+                        float share) {
+  return relief_within(p, q, splat(slope2 / (share > 1e-6f ? share : 1e-6f)));
+}
+
+INLINE void relief_lose_grooves(const surface_grooves *g, const surface_place *p,
+                                const surface_section *q, vf left, surface_relief *r) {
+  float share = RELIEF_GROOVED * g->mean / g->depth;
+  slopes_steep(&r->lost, splat(share), splat(1.0f) - left, relief_square(p, q, g->slope2, share));
+}
+
+/* Rings rise along rho: at edges, or all over. */
+INLINE void relief_lose_rings(const wood_surface *m, const surface_place *p, vf variance,
+                              surface_relief *r) {
+  float all = m->erosion * m->erosion * m->wear_slope2[0], share = m->wear_share;
+  if (share < 1.0f && all > 0.0f) {
+    slopes_steep(&r->lost, splat(share), variance * splat(1.0f / all),
+                 splat(all / share) * p->across_rho2);
+  } else {
+    slopes_along(&r->lost, &r->lost.gentle, p->rho, variance);
+  }
+}
+
 INLINE void relief_wear(const wood_constants *w, const surface_place *p, surface_relief *r) {
   const wood_surface *m = &w->surface;
   vf zero = splat(0.0f), one = splat(1.0f), late = zero, slope = zero;
@@ -59,7 +90,7 @@ INLINE void relief_wear(const wood_constants *w, const surface_place *p, surface
     r->height = r->height + k * (late - one);
     relief_add(r, k * slope, p->rho);
     vf gone = vmax(splat(m->wear_slope2[0]) - wear_slope2(m, e), zero);
-    r->lost = r->lost + k * k * gone * p->across_rho2;
+    relief_lose_rings(m, p, k * k * gone, r);
   }
   if (m->fibre[0].height == 0.0f) return;
   vf dx, dz, lost, extent = vsqrt(p->stem.place.f.aa + p->stem.place.f.bb);
@@ -72,7 +103,7 @@ INLINE void relief_wear(const wood_constants *w, const surface_place *p, surface
   relief_add(r, share * dx, p->stem.along_x);
   relief_add(r, share * dz, p->stem.along_z);
   relief_add(r, n * fall * slope, p->rho);
-  r->lost = r->lost + share * share * relief_within(p, &p->stem, lost + lost);
+  slopes_section(&r->lost.gentle, p->up2, share * share * relief_within(p, &p->stem, lost + lost));
 }
 
 INLINE void relief_vessels(const wood_constants *w, const surface_place *p, surface_relief *r) {
@@ -94,7 +125,7 @@ INLINE void relief_vessels(const wood_constants *w, const surface_place *p, surf
       relief_add(r, zero - k * g.z, q->along_z);
       left = trough_left(&d) * (one - faded) * (one - faded);
     }
-    r->lost = r->lost + relief_within(p, q, splat(m->pores.slope2) * (one - left));
+    relief_lose_grooves(&m->pores, p, q, left, r);
   }
   if (m->rows.depth > 0.0f) {
     row_place row = row_of(w, v);
@@ -110,7 +141,7 @@ INLINE void relief_vessels(const wood_constants *w, const surface_place *p, surf
       relief_add(r, zero - k * g.x, q->arc);
       relief_add(r, zero - k * g.z, p->rho);
     }
-    r->lost = r->lost + relief_within(p, q, splat(m->rows.slope2) * (one - left));
+    relief_lose_grooves(&m->rows, p, q, left, r);
   }
 }
 
@@ -124,8 +155,9 @@ INLINE void relief_checks(const wood_constants *w, const surface_place *p, surfa
   relief_add(r, slope * g.z, p->stem.along_z);
   r->slope[1] = r->slope[1] + slope * g.y;
   r->height = r->height + slope * g.depth;
-  r->lost =
-      r->lost + slope * slope * relief_within(p, &p->stem, splat(m->checks.slope2) * (one - left));
+  float share = RELIEF_CHECKED * m->checks.mean;
+  slopes_steep(&r->lost, splat(share), one - left,
+               slope * slope * relief_square(p, &p->stem, m->checks.slope2, share));
   r->dark = vmin(r->dark + splat(m->check_dark) * g.depth, one);
 }
 
@@ -148,7 +180,7 @@ INLINE void relief_splits(const wood_constants *w, const surface_place *p, surfa
     relief_add(r, splat(0.0f) - k * q.arc, p->stem.arc);
     relief_add(r, splat(0.0f) - k * q.rho, p->rho);
     r->height = r->height - k * q.depth;
-    r->lost = r->lost + k * k * q.lost;
+    slopes_steep(&r->lost, p->end * q.share, q.lost, k * k * splat(m->split_steep2));
     r->dark = vmin(r->dark + splat(SPLIT_DARK) * p->end * q.open, splat(1.0f));
   }
 }
@@ -169,19 +201,20 @@ INLINE void relief_cracks(const wood_constants *w, const surface_place *p, surfa
     relief_add(r, slope * c.x, p->stem.along_x);
     relief_add(r, slope * c.z, p->stem.along_z);
     r->slope[1] = r->slope[1] + slope * c.y;
-    /* share^2 of the slope's square is left, over share^-1 of the area */
-    vf share = splat(m->crack_width) / (splat(m->crack_width) + splat(0.5f) * p->s);
-    left = keep * keep * share * share * share;
+    left = keep * keep * crack_left(m, splat(0.5f) * p->s);
   }
   r->height = r->height - k * depth;
-  r->lost = r->lost + splat(m->crack_slope2) * (one - left);
+  vf gone = one - left, half = splat(0.5f * m->crack_gentle2) * gone;
+  r->lost.gentle.uu = r->lost.gentle.uu + half;
+  r->lost.gentle.vv = r->lost.gentle.vv + half;
+  slopes_steep(&r->lost, splat(m->crack_share), gone, splat(m->crack_slope2));
   r->dark = vmin(r->dark + splat(m->crack_stain) * dark, one);
 }
 
 /* All but the tool's marks, which are not in log space. */
-INLINE surface_relief relief_grown(const wood_constants *w, const surface_place *p) {
+INLINE surface_relief relief_grown(const wood_constants *w, const surface_place *p, const vf n[3]) {
   vf zero = splat(0.0f);
-  surface_relief r = {zero, {zero, zero, zero}, zero, zero};
+  surface_relief r = {zero, {zero, zero, zero}, slopes_none(n, p->up2), zero};
   relief_wear(w, p, &r);
   relief_vessels(w, p, &r);
   relief_checks(w, p, &r);

@@ -18,7 +18,7 @@
 typedef struct {
   vf open;            /* share of the footprint that is split */
   vf depth, arc, rho; /* over split_depth; slopes per mm */
-  vf lost;            /* of the slopes' square, the mean that is not seen */
+  vf share, lost;     /* of the face, what slopes on the whole; and of that, what is not seen */
 } split_place;
 
 #define SPLIT_WANDER 0.35f /* mm, to either side, over SPLIT_WANDER_OVER */
@@ -84,7 +84,8 @@ INLINE split_place split_layer(const wood_surface *m, vu seed, int layer, vf tur
   q.depth = q.depth * keep + faded * mean * splat(SPLIT_DEEP);
   q.arc = q.arc * keep;
   q.rho = q.rho * keep;
-  q.lost = mean * splat(m->split_steep2) * (one - left * keep * keep);
+  q.share = mean * splat(SPLIT_SHOULDER);
+  q.lost = one - left * keep * keep;
   return q;
 }
 

@@ -71,6 +71,7 @@ typedef struct {
   float erosion;     /* mm that earlywood lies below the densest latewood */
   float soft;        /* mm: the width over which a ring's edge is rounded */
   float wear_slope2[SURFACE_WEAR_STEPS]; /* 1/mm^2: by log2(extent / soft), 2 steps to a unit */
+  float wear_share;                      /* of the face, what is at rings' edges */
 
   /* vessels cut open */
   surface_grooves pores, rows;
@@ -86,7 +87,7 @@ typedef struct {
   float inverse_split_length; /* 1/mm: of a shell */
   float split_cells;          /* round the pith, to a shell's middle in shells */
   float split_mean;           /* mm: of a cell's width, what is split */
-  float split_steep2;         /* mean square slope to what is split, over split_depth's square */
+  float split_steep2;         /* mean square slope of a shoulder, over split_depth's square */
 
   /* cracks of charred wood */
   float crack_frequency[2]; /* 1/mm: of the cells, across and along the fibre */
@@ -94,7 +95,9 @@ typedef struct {
   float crack_width;        /* mm: half of a crack with its rounded shoulders */
   float plate_tilt;         /* over crack_depth: a plate's slope, at most, each way */
   float crack_stain;        /* share of the albedo that a crack's core takes */
-  float crack_dark, crack_mean, crack_slope2;
+  float crack_dark, crack_mean;
+  float crack_slope2, crack_share; /* within the cracks; of the face, what they take */
+  float crack_gentle2;             /* mean square slope of the plates between */
 } wood_surface;
 
 #endif
