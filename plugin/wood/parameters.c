@@ -1401,7 +1401,7 @@ static const sozai_channel channel_specular = {
    .needs = SOZAI_INPUT_POINT | SOZAI_INPUT_NORMAL,
    .uses = SOZAI_INPUT_FOOTPRINT,
    .id = "specular", .unit = "", .suffixes = "",
-   .doc = "Height of the fibres' lobe: ks, lower where the footprint averages over slopes."};
+   .doc = "Height of the fibres' lobe: ks, lower where the footprint averages over slopes, the fibres' or the surface's."};
 
 static const sozai_channel channel_roughness = {
    .size = sizeof(sozai_channel), .first = WOOD_ROUGHNESS, .components = 1,
@@ -1409,7 +1409,7 @@ static const sozai_channel channel_roughness = {
    .uses = SOZAI_INPUT_FOOTPRINT,
    .id = "roughness", .unit = "", .suffixes = "",
    .doc = "Width of that lobe, sqrt(2 / (n + 2)): a Beckmann roughness, wider where the "
-   "footprint averages over slopes, the fibres' or the surface's."};
+   "footprint averages over slopes, the fibres' or the gentle ones of the surface."};
 
 static const sozai_channel channel_time = {
    .size = sizeof(sozai_channel), .first = WOOD_TIME, .components = 1,
@@ -1459,15 +1459,16 @@ static const sozai_channel channel_cone_width = {
 static const sozai_channel channel_coat = {
    .size = sizeof(sozai_channel), .first = WOOD_COAT, .components = 1,
    .needs = SOZAI_INPUT_POINT,
+   .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
    .id = "coat", .unit = "", .suffixes = "",
-   .doc = "Share of the surface's own reflection over it."};
+   .doc = "Share of the surface's own reflection over it, lower where the footprint averages over steep slopes: open vessels, checks, cracks, worn rings."};
 
 static const sozai_channel channel_coat_roughness = {
    .size = sizeof(sozai_channel), .first = WOOD_COAT_ROUGHNESS, .components = 1,
    .needs = SOZAI_INPUT_POINT,
    .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
    .id = "coat_roughness", .unit = "", .suffixes = "",
-   .doc = "Of that reflection, as the finish has it: its square is GGX's alpha, wider where the footprint averages over the relief's slopes."};
+   .doc = "Of that reflection, as the finish has it: its square is GGX's alpha, wider where the footprint averages over the relief's gentle slopes."};
 
 static const sozai_channel channel_ray = {
    .size = sizeof(sozai_channel), .first = WOOD_RAY, .components = 1,

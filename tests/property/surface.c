@@ -100,6 +100,9 @@ static void normal_is_the_heights(void **state) {
 /* A tree without long waves, whose slopes a sample of it shows. */
 #define EVEN "undulation=0;section_wobble=0;taper=0;pith_wander=0;slope_noise=0;grain=straight"
 
+/* What slopes all over the face: no vessels, checks, rings' edges or cracks. */
+#define GENTLE "open_vessels=0;checks=0;erosion=0;charring=0.5;"
+
 /* Mean square slope without a footprint, against what is left of it under one
  * and what the roughness has gained: alpha^2 = before + lost. */
 static void lost_slopes_are_roughness(void **state) {
@@ -110,8 +113,8 @@ static void lost_slopes_are_roughness(void **state) {
   for (int f = 0; f < SURFACES; f++) {
     for (int k = 0; k < 3; k++) {
       char text[240];
-      snprintf(text, sizeof text, "surface=%s;cut=rift;cut_distance=150;shininess=1000;" EVEN,
-               surfaces[f]);
+      snprintf(text, sizeof text,
+               "surface=%s;cut=rift;cut_distance=150;shininess=1000;" GENTLE EVEN, surfaces[f]);
       sozai_texture *t = wood_make(species[k], text);
       double left[5], alpha2[5];
       for (int e = 0; e < 5; e++) {
@@ -142,6 +145,44 @@ static void lost_slopes_are_roughness(void **state) {
               100 * (gained - gone) / left[0]);
       }
     }
+  }
+}
+
+/* What is steep takes its share of the coat's highlight, and leaves the roughness of the rest: the
+ * coat under a wide footprint, against how many points slope by more than 1 in 5. */
+static void steep_slopes_dim_the_coat(void **state) {
+  (void)state;
+  static const char *const cases[][2] = {
+      {"mizunara", "surface=weathered;checks=0;erosion=0;fibre_wear=0"},
+      {"walnut", "surface=planed;mark_depth=0"},
+      {"sugi", "surface=weathered;erosion=0;fibre_wear=0;checks=25;check_width=0.8"},
+      {"sugi", "surface=weathered;checks=0;fibre_wear=0;erosion=1"},
+      {"sugi", "surface=charred;erosion=0;fibre_wear=0"}};
+  enum { N = 60000, CASES = sizeof cases / sizeof *cases };
+  for (int k = 0; k < CASES; k++) {
+    char text[240];
+    snprintf(text, sizeof text, "%s;cut=rift;cut_distance=150;coat=1;coat_roughness=0.03;" EVEN,
+             cases[k][1]);
+    sozai_texture *t = wood_make(cases[k][0], text);
+    points p = {0};
+    uniform_seed(96);
+    for (int i = 0; i < 2 * N; i++) {
+      points_add(&p, 200 * (uniform() - 0.5), 2000 * (uniform() - 0.5), 0, i < N ? 0 : 40);
+    }
+    points_ask(&p, t);
+    double steep = 0, near = 0, far = 0;
+    for (int i = 0; i < N; i++) {
+      double nz = (double)p.out[NORMAL + 2][i];
+      steep += 1 / (nz * nz) > 1.04 ? 1.0 / N : 0;
+      near += (double)p.out[COAT][i] / N;
+      far += (double)p.out[COAT][i + N] / N;
+    }
+    points_free(&p);
+    textures->destroy(t);
+    double gone = near - far;
+    CHECK(fabs(near - 1) < 1e-4 && gone > 0.7 * steep && gone < 1.35 * steep,
+          "%-9s %-55s steep %.3f of the face, the coat %.3f lower from afar\n", cases[k][0],
+          cases[k][1], steep, gone);
   }
 }
 
@@ -376,10 +417,10 @@ static void plates_lie_their_own_way(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(plates_lie_their_own_way),    cmocka_unit_test(normal_is_the_heights),
-      cmocka_unit_test(lost_slopes_are_roughness),   cmocka_unit_test(marks_are_as_asked),
-      cmocka_unit_test(arcs_have_the_blades_radius), cmocka_unit_test(scratches_follow_the_grit),
-      cmocka_unit_test(wear_follows_the_rings),
+      cmocka_unit_test(plates_lie_their_own_way),  cmocka_unit_test(normal_is_the_heights),
+      cmocka_unit_test(lost_slopes_are_roughness), cmocka_unit_test(steep_slopes_dim_the_coat),
+      cmocka_unit_test(marks_are_as_asked),        cmocka_unit_test(arcs_have_the_blades_radius),
+      cmocka_unit_test(scratches_follow_the_grit), cmocka_unit_test(wear_follows_the_rings),
   };
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }
