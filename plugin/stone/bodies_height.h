@@ -133,6 +133,17 @@ STAGE void heights_by(const height_form *form, const vf p[3], const vf t1[3], co
   }
 }
 
+/* What of the bodies' slopes a footprint sees. */
+INLINE vf bodies_kept(float size, vf s) {
+  return splat(1.0f) - smooth_step(splat(0.3f * size), splat(1.2f * size), s);
+}
+
+/* The variance along one axis of those that it averages out. share: of the footprint that is body.
+ */
+INLINE vf bodies_lost(float steep, vf keep, vf share) {
+  return splat(steep * steep) * share * (splat(1.0f) - keep * keep);
+}
+
 /* Height, a dome's from 0 to 1; slopes are differences over a step within the surface, which see a
  * rim as wide as the footprint. t1, t2: bed space. share: of the footprint that is body. lost: is
  * added the variance of slope along one axis that the footprint averages out. */
@@ -141,8 +152,8 @@ STAGE field bodies_height(const height_form *form, const vf p[3], const vf t1[3]
   const stone_cells *c = form->cells;
   vf zero = splat(0.0f), one = splat(1.0f);
   float size = c->size, way = form->dome ? 1.0f : -1.0f;
-  vf keep = one - smooth_step(splat(0.3f * size), splat(1.2f * size), s);
-  *lost = *lost + splat(form->steep * form->steep) * share * (one - keep * keep);
+  vf keep = bodies_kept(size, s);
+  *lost = *lost + bodies_lost(form->steep, keep, share);
   field f = field_of(splat(form->mean) * share * (one - keep));
   if (!any(gt(keep, zero))) return f;
   vf step = vmax(splat(0.5f) * s, splat(0.003f * size));

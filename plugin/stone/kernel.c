@@ -225,6 +225,16 @@ INLINE void stage_cover(const stone_constants *w, int paved, block *k) {
     k->speck = vmax(k->speck - k->moss_hides_specks * (one - joint), splat(0.0f));
 }
 
+/* The variance of slopes, along one axis, that the gloss is as wide as. Holes have none, and so
+ * theirs do not dull what is between them. */
+INLINE vf stage_glossy_slopes(const stone_constants *w, const block *k) {
+  vf lost = k->surface.lost;
+  if (w->tile.on || !w->layer[LAYER_HOLES].on || w->hole_depth <= 0.0f) return lost;
+  float size = w->layer[LAYER_HOLES].size;
+  vf holes = bodies_lost(w->hole_depth / size, bodies_kept(size, k->s), k->hole);
+  return vmax(lost - holes, splat(0.0f));
+}
+
 INLINE void stage_light(const stone_constants *w, int paved, const stone_io *io, block *k,
                         int radiance) {
   const surface *q = &k->surface;
@@ -251,7 +261,7 @@ INLINE void stage_light(const stone_constants *w, int paved, const stone_io *io,
     specular =
         mix(specular, splat(0.0204f + w->specular_wet), gloss); /* water's, and what is below */
   }
-  alpha2 = vmin(alpha2 + splat(2.0f) * q->lost, one);
+  alpha2 = vmin(alpha2 + splat(2.0f) * stage_glossy_slopes(w, k), one);
   put(io, k, STONE_ROUGHNESS, vsqrt(alpha2));
   put(io, k, STONE_SPECULAR, specular);
   if (!radiance) return;

@@ -6,7 +6,7 @@
 #include <stdio.h>
 
 #include "cmocka_all.h"
-#include "wood.h"
+#include "truth.h"
 
 enum {
   S_RADIANCE = 3,
@@ -161,9 +161,43 @@ static void sky_by_degrees(void **state) {
   }
 }
 
+/* What slopes steeply dulls only itself: towards the mirror's side footprints are as bright as the
+ * points in them. */
+static void as_bright_far_as_near(void **state) {
+  (void)state;
+  static const struct {
+    const char *preset, *parameters;
+    double low, high;
+  } cases[] = {{"travertino", "finish=polished", 0.92, 1.05},
+               {"travertino", "finish=honed", 0.97, 1.03},
+               {"inada", "finish=flamed", 0.97, 1.05},
+               {"terrazzo", "finish=bush_hammered", 0.94, 1.07},
+               {"inada", "finish=split", 0.97, 1.05},
+               {"inada", "finish=riven", 0.86, 1.03}};
+  points p = {0};
+  for (unsigned k = 0; k < sizeof cases / sizeof *cases; k++) {
+    sozai_texture *t = stone_make(cases[k].preset, cases[k].parameters);
+    double least = 1e9, most = 0;
+    for (int f = 0; f < 6; f++) {
+      static const double sizes[] = {0.3, 3, 30}, sines[] = {0.5, 0.906};
+      double s = sines[f / 3], c = sqrt(1 - s * s);
+      const double light[3] = {s, 0, c}, view[3] = {-s, 0, c};
+      double ratio = truth_lit(&p, t, light, view, sizes[f % 3]);
+      least = fmin(least, ratio);
+      most = fmax(most, ratio);
+    }
+    CHECK(least >= cases[k].low && most <= cases[k].high,
+          "%-10s %-20s far over near %.3f to %.3f (%g to %g)\n", cases[k].preset,
+          cases[k].parameters, least, most, cases[k].low, cases[k].high);
+    textures->destroy(t);
+  }
+  points_free(&p);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(wet_stone), cmocka_unit_test(no_stone_in_the_joints),
-      cmocka_unit_test(no_shade_on_faces), cmocka_unit_test(sky_by_degrees)};
+      cmocka_unit_test(no_shade_on_faces), cmocka_unit_test(sky_by_degrees),
+      cmocka_unit_test(as_bright_far_as_near)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

@@ -11,8 +11,6 @@
 #include "truth.h"
 
 #define PI 3.14159265358979
-enum { PLACES = 24 };
-
 /* Degrees: of the light, which plane it is in from the stem's on and how steep, and how far what
  * lies half way to the view leans along the board and across. */
 static const double ways[][4] = {{0, 30, 0, 0}, {90, 30, 0, 0}, {0, 30, 5, 0},
@@ -33,10 +31,6 @@ static const struct {
              {"surface=planed;finish=lacquered;coat_roughness=0.1", 0.90, 1.45},
              {"surface=hand_planed;finish=lacquered;coat_roughness=0.1", 0.94, 1.15}};
 
-static void set3(float *a[3], unsigned i, const double d[3]) {
-  for (int c = 0; c < 3; c++) a[c][i] = (float)d[c];
-}
-
 /* Directions of light and view; y is along the stem. */
 static void directions(const double way[4], double light[3], double view[3]) {
   double turn = way[0] * PI / 180, steep = way[1] * PI / 180;
@@ -47,33 +41,6 @@ static void directions(const double way[4], double light[3], double view[3]) {
   light[2] = cos(steep);
   for (int c = 0; c < 3; c++) dot += light[c] * h[c] / size;
   for (int c = 0; c < 3; c++) view[c] = 2 * dot * h[c] / size - light[c];
-}
-
-/* Mean radiance of footprints over that of the points in them. */
-static double near_and_far(points *p, const sozai_texture *t, const double way[4], double size) {
-  double light[3], view[3], points_sum = 0, footprints = 0;
-  directions(way, light, view);
-  uniform_seed(5);
-  for (int place = 0; place < PLACES; place++) {
-    double x = 160 * (uniform() - 0.5), y = 800 * (uniform() - 0.5), turn = 2 * PI * uniform();
-    double co = cos(turn), si = sin(turn);
-    points_clear(p);
-    for (int i = 0; i <= TRUTH_SAMPLES; i++) {
-      double a = ((i % TRUTH_SIDE + uniform()) / TRUTH_SIDE - 0.5) * size;
-      double b = ((i / TRUTH_SIDE + uniform()) / TRUTH_SIDE - 0.5) * size;
-      if (i == TRUTH_SAMPLES) a = b = 0;
-      unsigned q =
-          points_add(p, x + a * co - b * si, y + a * si + b * co, 0, i == TRUTH_SAMPLES ? size : 0);
-      set3(p->light, q, light);
-      set3(p->view, q, view);
-    }
-    points_ask_only(p, t, ONLY3(RADIANCE));
-    for (int i = 0; i < TRUTH_SAMPLES; i++) {
-      points_sum += (double)p->out[RADIANCE + 1][i] / TRUTH_SAMPLES;
-    }
-    footprints += (double)p->out[RADIANCE + 1][TRUTH_SAMPLES];
-  }
-  return footprints / points_sum;
 }
 
 static void as_bright_far_as_near(const char *reflection) {
@@ -89,7 +56,9 @@ static void as_bright_far_as_near(const char *reflection) {
       for (int f = 0; f < 3; f++) {
         print_message("%4g mm", sizes[f]);
         for (int way = 0; way < WAYS; way++) {
-          double ratio = near_and_far(&p, t, ways[way], sizes[f]);
+          double light[3], view[3];
+          directions(ways[way], light, view);
+          double ratio = truth_lit(&p, t, light, view, sizes[f]);
           least = fmin(least, ratio);
           most = fmax(most, ratio);
           print_message(" %.3f", ratio);

@@ -23,6 +23,35 @@ double truth_error(const points *p, int component) {
   return (double)out[TRUTH_SAMPLES] - truth;
 }
 
+double truth_lit(points *p, const sozai_texture *t, const double light[3], const double view[3],
+                 double size) {
+  enum { PLACES = 24 };
+  double near = 0, far = 0;
+  uniform_seed(5);
+  for (int place = 0; place < PLACES; place++) {
+    double x = 160 * (uniform() - 0.5), y = 800 * (uniform() - 0.5), turn = 6.2831853 * uniform();
+    double co = cos(turn), si = sin(turn);
+    points_clear(p);
+    for (int i = 0; i <= TRUTH_SAMPLES; i++) {
+      double u = ((i % TRUTH_SIDE + uniform()) / TRUTH_SIDE - 0.5) * size;
+      double v = ((i / TRUTH_SIDE + uniform()) / TRUTH_SIDE - 0.5) * size;
+      if (i == TRUTH_SAMPLES) u = v = 0;
+      unsigned q =
+          points_add(p, x + u * co - v * si, y + u * si + v * co, 0, i == TRUTH_SAMPLES ? size : 0);
+      for (int c = 0; c < 3; c++) {
+        p->light[c][q] = (float)light[c];
+        p->view[c][q] = (float)view[c];
+      }
+    }
+    points_ask_only(p, t, ONLY3(RADIANCE));
+    for (int i = 0; i < TRUTH_SAMPLES; i++) {
+      near += (double)p->out[RADIANCE + 1][i] / TRUTH_SAMPLES;
+    }
+    far += (double)p->out[RADIANCE + 1][TRUTH_SAMPLES];
+  }
+  return far / near;
+}
+
 void truth_add(truth_errors *e, const points *p) {
   for (int ch = 0; ch < 3; ch++) {
     double error = truth_error(p, ALBEDO + ch);

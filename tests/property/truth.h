@@ -19,6 +19,11 @@ void truth_ask(points *p, const sozai_texture *t, unsigned long long components,
 /* The footprint's answer, the last point's, less the points' mean. */
 double truth_error(const points *p, int component);
 
+/* Mean radiance (green) of footprints of that size under a light and towards a view, over that of
+ * 1,024 points in each; at 24 places of the plane x, y. */
+double truth_lit(points *p, const sozai_texture *t, const double light[3], const double view[3],
+                 double size);
+
 /* Errors of albedo, summed. */
 typedef struct {
   double square, mean;
