@@ -9,8 +9,7 @@
 
 #define BAND_WIDE 0.42    /* of the spacing, between where a band is half as dense as within */
 #define BAND_EDGE 0.12    /* of the spacing, over which it ends */
-#define BAND_FORKED 0.25  /* of the spacing: how far a flame's arms have parted at the ring's end  \
-                           */
+#define BAND_FORKED 0.25  /* of the spacing: how far a flame's arms part over a ring */
 #define BAND_OBLIQUE 0.84 /* the tangent of diagonal files' angle to the rays, 40 degrees */
 #define BAND_CELL 2.0     /* radii of the largest pore to a cell, at least */
 #define NOISE_BOUND 2147483648.0
