@@ -20,6 +20,11 @@ typedef struct {
   vf trace, det; /* of the footprint in the section */
 } fibre_sum;
 
+/* The bundles' noise, unblurred, and its slopes, 1/mm. Vessels' bands stray by it. */
+typedef struct {
+  vf at, x, z;
+} fibre_bundle;
+
 INLINE fibre_sum fibre_start(void) {
   vf zero = splat(0.0f);
   return (fibre_sum){splat(1.0f), zero, zero, zero, zero};
@@ -30,7 +35,8 @@ INLINE void fibre_under(const footprint2 *f, fibre_sum *sum) {
   sum->det = vmax(f->aa * f->bb - f->ab * f->ab, splat(0.0f));
 }
 
-#define FIBRE_DRIFT 2 /* the octave of drifts; the finer ones are single fibres and bundles */
+#define FIBRE_BUNDLE 1 /* the octave of bundles, */
+#define FIBRE_DRIFT 2  /* and of drifts; the finest is single fibres */
 
 /* Where octaves are looked up. */
 typedef struct {
@@ -50,6 +56,7 @@ typedef struct {
   vf blur, blur2, often, scale, front, variance;
   vu seed;
   int idle, strays;
+  int bands; /* vessels' bands stray by this one */
 } fibre_octave;
 
 INLINE fibre_octave fibre_octave_of(const wood_constants *w, int o) {
@@ -63,7 +70,8 @@ INLINE fibre_octave fibre_octave_of(const wood_constants *w, int o) {
   q.variance = splat(w->fibre_variance[o]);
   q.seed = splatu(w->seeds[SEED_FIBRE + o]);
   q.strays = w->fibre_front[o] > 0.0f;
-  q.idle = w->fibre_scale[o] <= 0.0f && !q.strays;
+  q.bands = w->bands.stray > 0.0f && o == FIBRE_BUNDLE;
+  q.idle = w->fibre_scale[o] <= 0.0f && !q.strays && !q.bands;
   return q;
 }
 
@@ -75,7 +83,8 @@ INLINE vf fibre_keep(const fibre_octave *q, const fibre_sum *sum) {
 
 /* Adds an octave at (x, z) of the reference section. Kawai and Momoi repeat a small array
  * of noise; hashing the cell costs no memory and does not repeat. */
-INLINE void fibre_add(const fibre_octave *q, vu own, vf x, vf z, fibre_sum *sum) {
+INLINE void fibre_add(const fibre_octave *q, vu own, vf x, vf z, fibre_sum *sum,
+                      fibre_bundle *bundle) {
   if (q->idle) return;
   vf keep = fibre_keep(q, sum);
   /* a twentieth of it does not show, and costs a root */
@@ -83,11 +92,13 @@ INLINE void fibre_add(const fibre_octave *q, vu own, vf x, vf z, fibre_sum *sum)
     vf lost = vmax(splat(0.95f) - keep * keep, splat(0.0f));
     sum->lost = sum->lost + q->variance * lost;
   }
-  if (!any(gt(keep, splat(0.0f)))) return;
+  if (!q->bands && !any(gt(keep, splat(0.0f)))) return;
   noise_axis ax = noise_split_cubic(x * q->often, HASH_X);
   noise_axis az = noise_split_cubic(z * q->often, HASH_Z);
-  vf dx, dz; /* not wanted, and so not computed */
-  vf n = keep * noise_value2(&ax, &az, q->seed + own, &dx, &dz);
+  vf dx, dz; /* computed where they are wanted */
+  vf n = noise_value2(&ax, &az, q->seed + own, &dx, &dz);
+  if (q->bands) *bundle = (fibre_bundle){n, dx * q->often, dz * q->often};
+  n = keep * n;
   sum->shift = sum->shift + q->scale * n;
   if (q->strays) sum->front = sum->front + q->front * n;
 }
@@ -95,10 +106,11 @@ INLINE void fibre_add(const fibre_octave *q, vu own, vf x, vf z, fibre_sum *sum)
 /* The factor of brightness, of all of them. */
 INLINE vf fibre_shift(const wood_constants *w, vu own, vf x, vf z, const footprint2 *f) {
   fibre_sum sum = fibre_start();
+  fibre_bundle unused;
   fibre_under(f, &sum);
   for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) {
     fibre_octave q = fibre_octave_of(w, o);
-    fibre_add(&q, own, x, z, &sum);
+    fibre_add(&q, own, x, z, &sum, &unused);
   }
   return sum.shift;
 }

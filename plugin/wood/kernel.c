@@ -84,10 +84,15 @@ INLINE void evaluate_one(int boards, const wood_constants *restrict w, const woo
     stage_rings(w, boards, io, k);
   }
   if (rays) stage_ray_seat(w, boards, k);
+  if (want->relief && w->bands.on) stage_bands(w, boards, k);
   if (want->vessel) {
     stage_vessel_parts(w, boards, k);
     stage_disc(w, boards, k);
-    stage_pores(w, boards, k);
+    if (w->bands.on) {
+      stage_banded_pores(w, boards, k);
+    } else {
+      stage_pores(w, boards, k);
+    }
     if (rays) stage_ray_body(w, boards, k);
   }
   if (!want->relief) {
@@ -170,7 +175,11 @@ INLINE void evaluate_vessels(int boards, const wood_constants *restrict w,
                              const wood_io *restrict io, block *blocks, uint32_t count) {
   EACH(stage_vessel_parts(w, boards, &blocks[k]));
   EACH(stage_disc(w, boards, &blocks[k]));
-  EACH(stage_pores(w, boards, &blocks[k]));
+  if (w->bands.on) {
+    EACH(stage_banded_pores(w, boards, &blocks[k]));
+  } else {
+    EACH(stage_pores(w, boards, &blocks[k]));
+  }
   EACH(stage_rows(w, boards, &blocks[k]));
   EACH(stage_cover(w, boards, io, &blocks[k]));
   if (w->has_rays) {
@@ -194,6 +203,7 @@ INLINE void evaluate_many(int boards, const wood_constants *restrict w, const wo
   }
   if (want->late) evaluate_late(boards, w, io, want, blocks, wides, count);
   if ((want->vessel || want->relief) && place_has_turn(w)) EACH(stage_turns(&blocks[k]));
+  if (want->relief && w->bands.on) EACH(stage_bands(w, boards, &blocks[k]));
   if (want->vessel) evaluate_vessels(boards, w, io, blocks, count);
 }
 #endif

@@ -451,6 +451,38 @@ static const sozai_parameter pore_spread = {
    "nothing below a fifth of the mean.",
    .hard_min = 0, .hard_max = 0.4, .soft_min = 0, .soft_max = 0.35, .default_number = {0.18}};
 
+static const char *const arrangement_choices[] = {"even", "tangential", "radial", "diagonal",
+                                                  "dendritic"};
+static const char *const arrangement_docs[] = {
+   "spread evenly",
+   "in wavy bands along the rings, as elm's (IAWA feature 6)",
+   "in files along the rays (7)",
+   "in oblique files (7)",
+   "in flames that fork towards the ring's end, as oak's (8)"};
+static const sozai_parameter arrangement = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_CHOICE,
+   .id = "vessel_arrangement", .label = "Vessel arrangement", .group = "vessels", .unit = "",
+   .doc = "How the vessels outside the rows lie together on the cross-section.",
+   .choices = arrangement_choices, .choice_docs = arrangement_docs, .choice_count = COUNT(arrangement_choices), .default_number = {0}};
+
+static const sozai_parameter bands = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "vessel_bands", .label = "Vessel bands", .group = "vessels", .unit = "",
+   .doc = "Share of those vessels that stand in the arrangement; the others are spread evenly.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.9}};
+
+static const sozai_parameter band_spacing = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "vessel_band_spacing", .label = "Vessel band spacing", .group = "vessels", .unit = "mm",
+   .doc = "From one band, file or flame to the next; of tangential ones a ring holds a whole number.",
+   .hard_min = 0.1, .hard_max = 10, .soft_min = 0.2, .soft_max = 3, .default_number = {0.6}};
+
+static const sozai_parameter band_stray = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "vessel_band_waviness", .label = "Vessel band waviness", .group = "vessels", .unit = "",
+   .doc = "How far bands stray from their course, with bundles of fibres, in their spacing.",
+   .hard_min = 0, .hard_max = 2, .soft_min = 0, .soft_max = 1, .default_number = {0.4}};
+
 static const sozai_parameter rows = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_INT,
    .id = "earlywood_rows", .label = "Earlywood rows", .group = "vessels", .unit = "",
@@ -1237,6 +1269,10 @@ const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_PORE_DIAMETER] = &pore_diameter,
    [P_PORE_DIAMETER_LATE] = &pore_diameter_late,
    [P_PORE_SPREAD] = &pore_spread,
+   [P_ARRANGEMENT] = &arrangement,
+   [P_BANDS] = &bands,
+   [P_BAND_SPACING] = &band_spacing,
+   [P_BAND_STRAY] = &band_stray,
    [P_ROWS] = &rows,
    [P_ROW_DENSITY] = &row_density,
    [P_ROW_DIAMETER] = &row_diameter,

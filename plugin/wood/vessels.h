@@ -3,6 +3,7 @@
  * Vessels, looked up where they are and never listed: what their layers have in common.
  *
  *   vessels_pores.h    pores of the field
+ *   vessels_bands.h    and the bands that they may stand in
  *   vessels_rows.h     rows of the earlywood, under a footprint that one look-up answers
  *   vessels_row_box.h  and under longer ones
  *   footprint_parts.h  how a long footprint is cut into parts, for pores and for tubes.h
@@ -31,12 +32,22 @@ typedef struct {
   vf xx, xz, zz;
 } matrix2;
 
+/* The bands about a point: its place among them, in turns of the spacing, and what that changes by
+ * per mm of x and z; and of bands that go round, more. */
+typedef struct {
+  vf phase, x, z;
+  /* where they go round the stem: */
+  vf fork, half;                     /* how far a band has parted; how much narrower its arms are */
+  vf ring, ring_x, ring_z, ring_end; /* phase of the ring about its middle; the most of it */
+} vessel_bands;
+
 /* What a blurred disc comes to: height * clamp(top - q), with q = d^T Q d in
  * units of the mean radius. */
 typedef struct {
   vf xx, xz, zz; /* of Q; xz doubled */
   vf top, height;
   vf apart; /* 1: a sum of covers that is cut off at 1 is their union; 0: it counts twice */
+  const vessel_bands *bands; /* of the field's discs, where they stand in bands */
 } disc;
 
 #define DISC_FULL 0.74f  /* x from which on a disc is full in its middle */
@@ -60,6 +71,7 @@ INLINE disc disc_blurred(vf radius2, matrix2 c) {
   d.xx = zz * inverse;
   d.zz = xx * inverse;
   d.xz = splat(-2.0f) * xz * inverse;
+  d.bands = NULL;
   return d;
 }
 
@@ -105,13 +117,14 @@ typedef struct {
   vf turn; /* the same over 2 pi, where place_has_turn */
   vf rho;  /* mm: of the point's year */
   ring_place ring;
-  footprint2 f; /* over (arc, rho) */
-  vu own;       /* the seeds' offset */
+  footprint2 f;              /* over (arc, rho) */
+  vu own;                    /* the seeds' offset */
+  const vessel_bands *bands; /* where there are any */
 } vessel_place;
 
 /* Where it is worth an arc tangent for all. */
 INLINE int place_has_turn(const wood_constants *w) {
-  return w->has_rays || w->rows || w->has_canals;
+  return w->has_rays || w->rows || w->has_canals || w->bands.along_arc;
 }
 INLINE vf place_turn(vf c, vf s) { return arctan2(s, c) * splat(0.15915494f); }
 

@@ -4,13 +4,15 @@
  *
  * They stand in square cells of the reference section, two in every other cell at
  * uniform places: mean, variance and pair density are those of Kawai's uniform
- * distribution. A footprint longer than the cells looked at is cut into up to 4 parts.
+ * distribution. Pores in bands are one to a smaller cell, and
+ * there where that place is within a band. A footprint longer than the cells looked at is cut into
+ * up to 4 parts.
  */
 #ifndef SOZAI_WOOD_VESSELS_PORES_H
 #define SOZAI_WOOD_VESSELS_PORES_H
 
 #include "footprint_parts.h"
-#include "vessels.h"
+#include "vessels_bands.h"
 
 /* The four cells nearest to a point of the reference section, which hold
  * everything within half a cell. Places are in units of 1 / PORE_UNIT of a cell. */
@@ -18,12 +20,14 @@ typedef struct {
   vf x, z; /* from the first cell's middle, 0..2^32 */
   vu hash; /* of the first cell */
   disc d;  /* in those units */
+  vessel_bands bands;
 } pore_cells;
 
 #define PORE_NOWHERE 1e13f      /* far from everything */
 #define PORE_SECOND 0x2c1b3c6du /* makes another hash of a cell's */
 
-INLINE pore_cells pores_near(const wood_constants *w, vu own, vf x, vf z, const disc *d) {
+INLINE pore_cells pores_near(const wood_constants *w, int banded, vu own, vf x, vf z,
+                             const disc *d) {
   pore_cells p;
   vf inverse_cell = splat(w->inverse_pore_cell), unit = splat(PORE_UNIT), half = splat(0.5f);
   vf square = splat(w->pore_step * w->pore_step);
@@ -33,8 +37,26 @@ INLINE pore_cells pores_near(const wood_constants *w, vu own, vf x, vf z, const 
   p.x = (x - vfloor(x, &ix)) * unit;
   p.z = (z - vfloor(z, &iz)) * unit;
   p.hash = (vu)ix * splatu(HASH_X) + (vu)iz * splatu(HASH_Z) + wood_seed(w, own, SEED_PORES);
-  p.d = (disc){d->xx * square, d->xz * square, d->zz * square, d->top, d->height, d->apart};
+  p.d = (disc){d->xx * square, d->xz * square, d->zz * square, d->top, d->height, d->apart, NULL};
+  if (banded) p.bands = bands_per(&w->bands, d->bands, w->pore_step);
   return p;
+}
+
+/* The sum of the covers by pores in bands. */
+INLINE vf pores_in_bands(const wood_constants *w, const pore_cells *p) {
+  vf sum = splat(0.0f), unit = splat(PORE_UNIT), zero = sum;
+  UNROLL(4)
+  for (int i = 0; i < 4; i++) {
+    int a = i & 1, b = i >> 1;
+    vu base = hash_upper(p->hash + splatu((uint32_t)a * HASH_X + (uint32_t)b * HASH_Z));
+    vu h = base << 1;
+    vf x = (a ? p->x - unit : p->x) - hash_place(h), z = (b ? p->z - unit : p->z) - hash_place2(h);
+    vm held = bands_hold(&w->bands, &p->bands, base, x, z);
+    if (idle(held)) continue;
+    vf cover = vessel_cover(&w->pores, &p->d, h, disc_distance(&p->d, x, z));
+    sum = sum + sel(held, cover, zero);
+  }
+  return sum;
 }
 
 /* The sum of the covers by their pores: two in every other cell, by its hash's
@@ -85,10 +107,11 @@ INLINE vf pores_sum(const wood_vessels *v, const pore_cells *p) {
 }
 #endif
 
-/* Coverage by the field's pores. */
-INLINE vf pores_cover(const wood_constants *w, vu own, vf x, vf z, const disc *d) {
-  pore_cells p = pores_near(w, own, x, z, d);
-  return vessel_overlap(&w->pores, d, pores_sum(&w->pores, &p));
+/* Coverage by the field's pores. banded: w->bands.on, which the kernel asks outside its loops. */
+INLINE vf pores_cover(const wood_constants *w, int banded, vu own, vf x, vf z, const disc *d) {
+  pore_cells p = pores_near(w, banded, own, x, z, d);
+  vf sum = banded ? pores_in_bands(w, &p) : pores_sum(&w->pores, &p);
+  return vessel_overlap(&w->pores, d, sum);
 }
 
 /* A pore at its mean radius under a footprint of (aa, ab, bb). */
@@ -100,7 +123,9 @@ INLINE disc pores_disc(const wood_constants *w, const vessel_place *p, vf aa, vf
     vf size = splat(w->pore_early) + splat(w->pore_growth) * p->ring.phase;
     radius2 = radius2 * size * size;
   }
-  return disc_blurred(radius2, m);
+  disc d = disc_blurred(radius2, m);
+  d.bands = p->bands;
+  return d;
 }
 
 /* Pores under footprints longer than what one tap answers are answered by up to 4; past the
@@ -119,12 +144,17 @@ INLINE void pores_in_parts(const wood_constants *w, const vessel_place *p, vm cu
   vm left = lt(v->pores_faded, splat(1.0f));
   if (!any(left)) return;
   disc d = pores_disc(w, p, part.aa, part.ab, part.bb);
+  vessel_bands bands;
   int taps = part.taps;
   while (taps > 1 && !any(and_(left, footprint_has_part(&part, taps - 1)))) taps--;
   for (int i = 0; i < taps; i++) {
     footprint_part q = footprint_part_of(&l, &part, cut, i);
     vf x = p->x + (q.rho * p->c - q.arc * p->s), z = p->z + (q.rho * p->s + q.arc * p->c);
-    v->pores = v->pores + pores_cover(w, p->own, x, z, &d) * q.weight;
+    if (w->bands.on) {
+      bands = bands_beside(&w->bands, p->bands, x - p->x, z - p->z);
+      d.bands = &bands;
+    }
+    v->pores = v->pores + pores_cover(w, w->bands.on, p->own, x, z, &d) * q.weight;
   }
   v->pores = sel(left, v->pores, zero);
 }

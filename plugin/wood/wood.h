@@ -35,6 +35,7 @@
 #define WOOD_HARMONICS 3    /* of the section's outline */
 #define WOOD_RADII 8        /* steps of the table of vessel radii */
 #define WOOD_FIBRE_OCTAVES 3
+#define WOOD_BUNDLE 7.0       /* how many fibres wide the second octave is */
 #define WOOD_CONE_PSI 65      /* steps of the sine of inclination, -1 to 1 */
 #define WOOD_CONE_DIVE 17     /* steps of the sine of the dive angle, 0 to 1 */
 #define WOOD_CONE_LEAST 0.05f /* of cos^2(psi_d / 2): where cones close, the lobe stays finite */
@@ -97,6 +98,7 @@ enum {
   SEED_SPLITS,
   SEED_BOLTS,
   SEED_DRIFT,
+  SEED_BANDS,
   WOOD_SEEDS
 };
 
@@ -114,6 +116,21 @@ typedef struct {
   float overlap;  /* share of the discs' areas that lies under another disc */
   float inverse_square[WOOD_RADII];
 } wood_vessels;
+
+/* How the field's pores are arranged in their rings; see vessels_bands.h. within[i] is how far from
+ * the middle of a band the i-th of as many equally likely cells may be and still hold pores. */
+typedef struct {
+  int32_t on, along_arc; /* whether there are bands; whether they follow one another round the stem,
+                            not along its radius */
+  float often;           /* 1/mm: bands to a mm of radius; to a mm of the ring's radius, round it */
+  float slant;           /* 1/mm: how far they go round with the radius */
+  float fork, fork_most; /* of the spacing: how far they have parted at the ring's end; the half */
+  float margin;          /* mm: from a ring's ends, where bands that go round leave no pores */
+  float stray, stray_size; /* of the spacing, over the noise's bound; mm */
+  float share;             /* of the cells, that hold pores */
+  float swing;             /* of the density's first harmonic, over its mean */
+  float within[WOOD_RADII];
+} wood_bands;
 
 /* How far waves along the stem are from a sine: they are of the phase
  * y / length + stray n, n an axial noise, and of the complex amplitude steady +
@@ -220,6 +237,7 @@ typedef struct {
   float pore_early, pore_growth; /* size at phase f, over the mean: early + growth f */
   float pore_ring_mean;          /* mean over the ring of size^2 */
   wood_vessels row;              /* of the earlywood: rows at the ring's start */
+  wood_bands bands;              /* that those stand in */
   int32_t has_pores, rows;
   float rows_alone;  /* mm: a footprint along rho that meets the rows of one ring alone */
   float row_density; /* 1/mm of arc */

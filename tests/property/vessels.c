@@ -277,12 +277,149 @@ static void streaks_follow_the_dive(void **state) {
   }
 }
 
+/* ---- how they are arranged ---------------------------------------------- */
+
+enum { FIELD = 1200, FIELD_ROOM = 30000 };
+#define FIELD_STEP 0.01
+#define FIELD_OUT 150.0 /* mm from the pith, on end grain, at an angle to the lattice of cells */
+#define FIELD_TURN 0.6
+
+/* Vessels of a field of end grain: places about its middle along the arc and the radius, mm. */
+typedef struct {
+  double *arc, *rho, *x, *z, mean_radius;
+  int count;
+} field;
+
+static field field_of(const char *preset, const char *parameters) {
+  char text[512];
+  snprintf(text, sizeof text, PLAIN "section_wobble=0; earlywood_rows=0; %s", parameters);
+  sozai_texture *t = wood_make(preset, text);
+  double half = 0.5 * FIELD * FIELD_STEP, c = cos(FIELD_TURN), s = sin(FIELD_TURN);
+  double cx = FIELD_OUT * c, cz = FIELD_OUT * s;
+  const double at[3] = {cx - half, 0, cz - half}, u[3] = {1, 0, 0}, v[3] = {0, 0, 1};
+  unsigned char *flag = look(t, at, u, v, FIELD, FIELD, FIELD_STEP);
+  spot *spots = malloc(FIELD_ROOM * sizeof *spots);
+  field f = {.count = find_spots(flag, FIELD, FIELD, spots, FIELD_ROOM)};
+  size_t size = (size_t)f.count * sizeof(double);
+  f.arc = malloc(size);
+  f.rho = malloc(size);
+  f.x = malloc(size);
+  f.z = malloc(size);
+  int round = 0;
+  for (int i = 0; i < f.count; i++) {
+    f.x[i] = at[0] + (spots[i].x + 0.5) * FIELD_STEP;
+    f.z[i] = at[2] + (spots[i].z + 0.5) * FIELD_STEP;
+    f.rho[i] = hypot(f.x[i], f.z[i]) - FIELD_OUT;
+    f.arc[i] = FIELD_OUT * (atan2(f.z[i], f.x[i]) - FIELD_TURN);
+    double wide = spots[i].x1 - spots[i].x0 + 1, high = spots[i].z1 - spots[i].z0 + 1;
+    if (wide > 1.35 * high || high > 1.35 * wide) continue;
+    f.mean_radius += sqrt(spots[i].area / PI) * FIELD_STEP;
+    round++;
+  }
+  f.mean_radius /= round;
+  free(spots);
+  free(flag);
+  textures->destroy(t);
+  return f;
+}
+
+static void field_free(field *f) {
+  free(f->arc);
+  free(f->rho);
+  free(f->x);
+  free(f->z);
+}
+
+/* Variance over mean of the counts in boxes `wide` across a direction and `long` along it, mm.
+ * The direction is at an angle to the radius: 1 for evenly strewn vessels in all of them. */
+static double dispersion(const field *f, double angle, double wide, double length) {
+  double c = cos(angle), s = sin(angle), side = 0.5 * FIELD * FIELD_STEP / 1.5;
+  int across = (int)(2 * side / wide), along = (int)(2 * side / length);
+  int *count = calloc((size_t)(across * along), sizeof *count), all = 0;
+  for (int i = 0; i < f->count; i++) {
+    double a = f->arc[i] * c - f->rho[i] * s + side, b = f->arc[i] * s + f->rho[i] * c + side;
+    int x = (int)floor(a / wide), z = (int)floor(b / length);
+    if (x < 0 || z < 0 || x >= across || z >= along) continue;
+    count[z * across + x]++;
+    all++;
+  }
+  int boxes = across * along;
+  double mean = (double)all / boxes, variance = 0;
+  for (int i = 0; i < boxes; i++) variance += (count[i] - mean) * (count[i] - mean) / (boxes - 1);
+  free(count);
+  return variance / mean;
+}
+
+/* How much more vessels are in bands along a direction than they are strewn in the catalogue's
+ * wood without: the excess there, and at right angles or on the other side of the radius. */
+static void bands_lie_as_they_are_named(void **state) {
+  (void)state;
+  static const struct {
+    const char *preset;
+    double density, spacing, angle, other, least;
+  } woods_of[] = {
+      {"keyaki", 30, 0.5, PI / 2, 0, 1.6},    {"elm", 50, 0.5, PI / 2, 0, 1.6},
+      {"mizunara", 14, 1.0, 0, PI / 2, 1.25}, {"chestnut", 40, 0.9, 0, PI / 2, 1.5},
+      {"hornbeam", 70, 0.5, 0, PI / 2, 1.6},  {"jarrah", 9, 1.2, -0.7, 0.7, 1.3},
+  };
+  for (unsigned k = 0; k < sizeof woods_of / sizeof *woods_of; k++) {
+    double wide = woods_of[k].spacing / 4, length = 1.2 * woods_of[k].spacing, d[2][2];
+    int count[2];
+    double radius[2], area = pow(FIELD * FIELD_STEP, 2);
+    for (int on = 0; on < 2; on++) {
+      field f = field_of(woods_of[k].preset,
+                         on ? "vessel_diameter=40" : "vessel_diameter=40; vessel_arrangement=even");
+      d[on][0] = dispersion(&f, woods_of[k].angle, wide, length);
+      d[on][1] = dispersion(&f, woods_of[k].other, wide, length);
+      count[on] = f.count;
+      radius[on] = f.mean_radius;
+      field_free(&f);
+    }
+    double want = woods_of[k].density * area;
+    CHECK(d[1][0] > woods_of[k].least * d[0][0] && d[1][0] > 1.2 * d[1][1] && d[0][0] < 1.25,
+          "%s: variance over mean of counts along its bands %.2f, the other way %.2f; without "
+          "%.2f, %.2f\n",
+          woods_of[k].preset, d[1][0], d[1][1], d[0][0], d[0][1]);
+    /* some are seen as one with another, in bands as without */
+    CHECK(abs(count[1] - count[0]) < 3 * sqrt(2 * want) + 0.02 * want &&
+              fabs(radius[1] / radius[0] - 1) < 0.02,
+          "%s: %d vessels in bands, %d without (%.0f with those that hide behind others); mean "
+          "radius %.2f and %.2f um\n",
+          woods_of[k].preset, count[1], count[0], want, 1e3 * radius[1], 1e3 * radius[0]);
+  }
+}
+
+/* Nothing shows of the lattice that they are looked up in: vessels are as many at every place of
+ * its cells. */
+static void bands_show_no_lattice(void **state) {
+  (void)state;
+  enum { BINS = 8 };
+  const double density = 40, in_bands = 0.9, wide = 0.42;
+  double share = 1 / (1 - in_bands + in_bands / wide), cell = sqrt(share / density);
+  field f = field_of(NULL, "porosity=diffuse; vessel_density=40; vessel_diameter=30; ring_width=4; "
+                           "vessel_arrangement=tangential; vessel_bands=0.9; "
+                           "vessel_band_spacing=0.5; vessel_band_waviness=0.3");
+  double expected = f.count / (double)BINS;
+  for (int axis = 0; axis < 2; axis++) {
+    int bin[BINS] = {0};
+    double chi2 = 0;
+    for (int i = 0; i < f.count; i++) {
+      double at = (axis ? f.z[i] : f.x[i]) / cell;
+      bin[(int)((at - floor(at)) * BINS)]++;
+    }
+    for (int b = 0; b < BINS; b++) chi2 += pow(bin[b] - expected, 2) / expected;
+    /* 99.9 % of the distribution with 7 degrees of freedom */
+    CHECK(chi2 < 24.3, "%d vessels by their place in cells of %.3f mm along %s: chi2 %.1f\n",
+          f.count, cell, axis ? "z" : "x", chi2);
+  }
+  field_free(&f);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(diffuse_counts_and_radii),
-      cmocka_unit_test(ring_rows),
-      cmocka_unit_test(porosity_orders_the_ring),
-      cmocka_unit_test(streaks_follow_the_dive),
+      cmocka_unit_test(diffuse_counts_and_radii),    cmocka_unit_test(ring_rows),
+      cmocka_unit_test(porosity_orders_the_ring),    cmocka_unit_test(streaks_follow_the_dive),
+      cmocka_unit_test(bands_lie_as_they_are_named), cmocka_unit_test(bands_show_no_lattice),
   };
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

@@ -22,7 +22,7 @@ static void build_drift(wood_constants *w, const settings *s) {
 }
 
 void wood_build_fibres(wood_constants *w, const settings *s) {
-  static const double size[WOOD_FIBRE_OCTAVES] = {1.0, 7.0, 60.0};
+  static const double size[WOOD_FIBRE_OCTAVES] = {1.0, WOOD_BUNDLE, 60.0};
   static const double weight[WOOD_FIBRE_OCTAVES] = {0.34, 0.33, 0.33};
   /* of the growth front: a cell more or less in a radial file of them, and bundles */
   static const double bundle[WOOD_FIBRE_OCTAVES] = {0.25, 0.4, 0.35};

@@ -33,6 +33,12 @@ int32_t wood_build_figure(wood_constants *w, const settings *s);
 void wood_build_vessels(wood_constants *w, const settings *s);
 void wood_build_rows(wood_constants *w, const settings *s);
 
+/* bands.c: how they are arranged. largest: mm, the largest pore's radius. */
+void wood_build_bands(wood_constants *w, const settings *s, double largest);
+/* Mean share of an area that is covered by pores in bands, whose areas over it sum to c. radius,
+ * cell: mm, of a pore and of its cell. */
+double wood_banded_cover(const wood_bands *m, double c, double radius, double cell);
+
 /* rays.c, fibres.c */
 void wood_build_rays(wood_constants *w, const settings *s);
 void wood_build_fibres(wood_constants *w, const settings *s);

@@ -10,9 +10,10 @@
 
 /* Discs thrown at random over an area leave exp(-c) of it free, c being the
  * sum of their areas over it. */
-static void build_overlap(wood_vessels *v) {
-  double c = (double)v->coverage;
-  double covered = 1.0 - scalar_exp(-c);
+static void build_overlap(const wood_constants *w, wood_vessels *v) {
+  double c = (double)v->coverage, cell = (double)w->pore_cell;
+  double covered =
+      w->bands.on ? wood_banded_cover(&w->bands, c, (double)v->radius, cell) : 1.0 - scalar_exp(-c);
   v->overlap = c > 1e-6 ? (float)(1.0 - covered / c) : 0.0f;
   v->coverage = (float)covered;
 }
@@ -27,7 +28,9 @@ static void build_pores(wood_constants *w, const settings *s, double late) {
   double density = number_at(s, P_PORE_DENSITY);
   double square = wood_build_radii(&w->pores, d, spread);
   double largest = (double)w->pores.radius * (1.0 + 2.5 * spread) * (late > 1.0 ? late : 1.0);
+  wood_build_bands(w, s, largest);
   w->pore_cell = (float)(1.0 / __builtin_sqrt(density));
+  if (w->bands.on) w->pore_cell = (float)__builtin_sqrt((double)w->bands.share / density);
   w->inverse_pore_cell = 1.0f / w->pore_cell;
   w->pore_step = w->pore_cell / 4294967296.0f;
   w->pores.reach = wood_longest_footprint(0.5 * (double)w->pore_cell, largest, END_SHARP);
@@ -37,7 +40,7 @@ static void build_pores(wood_constants *w, const settings *s, double late) {
   w->pores.coverage =
       (float)(0.5 * TWO_PI * (double)w->pores.radius * (double)w->pores.radius * square * density);
   if (!w->has_pores) w->pores.coverage = 0.0f;
-  build_overlap(&w->pores);
+  build_overlap(w, &w->pores);
   w->pore_early = 1.0f;
   w->pore_growth = (float)(late - 1.0);
   double g = late - 1.0;

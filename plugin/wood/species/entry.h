@@ -79,6 +79,11 @@ SPECIES_ALL(DECLARE)
   WHOLE("earlywood_rows", rows), NUMBER("earlywood_density", density),                             \
       NUMBER("earlywood_diameter", diameter), NUMBER("earlywood_diameter_spread", spread),         \
       NUMBER("earlywood_jitter", jitter)
+/* How those of the latewood, or all of diffuse-porous wood, stand together; by the IAWA list of
+ * microscopic features for hardwood identification (1989), 6 to 8. */
+#define VESSEL_BANDS(arrangement, share, spacing, waviness)                                        \
+  CHOICE("vessel_arrangement", arrangement), NUMBER("vessel_bands", share),                        \
+      NUMBER("vessel_band_spacing", spacing), NUMBER("vessel_band_waviness", waviness)
 #define RAYS(density, height, width, length)                                                       \
   NUMBER("ray_density", density), NUMBER("ray_height", height), NUMBER("ray_width", width),        \
       NUMBER("ray_length", length), NUMBER("ray_shade", 0.25)

@@ -293,6 +293,7 @@ static const sozai_value values_jarrah[] = {
     NUMBER("slope_noise", 0.035),
     NUMBER("slope_noise_length", 45.0),
     DIFFUSE_POROUS(9.0, 160.0, 0.2),
+    VESSEL_BANDS("diagonal", 0.85, 1.2, 0.12),
     NUMBER("fibre_brightness", 0.17),
     SRGB("earlywood_colour", 142, 78, 58),
     SRGB("latewood_colour", 112, 56, 42),

@@ -74,10 +74,12 @@ typedef struct {
   vf sine;               /* of the dive angle */
   vf b[3], bn;           /* row of the map from surface to rho; that along the normal */
   vf reach;              /* mm: rings_extent */
+  vessel_bands bands;
   disc pore;
   vessel_cover_t vessels;
   int pores_parted, rows_parted; /* these have been looked up in parts */
   fibre_sum bundle;
+  fibre_bundle strays;       /* by which vessels' bands do */
   vf front_rho, front_reach; /* of latewood where it strays */
   ring_place front_ring;     /* where that crosses a ring's end for any lane */
   int crossed;

@@ -15,7 +15,7 @@ INLINE void stage_bundle(const fibre_octave *q, int boards, int o, block *k) {
   const section_place *at = o < FIBRE_DRIFT ? grown_at(k) : &k->section;
   if (o == 0) k->bundle = fibre_start();
   if (o == 0 || (o == FIBRE_DRIFT && k->in.moved)) fibre_under(&at->f, &k->bundle);
-  fibre_add(q, own_of(boards, k), at->x, at->z, &k->bundle);
+  fibre_add(q, own_of(boards, k), at->x, at->z, &k->bundle, &k->strays);
   k->shift = k->bundle.shift;
 }
 
@@ -41,7 +41,7 @@ INLINE void stage_drift(const wood_constants *w, int boards, block *k) {
 INLINE void stage_bundles(const wood_constants *w, int boards, block *k) {
   const section_place *near = grown_at(k), *far = &k->section;
   const fibre_eye eyes[2] = {{near->x, near->z, near->f}, {far->x, far->z, far->f}};
-  k->bundle = fibre_alone(w, own_of(boards, k), &eyes[0], &eyes[1]);
+  k->bundle = fibre_alone(w, own_of(boards, k), &eyes[0], &eyes[1], &k->strays);
   k->shift = k->bundle.shift;
 }
 #endif

@@ -5,16 +5,41 @@
 #ifndef SOZAI_WOOD_STAGES_VESSELS_H
 #define SOZAI_WOOD_STAGES_VESSELS_H
 
+#include "../vessels_bands.h"
 #include "../vessels_pores.h"
 #include "../vessels_row_box.h"
 #include "rings.h"
 
 INLINE vessel_place place_in(int boards, const section_place *q, const block *k) {
   return (vessel_place){
-      q->x, q->z, q->c, q->s, k->turn, k->stem.rho, k->ring, q->f, own_of(boards, k)};
+      q->x, q->z, q->c, q->s, k->turn, k->stem.rho, k->ring, q->f, own_of(boards, k), &k->bands};
 }
 INLINE vessel_place vessel_place_of(int boards, const block *k) {
   return place_in(boards, grown_at(k), k);
+}
+
+/* The bands that the field's pores stand in. Not kept: to store them costs more than to find them
+ * again where a footprint is long. */
+INLINE vessel_bands bands_of(const wood_constants *w, int boards, const block *k) {
+  vessel_bands b;
+  vessel_place place = vessel_place_of(boards, k);
+  if (w->bands.along_arc) {
+    bands_round(w, &place, &b);
+  } else {
+    bands_out(w, &place, &b);
+  }
+  if (w->bands.stray > 0.0f && !w->picture) { /* under a picture no fibre's noise is found */
+    vf stray = splat(w->bands.stray);
+    b.phase = b.phase + stray * k->strays.at;
+    b.x = b.x + stray * k->strays.x;
+    b.z = b.z + stray * k->strays.z;
+  }
+  return b;
+}
+
+/* Where a surface's relief asks for them. */
+INLINE void stage_bands(const wood_constants *w, int boards, block *k) {
+  k->bands = bands_of(w, boards, k);
 }
 
 /* Long footprints here; what is within one tap goes through the stages after this one. */
@@ -27,8 +52,13 @@ INLINE void stage_vessel_parts(const wood_constants *w, int boards, block *k) {
   vm rows = w->rows ? rows_cut(w, f) : none, meet = w->rows ? rows_meet(w, f) : none;
   if (!any(or_(pores, or_(rows, meet)))) return;
   vessel_place place = vessel_place_of(boards, k);
+  vessel_bands bands;
   k->pores_parted = any(pores);
   k->rows_parted = any(or_(rows, meet));
+  if (w->bands.on) {
+    bands = bands_of(w, boards, k);
+    place.bands = &bands;
+  }
   if (k->pores_parted) pores_in_parts(w, &place, pores, &k->vessels);
   if (k->rows_parted) rows_in_parts(w, &place, rows, &k->vessels);
 }
@@ -44,7 +74,17 @@ INLINE void stage_disc(const wood_constants *w, int boards, block *k) {
 INLINE void stage_pores(const wood_constants *w, int boards, block *k) {
   if (k->pores_parted || !w->has_pores) return;
   const section_place *q = grown_at(k);
-  k->vessels.pores = pores_cover(w, own_of(boards, k), q->x, q->z, &k->pore);
+  k->vessels.pores = pores_cover(w, 0, own_of(boards, k), q->x, q->z, &k->pore);
+}
+
+/* The same where they are in bands. */
+INLINE void stage_banded_pores(const wood_constants *w, int boards, block *k) {
+  if (k->pores_parted) return;
+  const section_place *q = grown_at(k);
+  vessel_bands bands = bands_of(w, boards, k);
+  disc d = k->pore;
+  d.bands = &bands;
+  k->vessels.pores = pores_cover(w, 1, own_of(boards, k), q->x, q->z, &d);
 }
 
 INLINE void stage_rows(const wood_constants *w, int boards, block *k) {
@@ -61,12 +101,17 @@ INLINE void stage_rows(const wood_constants *w, int boards, block *k) {
 INLINE void stage_cover(const wood_constants *w, int boards, const wood_io *io, block *k) {
   const vessel_cover_t *v = &k->vessels;
   vf one = splat(1.0f), zero = splat(0.0f);
+  const section_place *q = grown_at(k);
   vf pores = v->pores, rows = v->rows;
   k->over_late = v->pores;
   if (w->has_pores && any(gt(v->pores_faded, zero))) {
     vf expected = one;
     if (w->pore_growth != 0.0f) {
       expected = rings_mean(w, boards, io, MEAN_PORE, k);
+    }
+    if (w->bands.on) {
+      vessel_bands bands = bands_of(w, boards, k);
+      expected = expected * bands_mean(w, &bands, q->c, q->s, &q->f);
     }
     pores = mix(pores, splat(w->pores.coverage) * expected, v->pores_faded);
     k->over_late = mix(k->over_late, splat(w->late_vessel), v->pores_faded);

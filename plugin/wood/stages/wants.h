@@ -32,6 +32,8 @@ static wood_wants wants_of(const wood_constants *w, const kernel_io *io) {
   q.board = kernel_wants(io, WOOD_BOARD_ID, WOOD_CANAL - WOOD_BOARD_ID);
   q.relief = w->surface.relief && (q.lobe || q.cone || (w->surface.stains && q.colour) ||
                                    kernel_wants(io, WOOD_NORMAL, 4));
+  if (q.relief && w->bands.on && !w->picture) q.late = 1;
+  q.bundle = q.bundle || (q.late && w->bands.on);
   q.direction = q.fibre || q.dive || q.radiance || q.cone || q.relief;
   q.section = q.direction || q.vessel || q.bundle || q.picture || q.lobe || q.cone ||
               kernel_wants(io, WOOD_REFERENCE, 2);

@@ -12,15 +12,21 @@
 
 /* The field's pores, over their depth; slopes are per mm of (x, z). */
 INLINE trough_sum grooves_pores(const wood_constants *w, vu own, vf x, vf z, const disc *d) {
-  pore_cells p = pores_near(w, own, x, z, d);
+  pore_cells p = pores_near(w, w->bands.on, own, x, z, d);
   vf zero = splat(0.0f), unit = splat(PORE_UNIT), one = splat(1.0f), unused;
   trough_sum g = {zero, zero, zero, zero};
   for (int i = 0; i < 4; i++) {
     int a = i & 1, b = i >> 1;
     vu base = hash_upper(p.hash + splatu((uint32_t)a * HASH_X + (uint32_t)b * HASH_Z));
-    vf cx = sel_top(base, a ? p.x - unit : p.x, splat(PORE_NOWHERE)), cz = b ? p.z - unit : p.z;
+    vf cx = a ? p.x - unit : p.x, cz = b ? p.z - unit : p.z;
     vu h = base << 1;
-    for (int k = 0; k < 2; k++) {
+    if (w->bands.on) {
+      vm held = bands_hold(&w->bands, &p.bands, base, cx - hash_place(h), cz - hash_place2(h));
+      cx = sel(held, cx, splat(PORE_NOWHERE));
+    } else {
+      cx = sel_top(base, cx, splat(PORE_NOWHERE));
+    }
+    for (int k = 0; k < (w->bands.on ? 1 : 2); k++) {
       trough_add(&p.d, one, lookup8(w->pores.inverse_square, h >> 5), cx - hash_place(h),
                  cz - hash_place2(h), &g, &unused);
       h = base * splatu(PORE_SECOND);
