@@ -125,6 +125,22 @@ static bool make(grow_options *o, const session_options *shared, const char *wha
   return ok;
 }
 
+#define VIEWS ".png .exr"
+
+/* An EXR is scene-linear: no display is in it. Colours are a view's alone. */
+static const option_use uses[] = {
+    {"level", ".obj .gltf .usda " VIEWS},
+    {"res", VIEWS},
+    {"spp", VIEWS},
+    {"camera", VIEWS},
+    {"target", VIEWS},
+    {"zoom", VIEWS},
+    {"display", ".png"},
+    {"view", ".png"},
+    {"look", ".png"},
+    {"config", VIEWS},
+};
+
 int run_grow(int argc, char **argv) {
   if (argc > 1 && strcmp(argv[1], "fiber") == 0) return run_grow_fiber(argc, argv);
   failure why = {0};
@@ -160,13 +176,15 @@ int run_grow(int argc, char **argv) {
       SESSION_DISPLAY_OPTIONS(shared),
       SESSION_RUN_OPTIONS(shared)};
   static const char *const positional[] = {"generator"};
+  bool given[sizeof options / sizeof options[0]] = {false};
   const command_line line = {
       .usage = "grow tree -o FILE [options]",
       .about = "Grows a tree and writes it to a file; `sozai grow fiber --help` for fibre.\n",
       .options = options,
       .option_count = sizeof options / sizeof options[0],
       .positional = positional,
-      .positional_count = 1};
+      .positional_count = 1,
+      .given = given};
   const char *what = NULL;
   int parsed = options_parse(&line, argc, argv, &what, &why);
   int code = 0;
@@ -179,7 +197,10 @@ int run_grow(int argc, char **argv) {
     o.params = shared.params;
     o.verbose = shared.verbose;
   }
-  if (parsed == OPTIONS_BAD || (parsed == OPTIONS_RUN && !make(&o, &shared, what, &why)))
+  if (parsed == OPTIONS_BAD ||
+      (parsed == OPTIONS_RUN &&
+       (!options_fit(&line, uses, sizeof uses / sizeof uses[0], o.output, &why) ||
+        !make(&o, &shared, what, &why))))
     code = report(&why);
   session_options_free(&shared);
   return code;
