@@ -15,6 +15,11 @@ install(FILES api/sozai.h api/sozai_colour.h TYPE INCLUDE)
 install(FILES LICENSE README.md CHANGELOG.md CONTRIBUTING.md SECURITY.md TYPE DOC)
 install(DIRECTORY docs TYPE DOC)
 install(FILES docs/example/embed.c DESTINATION ${CMAKE_INSTALL_DOCDIR}/example)
+# Those into the sources do not; after the headers, which some of them lead to then.
+install(CODE "set(SOZAI_SOURCE \"${PROJECT_SOURCE_DIR}\")
+  set(DOCDIR \"${CMAKE_INSTALL_DOCDIR}\")
+  set(INCLUDEDIR \"${CMAKE_INSTALL_INCLUDEDIR}\")")
+install(SCRIPT cmake/InstallDocs.cmake)
 
 install(TARGETS sozai LIBRARY DESTINATION ${plugin_dir})
 if(TARGET sozai-colour)

@@ -12,6 +12,9 @@
 #include "ceilings.h"
 
 /* What was asked for, as text where it needs more than a number. */
+#define TILE 64
+#define TILE_UNSAID UINT32_MAX
+
 typedef struct request {
   session_options shared;
   const char *output, *outputs, *shape, *size, *resolution, *samples, *space, *shard, *udim;
@@ -83,6 +86,8 @@ static bool saw(recipe *r, const request *q, const sozai_texture_info *info, fai
 static bool set_surface(recipe *r, const request *q, failure *why) {
   if (q->shape && !set_shape(r, q->shape, why)) return false;
   if (q->size && !set_size(r, q->size, why)) return false;
+  if (q->scale > 0 && r->surface.shape != RECIPE_MESH)
+    return fail(why, EXIT_BAD_INPUT, "--scale: only for a mesh's file; see --size");
   if (q->scale > 0) r->surface.scale = q->scale;
   return (!q->resolution || set_resolution(r, q->resolution, why)) &&
          (!q->samples || set_samples(r, q->samples, why));
@@ -115,6 +120,8 @@ static bool check_job(const bake_job *job, const request *q, failure *why) {
                 pixels[1], BAKE_MOST_SIDE);
   if (q->mip && (job->outputs->format != BAKE_EXR || job->tile == 0))
     return fail(why, EXIT_BAD_INPUT, "--mip: only an EXR with tiles holds mipmaps");
+  if (q->tile != TILE_UNSAID && q->tile != 0 && job->outputs->format == BAKE_PNG)
+    return fail(why, EXIT_BAD_INPUT, "--tile: a PNG has no tiles");
   if (job->tile % 16 != 0)
     return fail(why, EXIT_BAD_INPUT, "--tile: %u is not a multiple of 16", job->tile);
   return true;
@@ -128,7 +135,7 @@ static void warn_of_mesh(const bake_ground *g) {
 }
 
 static bool bake_on(bake_job *job, const request *q, failure *why) {
-  job->tile = job->outputs->format == BAKE_PNG ? 0 : q->tile;
+  job->tile = job->outputs->format == BAKE_PNG ? 0 : q->tile == TILE_UNSAID ? TILE : q->tile;
   job->mipmaps = q->mip;
   job->path = q->output;
   if (!read_shard(job, q, why) || !check_job(job, q, why)) return false;
@@ -197,7 +204,7 @@ static bool bake_named(const char *name, const request *q, failure *why) {
 
 int run_bake(int argc, char **argv) {
   failure why = {0};
-  request q = {.tile = 64};
+  request q = {.tile = TILE_UNSAID};
   if (!session_options_init(&q.shared, argc, &why)) return report(&why);
   const option options[] = {
       {"output", 'o', OPTION_TEXT, &q.output, "FILE",

@@ -125,6 +125,22 @@ static bool make(grow_options *o, const session_options *shared, const char *wha
   return ok;
 }
 
+#define VIEWS ".png .exr"
+
+/* An EXR is scene-linear: no display is in it. Colours are a view's alone. */
+static const option_use uses[] = {
+    {"level", ".obj .gltf .usda " VIEWS},
+    {"res", VIEWS},
+    {"spp", VIEWS},
+    {"camera", VIEWS},
+    {"target", VIEWS},
+    {"zoom", VIEWS},
+    {"display", ".png"},
+    {"view", ".png"},
+    {"look", ".png"},
+    {"config", VIEWS},
+};
+
 int run_grow(int argc, char **argv) {
   if (argc > 1 && strcmp(argv[1], "fiber") == 0) return run_grow_fiber(argc, argv);
   failure why = {0};
@@ -143,8 +159,7 @@ int run_grow(int argc, char **argv) {
        "set a parameter; any number of these", 0, 0},
       {"field", 0, OPTION_TEXT, &o.field, "FILE", "a measured tree's field table", 0, 0},
       {"level", 0, OPTION_COUNT, &o.level, "N",
-       "of detail: 0 (default) is all, 1 a quarter to three fifths, 2 a seventh, then half each", 0,
-       8},
+       "of detail: 0 (default) is all, 1 about a half, 2 a seventh, then half each", 0, 8},
       {"curves", 0, OPTION_FLAG, &o.curves, NULL, "curves in place of a mesh, in .usda", 0, 0},
       {"table", 0, OPTION_TEXT, &o.table, "NAME", "which table a .csv takes: see describe tree", 0,
        0},
@@ -161,13 +176,15 @@ int run_grow(int argc, char **argv) {
       SESSION_DISPLAY_OPTIONS(shared),
       SESSION_RUN_OPTIONS(shared)};
   static const char *const positional[] = {"generator"};
+  bool given[sizeof options / sizeof options[0]] = {false};
   const command_line line = {
       .usage = "grow tree -o FILE [options]",
       .about = "Grows a tree and writes it to a file; `sozai grow fiber --help` for fibre.\n",
       .options = options,
       .option_count = sizeof options / sizeof options[0],
       .positional = positional,
-      .positional_count = 1};
+      .positional_count = 1,
+      .given = given};
   const char *what = NULL;
   int parsed = options_parse(&line, argc, argv, &what, &why);
   int code = 0;
@@ -180,7 +197,10 @@ int run_grow(int argc, char **argv) {
     o.params = shared.params;
     o.verbose = shared.verbose;
   }
-  if (parsed == OPTIONS_BAD || (parsed == OPTIONS_RUN && !make(&o, &shared, what, &why)))
+  if (parsed == OPTIONS_BAD ||
+      (parsed == OPTIONS_RUN &&
+       (!options_fit(&line, uses, sizeof uses / sizeof uses[0], o.output, &why) ||
+        !make(&o, &shared, what, &why))))
     code = report(&why);
   session_options_free(&shared);
   return code;

@@ -17,8 +17,8 @@
 
 typedef struct fiber_options {
   const char *hull, *material, *output, *table;
-  double scale;
-  mesh solid; /* that `hull` names */
+  double scale; /* 0: not said */
+  mesh solid;   /* that `hull` names */
   uint32_t level;
   bool verbose;
   option_texts params;
@@ -95,7 +95,11 @@ static bool grow(const void *options, const sozai_geometry_1 *table, const sozai
 }
 
 static bool make(fiber_options *o, const session_options *shared, failure *why) {
-  if (!check(o, why) || !aggregate_hull(&o->solid, o->hull, o->scale, why)) return false;
+  if (!check(o, why)) return false;
+  if (o->scale > 0 && !aggregate_hull_is_file(o->hull))
+    return fail(why, EXIT_BAD_INPUT,
+                "--scale: only for a mesh's file, which '%s' is not; it is made in mm", o->hull);
+  if (!aggregate_hull(&o->solid, o->hull, o->scale > 0 ? o->scale : 1, why)) return false;
   const grown_file file = {.output = o->output,
                            .options = o,
                            .verbose = o->verbose,
@@ -107,11 +111,30 @@ static bool make(fiber_options *o, const session_options *shared, failure *why) 
   return ok;
 }
 
+#define VIEWS ".png .exr"
+
+/* An EXR is scene-linear: no display is in it. Colours are a view's alone, which shows every
+ * strand. */
+static const option_use uses[] = {
+    {"level", ".usda .hair .obj .pbrt .gltf"},
+    {"res", VIEWS},
+    {"spp", VIEWS},
+    {"bounces", VIEWS},
+    {"camera", VIEWS},
+    {"target", VIEWS},
+    {"light", VIEWS},
+    {"zoom", VIEWS},
+    {"display", ".png"},
+    {"view", ".png"},
+    {"look", ".png"},
+    {"config", VIEWS},
+};
+
 int run_grow_fiber(int argc, char **argv) {
   failure why = {0};
   session_options shared;
   if (!session_options_init(&shared, argc, &why)) return report(&why);
-  fiber_options o = {.view = FIBER_VIEW_DEFAULT, .scale = 1};
+  fiber_options o = {.view = FIBER_VIEW_DEFAULT};
   const option options[] = {
       {"output", 'o', OPTION_TEXT, &o.output, "FILE",
        ".usda, .hair, .obj, .pbrt: curves; .gltf: tubes; .csv, a table; .png, .exr, a view", 0, 0},
@@ -146,6 +169,7 @@ int run_grow_fiber(int argc, char **argv) {
       SESSION_DISPLAY_OPTIONS(shared),
       SESSION_RUN_OPTIONS(shared)};
   static const char *const positional[] = {"generator"};
+  bool given[sizeof options / sizeof options[0]] = {false};
   const command_line line = {.name = "grow fiber",
                              .usage = "grow fiber --hull MESH -o FILE [options]",
                              .about =
@@ -153,13 +177,17 @@ int run_grow_fiber(int argc, char **argv) {
                              .options = options,
                              .option_count = sizeof options / sizeof options[0],
                              .positional = positional,
-                             .positional_count = 1};
+                             .positional_count = 1,
+                             .given = given};
   const char *what = NULL;
   int parsed = options_parse(&line, argc, argv, &what, &why);
   o.params = shared.params;
   o.verbose = shared.verbose;
   int code = 0;
-  if (parsed == OPTIONS_BAD || (parsed == OPTIONS_RUN && !make(&o, &shared, &why)))
+  if (parsed == OPTIONS_BAD ||
+      (parsed == OPTIONS_RUN &&
+       (!options_fit(&line, uses, sizeof uses / sizeof uses[0], o.output, &why) ||
+        !make(&o, &shared, &why))))
     code = report(&why);
   session_options_free(&shared);
   return code;

@@ -125,9 +125,11 @@ static bool open_recipe(recipe *r, const request *q, const sozai_textures_1 *tex
 static bool match_with(request *q, session *s, const char *path, failure *why) {
   recipe r;
   photo p;
-  const photo_options options = {
-      .space = q->space, .crop = q->crop_text ? q->crop : NULL, .even_light = q->even_light};
   if (!find_material(q, s->plugin.textures, why) || !try_output(q, why)) return false;
+  const photo_options options = {.space = q->space,
+                                 .crop = q->crop_text ? q->crop : NULL,
+                                 .specks = q->entry->shares[0] != NULL,
+                                 .even_light = q->even_light};
   if (!open_recipe(&r, q, s->plugin.textures, why)) return false;
   bool ok = photo_read(&p, path, &options, &s->colour, why);
   if (ok) {
@@ -168,11 +170,13 @@ int run_match(int argc, char **argv) {
   static const char *const positional[] = {"photograph"};
   const command_line line = {
       .usage = "match PHOTO [--material NAME] [-o FILE.sozai] [options]",
-      .about = "Proposes a material's palette from a photograph: colours with which a face of the\n"
-               "photograph's size has its mean and covariance of colour. Prints both for the\n"
-               "photograph and for the material with the palette, which -o writes to a file.\n\n"
-               "The preset and parameters say how the material is built; a colour or brightness\n"
-               "among them is kept. Wood is sawn flat unless -p cut= says otherwise.\n",
+      .about =
+          "Proposes a material's palette from a photograph: colours with which a face of the\n"
+          "photograph's size has its mean and covariance of colour. Prints both for the\n"
+          "photograph and for the material with the palette, which -o writes to a file.\n"
+          "Of a stone it finds how much its second mineral and its specks cover as well.\n\n"
+          "The preset and parameters say how the material is built; a colour, share or brightness\n"
+          "among them is kept. Wood is sawn flat unless -p cut= says otherwise.\n",
       .options = options,
       .option_count = sizeof options / sizeof options[0],
       .positional = positional,

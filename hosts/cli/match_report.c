@@ -54,6 +54,21 @@ static void print_parts(FILE *to, const match_report *r, const char *begin) {
             m->material.boundary, m->boundary);
 }
 
+static void print_shares(FILE *to, const match_report *r, const char *begin) {
+  const match_shares *all = &r->result->shares;
+  if (!all->found) return;
+  fprintf(to, "%sshares        ranks lie %.3f deviations apart; with the preset's %.3f\n", begin,
+          all->distance, all->preset_distance);
+  for (size_t i = 0; i < all->count; i++) {
+    const match_share *s = &all->of[i];
+    fprintf(to, "%s  %-26s %.4f", begin, s->parameter, s->value);
+    if (s->given)
+      fputs("  as given\n", to);
+    else
+      fprintf(to, "  for the preset's %.4g\n", s->preset);
+  }
+}
+
 static int byte_of(float x) { return (int)lroundf(255 * fminf(fmaxf(x, 0), 1)); }
 
 static void print_colours(FILE *to, const match_report *r, const char *begin) {
@@ -73,6 +88,8 @@ static void print_colours(FILE *to, const match_report *r, const char *begin) {
   fprintf(to, "%s  %-26s %.4f", begin, m->material.brightness, m->brightness);
   if (!m->brightness_free)
     fputs("  as given\n", to);
+  else if (m->shares.found)
+    fprintf(to, "  for the preset's %.4g: by the shares' ranks\n", m->preset_brightness);
   else if (m->brightness_changed)
     fprintf(to, "  for the preset's %.4g: residual %.4f instead of %.4f\n", m->preset_brightness,
             m->residual, m->preset_residual);
@@ -100,6 +117,7 @@ static void print_part(FILE *to, const match_part *p, const char *begin) {
 void match_print(FILE *to, const match_report *r, const char *begin) {
   print_photo(to, r, begin);
   print_parts(to, r, begin);
+  print_shares(to, r, begin);
   print_colours(to, r, begin);
   fprintf(to, "%sstatistics   in %s\n", begin, r->working);
   for (size_t i = 0; i < r->result->part_count; i++) print_part(to, &r->result->parts[i], begin);

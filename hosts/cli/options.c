@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "ending.h"
 #include "numbers.h"
 #include "output_file.h"
 #include "progress.h"
@@ -110,6 +111,7 @@ static bool take_option(const command_line *line, int argc, char **argv, int *at
   if (!o)
     return fail(why, EXIT_BAD_INPUT, "unknown option %s; see sozai %s --help", text,
                 name_of(line, argv));
+  if (line->given) line->given[o - line->options] = true;
   if (o->kind == OPTION_FLAG) {
     if (value) return fail(why, EXIT_BAD_INPUT, "--%s takes no value", o->name);
     *(bool *)o->target = true;
@@ -149,6 +151,29 @@ int options_parse(const command_line *line, int argc, char **argv, const char **
   fail(why, EXIT_BAD_INPUT, "%s: no %s is given; see sozai %s --help", argv[0],
        line->positional[found], name_of(line, argv));
   return OPTIONS_BAD;
+}
+
+/* endings: several, a space between. */
+static bool ends_in_one(const char *path, const char *endings) {
+  while (*endings) {
+    char one[16] = "";
+    size_t length = strcspn(endings, " ");
+    memcpy(one, endings, length < sizeof one ? length : sizeof one - 1);
+    if (ends_in(path, one)) return true;
+    endings += length + (endings[length] == ' ');
+  }
+  return false;
+}
+
+bool options_fit(const command_line *line, const option_use *uses, size_t count, const char *output,
+                 failure *why) {
+  for (size_t i = 0; output && i < count; i++) {
+    const option *o = find(line, uses[i].name, strlen(uses[i].name));
+    if (!o || !line->given[o - line->options] || ends_in_one(output, uses[i].endings)) continue;
+    return fail(why, EXIT_BAD_INPUT, "--%s: only for %s, which '%s' is not", o->name,
+                uses[i].endings, output);
+  }
+  return true;
 }
 
 int report(const failure *why) {

@@ -41,7 +41,14 @@ typedef struct command_line {
   const char *const *positional; /* what each plain argument is called, for messages */
   size_t positional_count;
   size_t optional_count; /* of them, the last ones, that may be left out */
+  bool *given;           /* one to an option, or NULL: which were, for options_fit */
 } command_line;
+
+/* What an option is for: the endings of outputs it has an effect on, as ".png .exr". */
+typedef struct option_use {
+  const char *name;
+  const char *endings;
+} option_use;
 
 #define OPTIONS_RUN 0  /* go on */
 #define OPTIONS_DONE 1 /* help was printed: exit with 0 */
@@ -50,6 +57,11 @@ typedef struct command_line {
 /* Fills the targets and positional_count values. */
 int options_parse(const command_line *line, int argc, char **argv, const char **values,
                   failure *why);
+
+/* What would have no effect was meant otherwise: refuses options that were given and are not for
+ * such an output. */
+bool options_fit(const command_line *line, const option_use *uses, size_t count, const char *output,
+                 failure *why);
 
 /* Print why, if there is one, and give the exit code. */
 int report(const failure *why);

@@ -38,10 +38,21 @@ static bool all_channels(render_job *job, const sozai_texture_info *info) {
   return true;
 }
 
+/* A mesh's, as said here, else as its .sozai file says. */
+static bool fill_scale(render_job *job, const request *q, const recipe *r, failure *why) {
+  if (!isnan(q->bevel) && job->shape != SHAPE_BOARD)
+    return fail(why, EXIT_BAD_INPUT, "--bevel: only for a board");
+  if (q->scale > 0 && job->shape != SHAPE_MESH)
+    return fail(why, EXIT_BAD_INPUT, "--scale: only for a mesh's file; see --size");
+  job->mesh_scale = q->scale > 0                             ? q->scale
+                    : !q->look.shape && r->surface.scale > 0 ? r->surface.scale
+                                                             : 1;
+  return true;
+}
+
 static bool fill_job(render_job *job, const request *q, const recipe *r, int kind,
                      const sozai_texture_info *info, failure *why) {
-  job->bevel = q->bevel;
-  job->mesh_scale = q->scale;
+  if (!isnan(q->bevel)) job->bevel = q->bevel;
   job->zoom = q->zoom;
   job->light_size = q->light_size;
   job->sky = q->sky;
@@ -49,7 +60,8 @@ static bool fill_job(render_job *job, const request *q, const recipe *r, int kin
   job->spp = q->spp;
   job->width = q->resolution[0];
   job->height = q->resolution[1];
-  if (!job_options_apply(job, &q->look, &r->surface, why)) return false;
+  if (!job_options_apply(job, &q->look, &r->surface, why) || !fill_scale(job, q, r, why))
+    return false;
   if (!q->channels) return kind == PICTURE_PNG || all_channels(job, info); /* a PNG has no layers */
   return session_channels(info, q->channels, job->channels, RENDER_MOST_CHANNELS,
                           &job->channel_count, why);
@@ -140,8 +152,7 @@ static bool render_named(const char *name, const request *q, failure *why) {
 
 int run_render(int argc, char **argv) {
   failure why = {0};
-  request q = {
-      .bevel = 1, .scale = 1, .zoom = 1, .light_size = 4, .sky = 1, .spp = 32, .exposure = NAN};
+  request q = {.bevel = NAN, .zoom = 1, .light_size = 4, .sky = 1, .spp = 32, .exposure = NAN};
   if (!session_options_init(&q.shared, argc, &why)) return report(&why);
   const option options[] = {
       {"output", 'o', OPTION_TEXT, &q.output, "FILE", "picture to write: .exr (layers) or .png", 0,

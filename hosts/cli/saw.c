@@ -44,7 +44,9 @@ static bool check(saw_work *w, const session_options *shared, failure *why) {
   if (!find_plan(o->plan, &w->job.plan, why)) return false;
   bool rotary = w->job.plan == SAW_ROTARY;
   w->job.thickness = o->thickness > 0 ? o->thickness : rotary ? 2 : 27;
-  w->job.kerf = rotary ? 0 : o->kerf;
+  if (rotary && o->kerf >= 0)
+    return fail(why, EXIT_BAD_INPUT, "--kerf: a knife takes nothing; not for --plan rotary");
+  w->job.kerf = rotary ? 0 : o->kerf >= 0 ? o->kerf : 3;
   w->job.width = o->width;
   w->job.azimuth = o->azimuth;
   return true;
@@ -202,7 +204,7 @@ int run_saw(int argc, char **argv) {
                      .age = 45,
                      .log_height = 3000,
                      .log_length = 2400,
-                     .kerf = 3,
+                     .kerf = -1,
                      .knot_size = 1,
                      .seed = 1,
                      .size = {1760, 960}};

@@ -35,8 +35,7 @@ void mesh_free(mesh *m) {
   memset(m, 0, sizeof *m);
 }
 
-/* Points of a part in files are numbers more often than not. */
-static float number_or_zero(float x) { return isnan(x) ? 0 : x; }
+/* A normal that is no number is as none: the face's own is used. */
 static float finite_or_zero(float x) { return isfinite(x) ? x : 0; }
 
 /* The first set of UVs: what other programs show. */
@@ -52,12 +51,17 @@ static void append_uvs(const mesh *m, const struct aiMesh *part) {
 /* As of a hull (plugin/fiber/hull.c), and of what textures tell apart. */
 #define FARTHEST 1e6f
 
+/* Points are counted from 0 as faces come upon them: so they are read. */
 static bool check_points(const mesh *m, const char *path, failure *why) {
   for (size_t i = 0; i < 3 * (size_t)m->point_count; i++) {
     double at = (double)m->points[i];
+    if (isnan(at))
+      return fail(why, EXIT_BAD_INPUT, "%s: %c of point %zu is nan, which is no place", path,
+                  "xyz"[i % 3], i / 3);
     if (!(fabs(at) <= (double)FARTHEST))
-      return fail(why, EXIT_BAD_INPUT, "%s: %c of a point is %g mm: outside -1000000 to 1000000 mm",
-                  path, "xyz"[i % 3], at);
+      return fail(why, EXIT_BAD_INPUT,
+                  "%s: %c of point %zu is %g mm: outside -1000000 to 1000000 mm", path,
+                  "xyz"[i % 3], i / 3, at);
   }
   return true;
 }
@@ -67,9 +71,9 @@ static void append(mesh *m, const struct aiMesh *part, float scale) {
   for (uint32_t i = 0; i < part->mNumVertices; i++) {
     float *p = m->points + 3 * (size_t)(base + i);
     float *n = m->normals + 3 * (size_t)(base + i);
-    p[0] = number_or_zero(scale * part->mVertices[i].x);
-    p[1] = number_or_zero(scale * part->mVertices[i].y);
-    p[2] = number_or_zero(scale * part->mVertices[i].z);
+    p[0] = scale * part->mVertices[i].x;
+    p[1] = scale * part->mVertices[i].y;
+    p[2] = scale * part->mVertices[i].z;
     if (!part->mNormals) continue; /* stays 0: the face's own is used */
     n[0] = finite_or_zero(part->mNormals[i].x);
     n[1] = finite_or_zero(part->mNormals[i].y);

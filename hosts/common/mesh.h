@@ -20,8 +20,8 @@ bool mesh_allocate(mesh *m, uint32_t points, uint32_t triangles, failure *why);
 void mesh_free(mesh *m);
 
 /* Any format Assimp reads, all its parts in one. scale: mm per unit of the
- * file. Points that are no numbers are read as 0; a mesh that reaches beyond
- * +-1e6 mm is refused. Normals are made where the file has none, smooth up to 45 degrees. */
+ * file. A point that is no number, or beyond +-1e6 mm, is refused. Normals are made where the
+ * file has none, smooth up to 45 degrees. */
 bool mesh_read(mesh *m, const char *path, double scale, failure *why);
 
 #endif

@@ -3,6 +3,7 @@
  * them: in a text every element is a line. */
 #include "mesh_ply_parts.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -27,7 +28,7 @@ static bool is_whole(const char *text) {
   return *text && text[strspn(text, "0123456789")] == '\0';
 }
 
-/* Points may be no numbers: they are read as 0 later. */
+/* As numbers go: what of a vertex must be finite is checked with its name. */
 static bool is_number(const char *text) {
   static const char *const odd[] = {"nan", "inf", "infinity"};
   double number;
@@ -113,11 +114,24 @@ static bool next_line(values *v, failure *why) {
   return true;
 }
 
-static bool read_element(values *v, const ply_row *end, failure *why) {
+/* Assimp reads what is no number of a text as 0. Normals and UVs may be none. */
+static bool check_coordinate(const values *v, const ply_row *p, double at, failure *why) {
+  bool coordinate = strcmp(v->element->name, "vertex") == 0 && strchr("xyz", p->name[0]) &&
+                    p->name[0] && !p->name[1];
+  if (!coordinate || isfinite(at)) return true;
+  return fail(why, EXIT_BAD_INPUT, "%s: %s of vertex %llu is %g, which is no place",
+              v->header->path, p->name, (unsigned long long)v->at, at);
+}
+
+static bool read_one(values *v, const ply_row *p, failure *why) {
   double number;
+  return value(v, p->type, &number, why) && check_coordinate(v, p, number, why);
+}
+
+static bool read_element(values *v, const ply_row *end, failure *why) {
   if (!next_line(v, why)) return false;
   for (const ply_row *p = v->element + 1; p < end; p++)
-    if (!(p->list ? read_list(v, p, why) : value(v, p->type, &number, why))) return false;
+    if (!(p->list ? read_list(v, p, why) : read_one(v, p, why))) return false;
   return true;
 }
 

@@ -16,10 +16,14 @@ bool aggregate_grow(const sozai_geometry_1 *table, const sozai_host *host, const
   return growth_grow_with(table, host, "fiber", preset, pairs, pair_count, &value, 1, out, why);
 }
 
-bool aggregate_hull(mesh *m, const char *name, double scale, failure *why) {
-  memset(m, 0, sizeof *m);
+bool aggregate_hull_is_file(const char *name) {
   /* a file's name has a dot or a slash in it; sizes have a colon first */
   const char *mark = strpbrk(name, "./:");
-  if (mark && *mark != ':') return mesh_read(m, name, scale, why);
+  return mark && *mark != ':';
+}
+
+bool aggregate_hull(mesh *m, const char *name, double scale, failure *why) {
+  memset(m, 0, sizeof *m);
+  if (aggregate_hull_is_file(name)) return mesh_read(m, name, scale, why);
   return hull_make_named(m, name, why);
 }

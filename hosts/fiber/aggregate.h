@@ -12,5 +12,7 @@ bool aggregate_grow(const sozai_geometry_1 *table, const sozai_host *host, const
                     sozai_geometry **out, failure *why);
 /* By a mesh's path, or the name of one that is made here: see hull_make_named. */
 bool aggregate_hull(mesh *m, const char *name, double scale, failure *why);
+/* Whether it is a mesh's file, and not one that is made here. */
+bool aggregate_hull_is_file(const char *name);
 
 #endif

@@ -22,21 +22,25 @@ typedef struct row_job {
 void board_init(board *b, const sozai_textures_1 *textures, const host *h, uint32_t width,
                 uint32_t height, double pixel) {
   double step = ceil(sqrt((double)width * height / MOST_POINTS));
-  *b = (board){textures, h, width, height, pixel, step < 1 ? 1 : (uint32_t)step};
+  *b = (board){textures, h, width, height, pixel, step < 1 ? 1 : (uint32_t)step, 1};
 }
 
 static uint32_t columns_of(const board *b) { return (b->width + b->step - 1) / b->step; }
 static uint32_t rows_of(const board *b) { return (b->height + b->step - 1) / b->step; }
 
-uint64_t board_points(const board *b) { return (uint64_t)columns_of(b) * rows_of(b); }
+uint64_t board_points(const board *b) { return (uint64_t)columns_of(b) * rows_of(b) * b->faces; }
+
+/* Mm: from one face to the next. */
+static double aside(const board *b) { return 1.5 * b->width * b->pixel; }
 
 static void fill_row(const row_job *job, uint32_t row, float *in) {
   const board *b = job->board;
   size_t n = job->columns;
   memset(in, 0, INPUTS * n * sizeof *in);
-  double y = (0.5 * b->height - (double)row * b->step - 0.5) * b->pixel;
+  double y = (0.5 * b->height - (double)(row % rows_of(b)) * b->step - 0.5) * b->pixel;
+  double x = aside(b) * (row / rows_of(b));
   for (size_t i = 0; i < n; i++) {
-    in[i] = (float)(((double)(i * b->step) + 0.5 - 0.5 * b->width) * b->pixel);
+    in[i] = (float)(((double)(i * b->step) + 0.5 - 0.5 * b->width) * b->pixel + x);
     in[n + i] = (float)y;
     in[5 * n + i] = 1;
     in[6 * n + i] = (float)b->pixel;
@@ -82,7 +86,7 @@ static const sozai_channel *find_channel(const sozai_texture_info *info, const c
 
 static bool evaluate(row_job *job, failure *why) {
   const board *b = job->board;
-  uint32_t rows = rows_of(b);
+  uint32_t rows = rows_of(b) * b->faces;
   job->results = calloc(rows, sizeof *job->results);
   if (!job->results) return fail(why, EXIT_FAILURE, "out of memory");
   parallel_for(b->host->threads, rows, evaluate_row, job);

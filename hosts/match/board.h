@@ -15,6 +15,7 @@ typedef struct board {
   uint32_t width, height; /* the photograph's pixels */
   double pixel;           /* mm: the footprint */
   uint32_t step;          /* every how many-th pixel is evaluated, each way */
+  uint32_t faces;         /* as large, side by side; none shows what another does */
 } board;
 
 /* The pixels are thinned out evenly to what a covariance needs. */
@@ -23,7 +24,7 @@ void board_init(board *b, const sozai_textures_1 *textures, const host *h, uint3
 uint64_t board_points(const board *b);
 
 /* A channel at every point, its components together, of the texture that a
- * recipe makes; to be freed. */
+ * recipe makes, face by face; to be freed. */
 bool board_channel(const board *b, recipe *r, const char *channel, float **out, failure *why);
 
 #endif

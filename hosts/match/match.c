@@ -7,14 +7,13 @@
 #include <string.h>
 #include "appearance.h"
 #include "linear.h"
+#include "weights.h"
 
 /* A brightness is worth changing for a residual smaller by this, or a cost, the
  * third moments in it, by this factor. Palettes make up for a wrong brightness
  * in mean and covariance, but not in skewness. */
 #define WORTH 0.01
 #define PLAINLY 0.4
-/* A colour of less weight than this on the whole cannot be told. */
-#define LEAST_WEIGHT 0.001
 
 typedef struct matching {
   match_result *out;
@@ -26,6 +25,7 @@ typedef struct matching {
   size_t roles;
   bool given[MOST_ROLES], unseen[MOST_ROLES], second_given[MOST_ROLES], brightness_given,
       boundary_given;
+  uint8_t pixel;                 /* what the photograph's pixels of the first part hold */
   palette preset, preset_second; /* working space */
   double most_brightness;
   moments weights;
@@ -79,76 +79,22 @@ static bool read_preset(matching *m, failure *why) {
 
 /* ---- weights ------------------------------------------------------------------- */
 
-/* Both parts get the colour, so that it does not matter where they meet. */
-static bool set_role(recipe *r, const match_role *role, const char *text, failure *why) {
-  return recipe_set(r, role->colour, text, 0, why) &&
-         (!role->second || recipe_set(r, role->second, text, 0, why));
+static weighing weighing_of(const matching *m) {
+  return (weighing){.board = m->board,
+                    .colour = m->colour,
+                    .material = &m->out->material,
+                    .roles = m->roles,
+                    .most_brightness = m->most_brightness};
 }
 
-static bool copy_recipe(recipe *to, const recipe *from, failure *why) {
-  if (!recipe_open(to, from->material, why)) return false;
-  bool ok = !from->preset || recipe_set_preset(to, from->preset, why);
-  for (size_t i = 0; ok && i < from->param_count; i++)
-    ok = recipe_set(to, from->params[i].id, from->params[i].text, 0, why);
-  if (!ok) recipe_free(to);
-  return ok;
-}
-
-/* Three roles at a time, the others black: red, green and blue of the working
- * space are then their weights. */
-static bool weigh_three(const matching *m, recipe *r, size_t first, float *weights, size_t stride,
-                        failure *why) {
-  const sozai_colour_1 *service = m->colour->service;
-  const char *space = service ? service->working_space(service->self) : "sRGB";
-  bool ok = true;
-  for (size_t i = 0; ok && i < m->roles; i++) {
-    char text[192];
-    snprintf(text, sizeof text, "%d %d %d @ %s", i == first, i == first + 1, i == first + 2, space);
-    ok = set_role(r, &m->out->material.roles[i], text, why);
-  }
-  float *rgb = NULL;
-  if (!ok || !board_channel(m->board, r, "albedo", &rgb, why)) return false;
-  for (uint64_t p = 0; p < board_points(m->board); p++)
-    for (size_t k = 0; k < 3 && first + k < m->roles; k++)
-      weights[p * stride + first + k] = rgb[3 * p + k];
-  free(rgb);
-  return true;
-}
-
-static bool weigh_at(const matching *m, double brightness, float *weights, size_t stride,
-                     failure *why) {
-  recipe r;
-  if (!copy_recipe(&r, m->recipe, why)) return false;
-  bool ok = true;
-  if (m->out->material.brightness) {
-    char text[32];
-    snprintf(text, sizeof text, "%.9g", brightness);
-    ok = recipe_set(&r, m->out->material.brightness, text, 0, why);
-  }
-  for (size_t first = 0; ok && first < m->roles; first += 3)
-    ok = weigh_three(m, &r, first, weights, stride, why);
-  recipe_free(&r);
-  return ok;
-}
-
-/* The weights without brightness, and what a unit of it adds. */
 static bool weigh(matching *m, failure *why) {
-  bool has_brightness = m->out->material.brightness != NULL;
-  size_t stride = has_brightness ? 2 * m->roles : m->roles;
-  uint64_t points = board_points(m->board);
-  float *weights = malloc(points * stride * sizeof *weights);
-  if (!weights) return fail(why, EXIT_FAILURE, "out of memory");
-  bool ok = weigh_at(m, 0, weights, stride, why);
-  if (ok && has_brightness) ok = weigh_at(m, m->most_brightness, weights + m->roles, stride, why);
-  for (uint64_t p = 0; ok && has_brightness && p < points; p++)
-    for (size_t i = 0; i < m->roles; i++) {
-      float *w = weights + p * stride;
-      w[m->roles + i] = (w[m->roles + i] - w[i]) / (float)m->most_brightness;
-    }
-  if (ok) moments_take(&m->weights, weights, stride, points, NULL, 0);
+  const weighing q = weighing_of(m);
+  weights w;
+  if (!weights_take(&w, &q, m->recipe, why)) return false;
+  moments_take(&m->weights, w.of, w.stride, w.points, NULL, 0);
   for (size_t i = 0; i < m->roles; i++) m->unseen[i] = m->weights.mean[i] < LEAST_WEIGHT;
-  free(weights);
-  return ok;
+  weights_free(&w);
+  return true;
 }
 
 /* ---- colours --------------------------------------------------------------------- */
@@ -195,7 +141,7 @@ static void fit_first(matching *m, const moments *target, fit *best) {
   fit_palette(&q, best);
   m->out->residual = m->out->preset_residual = best->residual;
   m->out->brightness_free = q.has_brightness && !m->brightness_given;
-  if (!m->out->brightness_free) return;
+  if (!m->out->brightness_free || m->out->shares.found) return;
   fit freed;
   q.free_brightness = true;
   fit_palette(&q, &freed);
@@ -273,6 +219,19 @@ static bool place_boundary(matching *m, failure *why) {
   return recipe_set(m->recipe, material->boundary, text, 0, why);
 }
 
+/* ---- shares --------------------------------------------------------------------------- */
+
+/* And the brightness that goes with them; colours are then fitted to the face of both. */
+static bool find_shares(matching *m, failure *why) {
+  match_result *out = m->out;
+  const weighing w = weighing_of(m);
+  const fit_problem problem = problem_of(m, &out->parts[0].photo);
+  const share_search q = {&w, m->photo, m->pixel, &problem, m->info};
+  if (!shares_fit(&q, m->recipe, &out->shares, why)) return false;
+  if (out->shares.found && out->shares.has_brightness) out->brightness = out->shares.brightness;
+  return true;
+}
+
 /* ---- what comes of it --------------------------------------------------------------- */
 
 static const char *text_of(const recipe *r, const char *id) {
@@ -284,13 +243,13 @@ static const char *text_of(const recipe *r, const char *id) {
 /* The material as it is written, but all of one part. */
 static bool measure(const matching *m, match_part *part, bool second, failure *why) {
   recipe r;
-  if (!copy_recipe(&r, m->recipe, why)) return false;
+  if (!weights_copy_recipe(&r, m->recipe, why)) return false;
   bool ok = true;
   for (size_t i = 0; ok && i < m->roles; i++) {
     const match_role *role = &m->out->material.roles[i];
     if (!role->second) continue;
     const char *text = text_of(m->recipe, second ? role->second : role->colour);
-    ok = !text || set_role(&r, role, text, why);
+    ok = !text || weights_set_role(&r, role, text, why);
   }
   float *rgb = NULL;
   ok = ok && board_channel(m->board, &r, "albedo", &rgb, why);
@@ -331,6 +290,7 @@ static bool find_parts(matching *m, failure *why) {
   for (size_t i = 0; i < parts; i++) {
     match_part *part = &out->parts[i];
     uint8_t value = i == 1 || lighter ? PIXEL_SECOND : PIXEL_PART;
+    if (i == 0) m->pixel = value;
     part->name = i ? out->material.second_part : parts > 1 ? out->material.part : "";
     part->share = value == PIXEL_SECOND ? out->regions.second_share : out->regions.share;
     moments_take(&part->photo, p->rgb, 3, pixels, p->pixel, value);
@@ -345,7 +305,8 @@ static bool find_parts(matching *m, failure *why) {
 static bool run(matching *m, failure *why) {
   match_result *out = m->out;
   fit first, second;
-  if (!read_preset(m, why) || !find_parts(m, why) || !weigh(m, why)) return false;
+  if (!read_preset(m, why) || !find_parts(m, why) || !find_shares(m, why) || !weigh(m, why))
+    return false;
   bool two = out->part_count > 1;
   fit_first(m, &out->parts[0].photo, &first);
   if (two) fit_second(m, &out->parts[1].photo, &first, &second);

@@ -9,6 +9,7 @@
 #include "recipe.h"
 #include "regions.h"
 #include "roles.h"
+#include "shares.h"
 
 #define MOST_COLOURS (2 * MOST_ROLES)
 
@@ -40,6 +41,7 @@ typedef struct match_result {
   match_part parts[2];
   size_t part_count;
   regions regions;
+  match_shares shares;
   bool second_ignored; /* two parts, and the material has no colours for the second */
   bool brightness_free, brightness_changed;
   double brightness, preset_brightness;

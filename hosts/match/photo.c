@@ -13,6 +13,10 @@
 #define BLACK 0.002f /* a black border, in JPEG as well */
 #define DARKEST 0.02 /* of the median: no wood beside other wood is darker */
 
+/* What photo.pixel holds between whiles. */
+#define PIXEL_DARK 3
+#define PIXEL_BORDER 4
+
 static double brightness(const float *rgb) {
   return ((double)rgb[0] + (double)rgb[1] + (double)rgb[2]) / 3;
 }
@@ -26,19 +30,51 @@ static double quantile(const uint64_t *bins, uint64_t count, double share) {
   return LOG_LEAST + (LOG_MOST - LOG_LEAST) * (i + 0.5) / BINS;
 }
 
+/* Row by row, forth or back: what is dark beside a border is border. */
+static bool spread_border(photo *p, bool back) {
+  const size_t w = p->width, pixels = w * p->height;
+  bool any = false;
+  for (size_t n = 0; n < pixels; n++) {
+    size_t i = back ? pixels - 1 - n : n, x = i % w;
+    if (p->pixel[i] != PIXEL_DARK) continue;
+    bool edge = x == 0 || x == w - 1 || i < w || i >= pixels - w;
+    if (!edge && p->pixel[i - 1] != PIXEL_BORDER && p->pixel[i + 1] != PIXEL_BORDER &&
+        p->pixel[i - w] != PIXEL_BORDER && p->pixel[i + w] != PIXEL_BORDER)
+      continue;
+    p->pixel[i] = PIXEL_BORDER;
+    any = true;
+  }
+  return any;
+}
+
+/* Of what is dark a border is left out; specks, which do not reach the
+ * picture's edge, are the material's. */
+static double leave_out_dark(photo *p, bool specks) {
+  uint64_t dark = 0, all = 0;
+  size_t pixels = (size_t)p->width * p->height;
+  for (bool back = false; specks && spread_border(p, back);) back = !back;
+  for (size_t i = 0; i < pixels; i++) {
+    all += p->pixel[i] != PIXEL_OUT;
+    if (p->pixel[i] == PIXEL_DARK && specks) p->pixel[i] = PIXEL_PART;
+    if (p->pixel[i] != PIXEL_DARK && p->pixel[i] != PIXEL_BORDER) continue;
+    p->pixel[i] = PIXEL_OUT;
+    dark++;
+  }
+  return all ? (double)dark / (double)all : 0;
+}
+
 /* Fences in the logarithm of brightness. Above: twice as far from the median as
  * the 98th percentile, which no tail of a material reaches, and a highlight
  * does. Below: what no wood is beside the median. */
-static void leave_out(photo *p) {
-  uint64_t bins[BINS] = {0}, count = 0, dark = 0, bright = 0, all = 0;
+static void leave_out(photo *p, bool specks) {
+  uint64_t bins[BINS] = {0}, count = 0, bright = 0, all = 0;
   size_t pixels = (size_t)p->width * p->height;
   for (size_t i = 0; i < pixels; i++) {
     if (p->pixel[i] == PIXEL_OUT) continue;
     all++;
     const float *c = p->rgb + 3 * i;
     if (c[0] <= BLACK && c[1] <= BLACK && c[2] <= BLACK) {
-      p->pixel[i] = PIXEL_OUT;
-      dark++;
+      p->pixel[i] = PIXEL_DARK;
       continue;
     }
     double at = (log(fmax(brightness(c), 1e-9)) - LOG_LEAST) / (LOG_MOST - LOG_LEAST) * BINS;
@@ -48,13 +84,15 @@ static void leave_out(photo *p) {
   double middle = quantile(bins, count, 0.5), high = quantile(bins, count, 0.98);
   double most = exp(fmax(2 * high - middle, middle + 0.05)), least = DARKEST * exp(middle);
   for (size_t i = 0; i < pixels; i++) {
-    if (p->pixel[i] == PIXEL_OUT) continue;
     double b = brightness(p->rgb + 3 * i);
-    if (b >= least && b <= most) continue;
-    p->pixel[i] = PIXEL_OUT;
-    b < least ? dark++ : bright++;
+    if (p->pixel[i] != PIXEL_OUT && b < least) p->pixel[i] = PIXEL_DARK;
   }
-  p->dark = all ? (double)dark / (double)all : 0;
+  p->dark = leave_out_dark(p, specks);
+  for (size_t i = 0; i < pixels; i++) {
+    if (p->pixel[i] == PIXEL_OUT || brightness(p->rgb + 3 * i) <= most) continue;
+    p->pixel[i] = PIXEL_OUT;
+    bright++;
+  }
   p->bright = all ? (double)bright / (double)all : 0;
 }
 
@@ -107,7 +145,7 @@ bool photo_read(photo *p, const char *path, const photo_options *o, const colour
   p->light_low = p->light_high = 1;
   bool ok = photo_pixels(p, path, o, c, why);
   if (ok) {
-    leave_out(p);
+    leave_out(p, o->specks);
     if (o->even_light) even_light(p);
     if (p->dark + p->bright > 0.9)
       ok = fail(why, EXIT_BAD_INPUT, "%s: %.0f %% of it is black; see --crop", path,

@@ -17,6 +17,7 @@
 typedef struct photo_options {
   const char *space;    /* of its numbers; NULL: by the config's file rules */
   const uint32_t *crop; /* x, y from the top left, width, height; NULL: all of it */
+  bool specks;          /* what is near black and no border is of the material */
   bool even_light;      /* divide out what light varies slowly over it */
 } photo_options;
 

@@ -29,6 +29,7 @@ const match_material match_materials[] = {
                {"black_colour", NULL},
                {"white_colour", NULL}},
      .brightness = "grain_variation",
+     .shares = {"black_share", "white_share", "second_share"},
      .part = "",
      .second_part = "",
      /* what would take colours of its own is left out, unless given */
@@ -60,6 +61,10 @@ match_material match_material_of(const match_material *m, const sozai_texture_in
     if (!has(info, role.second, SOZAI_KIND_COLOUR)) role.second = NULL;
     out.roles[count++] = role;
   }
+  uint32_t shares = 0;
+  memset(out.shares, 0, sizeof out.shares);
+  for (uint32_t i = 0; i < MOST_SHARES; i++)
+    if (has(info, m->shares[i], SOZAI_KIND_FLOAT)) out.shares[shares++] = m->shares[i];
   if (!has(info, out.brightness, SOZAI_KIND_FLOAT)) out.brightness = NULL;
   if (!has(info, out.boundary, SOZAI_KIND_FLOAT)) out.boundary = NULL;
   return out;

@@ -9,6 +9,7 @@
 
 #define MOST_ROLES 4
 #define MOST_BOARD 12
+#define MOST_SHARES 3
 
 typedef struct match_role {
   const char *colour; /* the parameter */
@@ -22,6 +23,8 @@ typedef struct match_material {
   /* A parameter that multiplies some of the colours by 1 + itself times a
    * pattern of mean 0, or NULL. */
   const char *brightness;
+  /* Parameters that say how much of a face grains or specks of a role's colour cover. */
+  const char *shares[MOST_SHARES];
   const char *part, *second_part; /* what the parts of a material of two are called */
   /* The parameter that says where the second part begins, and the channel that
    * it is a value of; or NULL. */

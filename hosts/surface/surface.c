@@ -129,6 +129,54 @@ static bool check_seamless(const recipe *r, const sozai_textures_1 *textures,
                        begin, mark, layout.text);
 }
 
+static double number_of(const sozai_textures_1 *textures, const sozai_texture *texture,
+                        const char *id) {
+  sozai_value v = {.number = {0}};
+  return textures->value(texture, id, &v) == SOZAI_OK ? v.number[0] : 0;
+}
+
+static bool is_text(const sozai_textures_1 *textures, const sozai_texture *texture, const char *id,
+                    const char *text) {
+  sozai_value v = {.text = NULL};
+  return textures->value(texture, id, &v) == SOZAI_OK && v.text && strcmp(v.text, text) == 0;
+}
+
+/* mm, of the paper's tile of stones (plugin/stone/paper_tile.c), which repeats by itself. */
+static bool paper_tile(const sozai_textures_1 *textures, const sozai_texture *texture,
+                       double tile[2]) {
+  sozai_value pattern = {.text = NULL};
+  if (textures->value(texture, "paper_pattern", &pattern) != SOZAI_OK || !pattern.text ||
+      strcmp(pattern.text, "none") == 0 || is_text(textures, texture, "colour_mode", "fabric"))
+    return false;
+  double texel = number_of(textures, texture, "paper_texel");
+  tile[0] = texel * number_of(textures, texture, "paper_length");
+  tile[1] = texel * number_of(textures, texture, "paper_width");
+  if (strcmp(pattern.text, "igeta") == 0) tile[0] *= 2;
+  if (strcmp(pattern.text, "cut") != 0) tile[1] *= 2;
+  return tile[0] > 0 && tile[1] > 0;
+}
+
+#define TILE_ERROR 1e-4 /* of a tile: what numbers in a text leave */
+
+/* Stones of a part of a tile would be torn as those of a layout are. */
+static bool check_tiles(const surface *s, const recipe *r, const sozai_textures_1 *textures,
+                        const sozai_texture *texture, failure *why) {
+  double tile[2], fits[2];
+  if (!paper_tile(textures, texture, tile)) return true;
+  bool whole = true;
+  for (int k = 0; k < 2; k++) {
+    double count = s->shape.size[k] / tile[k];
+    fits[k] = fmax(1, round(count)) * tile[k];
+    whole = whole && fabs(s->shape.size[k] - fits[k]) <= TILE_ERROR * tile[k];
+  }
+  return whole ||
+         fail(why, EXIT_BAD_INPUT,
+              "%s%swrap: periodic: %.9g x %.9g mm is no whole number of the paper's tiles of %.9g "
+              "x %.9g mm (paper_pattern); %.9g x %.9g mm would be",
+              r->file ? r->file : "image", r->file ? ": image: " : ": ", s->shape.size[0],
+              s->shape.size[1], tile[0], tile[1], fits[0], fits[1]);
+}
+
 static bool check(const surface *s, const recipe *r, failure *why) {
   const recipe_image *i = &r->image;
   int kind = s->shape.kind;
@@ -166,7 +214,8 @@ bool surface_open(surface **out, const recipe *r, const sozai_textures_1 *textur
                                                     : SURFACE_PLANE;
   bool seamless = r->image.wrap == RECIPE_WRAP_PERIODIC;
   bool ok = check(s, r, why) && (!seamless || check_seamless(r, textures, texture, why)) &&
-            (s->shape.kind == SURFACE_MESH ? open_mesh(s, r, why) : set_size(s, r, why));
+            (s->shape.kind == SURFACE_MESH ? open_mesh(s, r, why) : set_size(s, r, why)) &&
+            (!seamless || check_tiles(s, r, textures, texture, why));
   if (!ok) {
     surface_close(s);
     return false;

@@ -15,10 +15,18 @@
 #define SHAPE_ELLIPSE 6
 #define SHAPE_LOBED 7
 #define SHAPE_SPARSE 8 /* a sprig with half its awls, twice as wide */
+#define SHAPE_GUTTER 9 /* two of an awl's three sides */
+#define SHAPE_FLAT 10  /* a blade without its fold */
+#define SHAPE_SIX 11   /* an ellipse of six points */
+#define SHAPE_THREE 12 /* a hand of three lobes */
+#define SHAPE_FIVE 13  /* what five points are of it */
 #define SPRIG_AWLS 12
 #define SPARSE_AWLS 6
 #define ELLIPSE_POINTS 12
 #define HAND_POINTS 14
+#define SIX_POINTS 6
+#define THREE_POINTS 8
+#define FIVE_POINTS 5
 
 static const uint8_t sizes[][2] = {[SHAPE_AWL] = {4, 4},
                                    [SHAPE_SLIVER] = {3, 1},
@@ -28,15 +36,32 @@ static const uint8_t sizes[][2] = {[SHAPE_AWL] = {4, 4},
                                    [SHAPE_BLADE] = {8, 8},
                                    [SHAPE_DIAMOND] = {4, 2},
                                    [SHAPE_ELLIPSE] = {ELLIPSE_POINTS, ELLIPSE_POINTS - 2},
-                                   [SHAPE_LOBED] = {HAND_POINTS, HAND_POINTS - 2}};
+                                   [SHAPE_LOBED] = {HAND_POINTS, HAND_POINTS - 2},
+                                   [SHAPE_GUTTER] = {4, 2},
+                                   [SHAPE_FLAT] = {6, 4},
+                                   [SHAPE_SIX] = {SIX_POINTS, SIX_POINTS - 2},
+                                   [SHAPE_THREE] = {THREE_POINTS, THREE_POINTS - 2},
+                                   [SHAPE_FIVE] = {FIVE_POINTS, FIVE_POINTS - 2}};
+
+/* At level 1 about half as many triangles, from 2 on as few as can be. */
+static const uint8_t shapes[][3] = {
+    [LEAF_NEEDLE] = {SHAPE_AWL, SHAPE_GUTTER, SHAPE_SLIVER},
+    [LEAF_BLADE] = {SHAPE_BLADE, SHAPE_FLAT, SHAPE_DIAMOND},
+    [LEAF_ELLIPSE] = {SHAPE_ELLIPSE, SHAPE_SIX, SHAPE_DIAMOND},
+    [LEAF_LOBED] = {SHAPE_LOBED, SHAPE_THREE, SHAPE_FIVE},
+};
+
+/* What a diamond is longer and wider than the leaf it stands for: it hides as much. */
+static const float diamonds[][2] = {
+    [LEAF_NEEDLE] = {1.0f, 1.0f},
+    [LEAF_BLADE] = {1.063f, 1.202f},
+    [LEAF_ELLIPSE] = {1.136f, 1.467f},
+    [LEAF_LOBED] = {1.0f, 1.0f},
+};
 
 static int shape_of(const tree *t, uint32_t level) {
   if (t->sprigs) return level < 1 ? SHAPE_SPRIG : level < 2 ? SHAPE_SPARSE : SHAPE_CORE;
-  if (t->plan.leaf == LEAF_NEEDLE) return level < 1 ? SHAPE_AWL : SHAPE_SLIVER;
-  if (level > 0) return SHAPE_DIAMOND;
-  return t->plan.leaf == LEAF_BLADE     ? SHAPE_BLADE
-         : t->plan.leaf == LEAF_ELLIPSE ? SHAPE_ELLIPSE
-                                        : SHAPE_LOBED;
+  return shapes[t->plan.leaf][level < 2 ? level : 2];
 }
 
 void leaf_shape_of(const tree *t, uint32_t level, leaf_shape *out) {
@@ -51,6 +76,9 @@ void leaf_shape_of(const tree *t, uint32_t level, leaf_shape *out) {
   for (uint32_t i = 0; i < halvings; i++) grow *= 1.1892071f; /* the fourth root of 2 */
   out->longer = grow;
   out->wider = grow * grow * grow;
+  if (out->shape != SHAPE_DIAMOND) return;
+  out->longer *= diamonds[t->plan.leaf][0];
+  out->wider *= diamonds[t->plan.leaf][1];
 }
 
 static void cross(const float a[3], const float b[3], float out[3]) {
@@ -110,20 +138,58 @@ static void write_awl(mesh_pen *pen, const frame *f) {
   pen_triangle(pen, c, tip, a);
 }
 
-/* As broad as the awl that it stands for from all around: in the mean that shows 3 sqrt(3) / pi of
- * its radius, what is flat 2 / pi of its width. */
-#define SLIVER_WIDER 1.299f
+/* Of thin sheets that hang together what is seen from all around is that of the
+ * body they would wrap: as much as of the awl. */
+static void write_gutter(mesh_pen *pen, const frame *f) {
+  float r = f->half;
+  uint32_t a = at(pen, f, r, 0, 0, 1, 0, 0),
+           b = at(pen, f, -0.5f * r, 0, 0.866f * r, -0.5f, 0, 0.8660254f),
+           c = at(pen, f, -0.5f * r, 0, -0.866f * r, -0.5f, 0, -0.8660254f),
+           tip = at(pen, f, 0, f->length, 0, 0, 1, 0);
+  pen_triangle(pen, a, tip, b);
+  pen_triangle(pen, b, tip, c);
+}
 
-static void write_sliver(mesh_pen *pen, const frame *awl) {
+/* As broad as the awl that it stands for from all around: of a closed body that is in the mean a
+ * quarter of its surface, of a sheet half of its area. */
+#define SLIVER_WIDER 1.299f /* 3 sqrt(3) / 4, for thin ones */
+
+static void write_sliver(mesh_pen *pen, const frame *awl, const leaf_shape *s) {
   frame f = *awl;
-  f.half *= SLIVER_WIDER;
+  float blunt = 0.5f * (f.half / s->wider) / (f.length / s->longer);
+  if (!(f.length > 0.0f)) blunt = 0.0f;
+  f.half *= SLIVER_WIDER * (__builtin_sqrtf(1.0f + blunt * blunt) + blunt);
   uint32_t a = at(pen, &f, -f.half, 0, 0, 0, 0, 1), b = at(pen, &f, f.half, 0, 0, 0, 0, 1),
            c = at(pen, &f, 0, f.length, 0, 0, 0, 1);
   pen_triangle(pen, a, b, c);
 }
 
-static void write_core(mesh_pen *pen, const frame *f, float share) {
-  float r = share * f->half, m = 0.3f * f->length;
+#define CORE 0.55f /* of a sprig's half width */
+
+/* A quarter of its surface: twice three sides of a width of sqrt(3) r. */
+static float core_hides(float r, float length) {
+  float up = __builtin_sqrtf(0.49f * length * length + 0.25f * r * r);
+  float down = __builtin_sqrtf(0.09f * length * length + 0.25f * r * r);
+  return 0.6495f * r * (up + down);
+}
+
+/* What a sprig's awls hide beside its core, in squares of its half width. */
+#define AWLS_HIDE 0.5f
+
+/* How wide a core hides as much alone as so many sprigs. */
+static float core_alone(const frame *f, const leaf_shape *s) {
+  float half = f->half / s->wider, hides = core_hides(CORE * half, f->length / s->longer);
+  hides = (hides + AWLS_HIDE * half * half) * (float)s->stride;
+  float r = CORE * f->half;
+  for (int i = 0; i < 4 && r > 0.0f; i++) {
+    float now = core_hides(r, f->length);
+    r *= now > 0.0f ? hides / now : 1.0f;
+  }
+  return r;
+}
+
+static void write_core(mesh_pen *pen, const frame *f, float r) {
+  float m = 0.3f * f->length;
   uint32_t base = at(pen, f, 0, 0, 0, 0, -1, 0), a = at(pen, f, r, m, 0, 1, 0, 0),
            b = at(pen, f, -0.5f * r, m, 0.866f * r, -0.5f, 0, 0.8660254f),
            c = at(pen, f, -0.5f * r, m, -0.866f * r, -0.5f, 0, -0.8660254f),
@@ -150,11 +216,9 @@ static const float golden[SPRIG_AWLS][2] = {{1.0f, 0.0f},
                                             {0.423362f, -0.905961f},
                                             {0.299745f, 0.954019f}};
 
-/* Needles stand out from the shoot and bend along it: some of them, larger. Fewer are as much
- * wider. */
-static void write_sprig(mesh_pen *pen, const frame *f, int awls) {
-  float wide = 0.3f * (float)(SPRIG_AWLS / awls);
-  write_core(pen, f, 0.55f);
+/* Needles stand out from the shoot and bend along it: some of them, larger. */
+static void write_sprig(mesh_pen *pen, const frame *f, int awls, float wide) {
+  write_core(pen, f, CORE * f->half);
   for (int i = 0; i < awls; i++) {
     float s = ((float)i + 0.5f) / (float)awls, x = golden[i][0], z = golden[i][1];
     float from = s * 0.86f * f->length, narrow = 1.0f - 0.45f * s, out = f->half * narrow;
@@ -187,6 +251,21 @@ static void write_blade(mesh_pen *pen, const frame *f) {
   pen_triangle(pen, r2, tip, c2);
 }
 
+/* Its outline, flat across but nodding. */
+static void write_flat(mesh_pen *pen, const frame *f) {
+  float w = f->half, l = f->length, fold = 0.125f * w;
+  uint32_t base = at(pen, f, 0, 0, 0, 0, 0.1f, 0.995f),
+           l1 = at(pen, f, -0.92f * w, 0.32f * l, -0.03f * l + fold, 0, 0, 1),
+           l2 = at(pen, f, -0.8f * w, 0.62f * l, -0.06f * l + fold, 0, 0, 1),
+           r1 = at(pen, f, 0.92f * w, 0.32f * l, -0.03f * l + fold, 0, 0, 1),
+           r2 = at(pen, f, 0.8f * w, 0.62f * l, -0.06f * l + fold, 0, 0, 1),
+           tip = at(pen, f, 0, l, -0.14f * l, 0, 0.1f, 0.995f);
+  pen_triangle(pen, base, r1, l1);
+  pen_triangle(pen, l1, r1, r2);
+  pen_triangle(pen, l1, r2, l2);
+  pen_triangle(pen, l2, r2, tip);
+}
+
 static void write_diamond(mesh_pen *pen, const frame *f) {
   float w = f->half * 0.9f, l = f->length;
   uint32_t base = at(pen, f, 0, 0, 0, 0, 0, 1), a = at(pen, f, -w, 0.45f * l, 0, 0, 0, 1),
@@ -214,6 +293,14 @@ static const float hand[HAND_POINTS][2] = {
     {0.60f, 0.80f},  {0.20f, 0.56f},  {0.0f, 1.0f},    {-0.20f, 0.56f}, {-0.60f, 0.80f},
     {-0.42f, 0.42f}, {-1.0f, 0.42f},  {-0.40f, 0.20f}, {-0.62f, -0.02f}};
 
+static const float six[SIX_POINTS][2] = {{0.0f, 0.0f}, {1.07f, 0.3f},  {1.07f, 0.7f},
+                                         {0.0f, 1.0f}, {-1.07f, 0.7f}, {-1.07f, 0.3f}};
+static const float three[THREE_POINTS][2] = {{0.0f, 0.0f},   {0.95f, 0.2f}, {0.3f, 0.42f},
+                                             {0.33f, 0.75f}, {0.0f, 1.0f},  {-0.33f, 0.75f},
+                                             {-0.3f, 0.42f}, {-0.95f, 0.2f}};
+static const float five[FIVE_POINTS][2] = {
+    {0.3f, 0.0f}, {0.62f, 0.45f}, {0.0f, 1.0f}, {-0.62f, 0.45f}, {-0.3f, 0.0f}};
+
 void leaf_write(mesh_pen *pen, const tree_organ *o, const leaf_shape *s) {
   frame f = frame_of(o, s);
   switch (s->shape) {
@@ -221,22 +308,37 @@ void leaf_write(mesh_pen *pen, const tree_organ *o, const leaf_shape *s) {
     write_awl(pen, &f);
     break;
   case SHAPE_SLIVER:
-    write_sliver(pen, &f);
+    write_sliver(pen, &f, s);
     break;
   case SHAPE_SPRIG:
-    write_sprig(pen, &f, SPRIG_AWLS);
+    write_sprig(pen, &f, SPRIG_AWLS, 0.3f);
     break;
   case SHAPE_SPARSE:
-    write_sprig(pen, &f, SPARSE_AWLS);
+    write_sprig(pen, &f, SPARSE_AWLS, 0.5f); /* they overlap less */
     break;
   case SHAPE_CORE:
-    write_core(pen, &f, 0.9f);
+    write_core(pen, &f, core_alone(&f, s));
     break;
   case SHAPE_BLADE:
     write_blade(pen, &f);
     break;
   case SHAPE_DIAMOND:
     write_diamond(pen, &f);
+    break;
+  case SHAPE_GUTTER:
+    write_gutter(pen, &f);
+    break;
+  case SHAPE_FLAT:
+    write_flat(pen, &f);
+    break;
+  case SHAPE_SIX:
+    write_fan(pen, &f, six, SIX_POINTS);
+    break;
+  case SHAPE_THREE:
+    write_fan(pen, &f, three, THREE_POINTS);
+    break;
+  case SHAPE_FIVE:
+    write_fan(pen, &f, five, FIVE_POINTS);
     break;
   case SHAPE_ELLIPSE:
     write_fan(pen, &f, ellipse, ELLIPSE_POINTS);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "mesh.h"
 
+#include "../core/hash1.h"
 #include "../core/status.h"
 #include "parameters.h"
 
@@ -55,6 +56,16 @@ static uint64_t leaves_of(const tree *t, uint32_t stride) {
   return (t->organ_count + stride - 1) / stride;
 }
 
+/* Of every stride leaves one, and one of those that the level before drew; by chance, since a
+ * shoot's leaves and a fascicle's needles have an order. */
+static const tree_organ *leaf_of(const tree *t, uint64_t i, uint32_t stride) {
+  for (uint64_t half = stride >> 1; half; half >>= 1) {
+    uint32_t second = hash1((uint32_t)i ^ ((uint32_t)half << 24)) & 1u;
+    i = 2 * i + (second && (2 * i + 1) * half < t->organ_count);
+  }
+  return &t->organs[i];
+}
+
 int32_t tree_mesh(const tree *t, const sozai_host *host, uint32_t level, mesh_block **out) {
   uint64_t points = 0, triangles = 0;
   tube_shape tube;
@@ -82,8 +93,8 @@ int32_t tree_mesh(const tree *t, const sozai_host *host, uint32_t level, mesh_bl
       r = host_progress(host, (double)done / (double)work, "making the mesh");
   }
   ends[1] = pen.triangle;
-  for (uint64_t i = 0; !r && i < t->organ_count; i += leaf.stride) {
-    leaf_write(&pen, &t->organs[i], &leaf);
+  for (uint64_t i = 0; !r && i < leaves; i++) {
+    leaf_write(&pen, leaf_of(t, i, leaf.stride), &leaf);
     if (++done % REPORT_EACH == 0)
       r = host_progress(host, (double)done / (double)work, "making the mesh");
   }
@@ -136,8 +147,8 @@ int32_t tree_curves(const tree *t, const sozai_host *host, uint32_t level, curve
     if (i + 1 == t->stems) ends[0] = curve;
   }
   ends[1] = curve;
-  for (uint64_t i = 0; leaves && i < t->organ_count; i += leaf.stride) {
-    const tree_organ *o = &t->organs[i];
+  for (uint64_t i = 0; i < leaves; i++) {
+    const tree_organ *o = leaf_of(t, i, leaf.stride);
     float half = __builtin_sqrtf(o->side[0] * o->side[0] + o->side[1] * o->side[1] +
                                  o->side[2] * o->side[2]);
     c->first[curve] = point;

@@ -14,6 +14,7 @@
 static uint32_t sides_of(float r, uint32_t level) {
   uint32_t n = r < 1.5f ? 3 : r < 6.0f ? 4 : r < 20.0f ? 6 : r < 60.0f ? 9 : r < 150.0f ? 14 : 22;
   n -= level * n / 5 < n ? level * n / 5 : n;
+  if (level > 0 && n == 4) n = 3;
   return n < 3 ? 3 : n;
 }
 
@@ -22,8 +23,8 @@ int tube_shape_of(const tree *t, uint32_t branch, uint32_t level, tube_shape *ou
   if (b->nodes < 2) return 0;
   if (branch >= t->stems) {
     /* of shoots, the last order first, then by halves */
-    if (level >= 1 && b->order == 3 && (t->sprigs || (branch & 1u))) return 0;
-    if (level >= 2 && b->order == 3) return 0;
+    uint32_t one_of = t->sprigs ? 0u : level > 2 ? 16u : level > 1 ? 8u : 2u;
+    if (level >= 1 && b->order == 3 && (!one_of || branch % one_of)) return 0;
     if (level >= 3 && (hash1(b->key) >> 24) >= (256u >> (level - 2))) return 0;
   }
   out->stride = level < 2 ? 1 : level < 4 ? 2 : 4;

@@ -97,6 +97,8 @@ same "a warning" "sozai: warning: of 2 triangles 1 lying over earlier ones, whic
 
 # ---- refusals -------------------------------------------------------------------------------
 refuses 2 "no output" bake wood
+refuses 2 "--tile|PNG" bake wood -o gone.png --res 32 --tile 32
+refuses 2 "--scale|mesh" bake wood -o gone.exr --res 32 --scale 2
 refuses 2 "--output|'gone.gif'" bake wood -o gone.gif
 refuses 2 "cannot|nowhere" bake wood -o nowhere/gone.png --res 8
 refuses 2 "material 'nothing'" bake nothing -o gone.png

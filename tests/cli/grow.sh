@@ -31,6 +31,28 @@ refuses 2 "--output|65536|field_bytes" grow tree -o gone.field --age 40
 # ---- a measured one ---------------------------------------------------------------
 works grow tree --field sugi.field -o measured.obj
 : >empty.field
+# What would have no effect is refused, before the work.
+for option in --display=sRGB --view=Raw --look=warm; do
+  refuses 2 "${option%%=*}|.png|'gone.exr'" grow tree -o gone.exr "$option"
+  refuses 2 "${option%%=*}|.png|'gone.exr'" grow fiber --hull ball -o gone.exr "$option"
+done
+for option in --res=9x9 --spp=2 --camera=1,2 --target=1,2,3 --zoom=2 --display=sRGB --view=Raw --look=warm \
+  --config=none.ocio; do
+  for ending in obj gltf usda field csv; do
+    refuses 2 "${option%%=*}|.png|'gone.$ending'" grow tree -o "gone.$ending" "$option"
+  done
+done
+for option in --res=9x9 --spp=2 --bounces=2 --camera=1,2 --target=1,2,3 --light=1,2 --zoom=2 --display=sRGB \
+  --view=Raw --look=warm --config=none.ocio; do
+  for ending in obj gltf usda hair pbrt csv; do
+    refuses 2 "${option%%=*}|.png|'gone.$ending'" grow fiber --hull ball -o "gone.$ending" "$option"
+  done
+done
+refuses 2 "--level|.gltf|'gone.csv'" grow tree -o gone.csv --table branches --level 2
+refuses 2 "--level|.gltf|'gone.field'" grow tree -o gone.field --level 2
+refuses 2 "--level|.gltf|'gone.csv'" grow fiber --hull ball -o gone.csv --table strands --level 2
+refuses 2 "--level|.gltf|'gone.png'" grow fiber --hull ball -o gone.png --level 2
+refuses 2 "--scale|'ball'" grow fiber --hull ball -o gone.usda --scale 2
 refuses 2 "--field|'empty.field'|empty" grow tree --field empty.field -o gone.obj
 refuses 2 "--field|'/dev/null'|empty" grow tree --field /dev/null -o gone.obj
 printf 'trunk\n1 2 x 4\n' >bad.field

@@ -73,4 +73,13 @@ works "${boards[@]}" -o "$scratch/id16.exr" --bits 16
 works "${boards[@]/#wood/$scratch/half.sozai}" -o "$scratch/idhalf.exr"
 check "ids stay float with --bits 16" cmp -s "$scratch/id.exr" "$scratch/id16.exr"
 check "and with format: half" cmp -s "$scratch/id.exr" "$scratch/idhalf.exr"
+# The paper's tile repeats by itself, if the picture is whole tiles.
+cat >"$scratch/paper.sozai" <<'YAML'
+material: stone
+params: {colour_mode: paper_rgb, paper_texel: 0.3, paper_pattern: chidori}
+image: {wrap: periodic, size: [180, 120]}
+YAML
+works bake "$scratch/paper.sozai" -o "$scratch/paper.png" --res 90x60
+refuses 2 "paper.sozai|periodic|180 x 100 mm|60 x 120 mm|180 x 120 mm would be" bake "$scratch/paper.sozai" \
+  -o "$scratch/gone.png" --res 90x50 --size 180x100
 finish

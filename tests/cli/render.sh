@@ -62,6 +62,12 @@ surface: {shape: mesh, mesh: pyramid.obj}
 YAML
 works render board.sozai -o from-file.exr --scale 2 --res 32x24 --spp 2 --camera front
 check "a file's surface is the default shape" "$picture" same from-file.exr mesh.exr
+echo 'surface: {shape: mesh, mesh: pyramid.obj, scale: 2}' | cat <(echo 'material: wood') - >scaled.sozai
+works render scaled.sozai -o scaled.exr --res 32x24 --spp 2 --camera front
+check "and its scale is the default scale" "$picture" same scaled.exr mesh.exr
+refuses 2 "--scale|mesh" render wood -o gone.exr --scale 2 --res 8x8
+refuses 2 "--bevel|board" render wood -o gone.exr --shape sphere --bevel 2 --res 8x8
+refuses 2 "--bevel|board" render scaled.sozai -o gone.exr --bevel 2 --res 8x8
 
 # ---- the same whatever the threads ---------------------------------------------
 works render wood -o one.exr --res 100x70 --spp 5 --threads 1
@@ -84,14 +90,38 @@ refuses 2 "empty.obj" render wood -o x.png --shape empty.obj
 printf 'v 0 0 0\nv 1 0 0\nvt 0 0\nf 1/1 1/1 1/1\n' >flat.obj
 refuses 2 "flat.obj|longest side|0 mm|0.001" render wood -o x.png --shape flat.obj
 printf 'v nan nan nan\nv nan nan nan\nv nan nan nan\nf 1 2 3\n' >nan.obj
-refuses 2 "nan.obj|longest side" render wood -o x.png --shape nan.obj
+refuses 2 "nan.obj|x of point 0|nan" render wood -o x.png --shape nan.obj
+# One vertex in many, in a text and in bytes, as a surface and as a hull.
+for wrong in nan inf -inf 1e30; do
+  printf 'v 0 0 0\nv 10 0 0\nv 0 %s 0\nv 0 0 10\nf 1 2 3\nf 1 2 4\n' $wrong >wrong.obj
+  refuses 2 "wrong.obj: y of point 2|${wrong%30}" render wood -o x.png --shape wrong.obj
+  refuses 2 "wrong.obj: y of point 2|${wrong%30}" grow fiber -o x.usda --hull wrong.obj
+  refuses 2 "wrong.obj: y of point 2|${wrong%30}" bake wood -o x.png --shape wrong.obj --res 8
+  for format in ascii binary_little_endian; do
+    python3 - $format $wrong >wrong.ply <<'PY'
+import struct, sys
+wrong = float(sys.argv[2])
+points = [(0, 0, 0), (10, 0, 0), (0, wrong, 0), (0, 0, 10)]
+faces = [(0, 1, 2), (0, 1, 3)]
+out = sys.stdout.buffer
+out.write(("ply\nformat %s 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+           "element face 2\nproperty list uchar int vertex_indices\nend_header\n" % sys.argv[1]).encode())
+for p in points:
+    out.write(("%g %g %g\n" % p).encode() if sys.argv[1] == "ascii" else struct.pack("<3f", *p))
+for f in faces:
+    out.write(("3 %d %d %d\n" % f).encode() if sys.argv[1] == "ascii" else struct.pack("<B3i", 3, *f))
+PY
+    refuses 2 "wrong.ply: y of|2|${wrong%30}" render wood -o x.png --shape wrong.ply
+    refuses 2 "wrong.ply: y of|2|${wrong%30}" grow fiber -o x.usda --hull wrong.ply
+  done
+done
 printf 'v 900000 0 0\nv 900001 0 0\nv 900000 1 0\nf 1 2 3\n' >afar.obj
 refuses 2 "afar.obj|longest side|1 mm|9" render wood -o x.png --shape afar.obj
 printf 'v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n' >line.obj
 refuses 2 "line.obj|any area" render wood -o x.png --shape line.obj
 for far in 1e20 -1e38 1.1e6; do
   printf 'v 0 0 0\nv 1 0 0\nv 0 %s 0\nf 1 2 3\n' $far >far.obj
-  refuses 2 "far.obj|y of a point|1000000" render wood -o x.png --shape far.obj
+  refuses 2 "far.obj|y of point 2|1000000" render wood -o x.png --shape far.obj
 done
 ply() { # first property's element and count, corners...
   printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n'

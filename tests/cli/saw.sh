@@ -211,6 +211,7 @@ refuses 2 "--log-length|above the ground" saw "${quick[@]}" --log-length 20000 -
 refuses 2 "--log-length|radius" saw --species akamatsu --age 4 --log-height 500 --log-length 300 -o bad
 refuses 2 "--thickness|900" saw "${quick[@]}" --thickness 900 -o bad
 refuses 2 "--thickness|veneer|10" saw "${quick[@]}" --plan rotary --thickness 20 -o bad
+refuses 2 "--kerf|rotary" saw "${quick[@]}" --plan rotary --kerf 3 -o bad
 refuses 2 "--thickness|999" saw "${quick[@]}" --thickness 0.1 --kerf 0 -o bad
 for option in age thickness width kerf log-height log-length azimuth knot-size; do
   for value in nan inf 1e30 -1e30 '' x; do

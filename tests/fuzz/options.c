@@ -52,7 +52,7 @@ static void parse(int argc, char **argv) {
   };
   static const char *const positional[] = {"material", "file"};
   const command_line line = {"fuzz",     NULL, "", table, sizeof table / sizeof *table,
-                             positional, 2,    1};
+                             positional, 2,    1,  NULL};
   failure why = {0, ""};
   int r = options_parse(&line, argc, argv, values, &why);
   CHECK(r == OPTIONS_RUN || r == OPTIONS_BAD);

@@ -15,7 +15,7 @@ sozai_fuzz_target(csv INCLUDES ${h}/cli ${h}/common
   SOURCES csv.c ${h}/cli/csv.c ${h}/cli/columns.c ${h}/common/failure.c)
 sozai_fuzz_target(options INCLUDES ${h}/cli ${h}/common ${h}/render ${h}/fiber
   SOURCES options.c ${h}/cli/options.c ${h}/cli/job_options.c ${h}/fiber/hulls.c
-    ${h}/common/ceilings.c ${h}/common/numbers.c ${h}/common/output_file.c ${h}/common/failure.c)
+    ${h}/common/ceilings.c ${h}/common/ending.c ${h}/common/numbers.c ${h}/common/output_file.c ${h}/common/failure.c)
 sozai_fuzz_target(pieces INCLUDES ${h}/bake ${h}/common
   SOURCES pieces.c ${h}/bake/pieces.c ${h}/bake/folder_lock.c ${h}/bake/job_text.c ${h}/bake/checksum.c
     ${h}/common/folder.c ${h}/common/failure.c)

@@ -17,14 +17,19 @@ mkdir -p "$scratch"
 mv "$scratch/prefix" "$prefix"
 (cd "$prefix" && find . -type f | LC_ALL=C sort)
 
-# What README.md links to in docs/ is there, and the add-on as Blender takes it.
-readme=$(find "$prefix" -name README.md)
-while read -r link; do
-  if [[ ! -e ${readme%/*}/$link ]]; then
-    echo "FAILED: README.md's $link is not installed"
+# What the pages link to is there, and the add-on as Blender takes it.
+docs=$(dirname -- "$(find "$prefix" -name README.md)")
+links=0
+while IFS=: read -r page target; do
+  if [[ $target == *:* || $target == \#* ]]; then continue; fi
+  links=$((links + 1))
+  if [[ ! -e ${page%/*}/${target%%#*} ]]; then
+    echo "FAILED: $page: $target is not installed"
     exit 1
   fi
-done < <(grep -oE '\]\(docs/[^)#]*' "$readme" | cut -c3-)
+done < <(find "$docs" -name '*.md' -print0 | xargs -0 grep -oHE '\]\([^) ]+\)' | sed -E 's/:\]\(/:/; s/\)$//')
+((links > 100)) || { echo "FAILED: $links links in the pages"; exit 1; }
+grep -q '](.*include/sozai.h)' "$docs/README.md" || { echo "FAILED: README.md's link to sozai.h"; exit 1; }
 if [[ ! -s $prefix/share/sozai/sozai_addon.zip ]]; then
   echo "FAILED: no share/sozai/sozai_addon.zip"
   exit 1

@@ -74,6 +74,12 @@ void files(void **) {
   refuse_text(
       "material: stone\npreset: carrara\nparams: {layout: stack}\nimage: {wrap: periodic}\n",
       {"periodic", "layout", "'stack'"});
+  const std::string paper = "material: stone\nparams: {colour_mode: paper_rgb, paper_texel: 0.5, ";
+  refuse_text(
+      paper + "paper_pattern: igeta}\nimage: {wrap: periodic, size: [500, 300]}\n",
+      {"bad.sozai", "500 x 300 mm", "200 x 200 mm", "(paper_pattern)", "600 x 400 mm would be"});
+  refuse_text(paper + "paper_pattern: cut}\nimage: {wrap: periodic, size: [300, 20]}\n",
+              {"300 x 20 mm", "100 x 100 mm", "300 x 100 mm would be"});
   refuse_text("material: wood\nimage: {normals: up}\n", {"normals", "'up'", "tangent"});
   refuse_text("material: wood\nimage: {outputs: [albedo, colour]}\n",
               {"outputs", "'colour'", "albedo"});

@@ -120,48 +120,9 @@ static void long_needles_are_seen(void **unused) {
   }
 }
 
-/* What needles hide from all around: a quarter of a closed surface, half of a sheet. */
-static double breadth(const sozai_geometry *g, uint32_t level) {
-  const sozai_mesh *m = mesh_of(g, level);
-  double sum = 0;
-  for (uint32_t p = 0; p < m->part_count; p++) {
-    const sozai_part *part = &m->parts[p];
-    if (strcmp(part->id, "needle") != 0) continue;
-    double share = part->flags & SOZAI_PART_CLOSED ? 0.25 : 0.5;
-    for (uint64_t i = part->first; i < part->first + part->count; i++) {
-      const uint32_t *at = m->indices + 3 * i;
-      double a[3], b[3], square = 0;
-      step(m->points + 3 * at[0], m->points + 3 * at[1], a);
-      step(m->points + 3 * at[0], m->points + 3 * at[2], b);
-      for (int c = 0; c < 3; c++) {
-        int d = (c + 1) % 3, e = (c + 2) % 3;
-        double n = a[d] * b[e] - a[e] * b[d];
-        square += n * n;
-      }
-      sum += share * 0.5 * sqrt(square);
-    }
-  }
-  geometry()->release_mesh(m);
-  return sum;
-}
-
-static void levels_are_as_broad(void **unused) {
-  (void)unused;
-  sozai_geometry *g = grow("kuromatsu", "age=8 foliage=full", NULL);
-  double whole = breadth(g, 0);
-  assert_true(whole > 0);
-  for (uint32_t level = 1; level <= 4; level++) {
-    double share = breadth(g, level) / whole;
-    print_message("level %u: needles hide %.3f of what they do at 0 (0.97 to 1.03)\n", level,
-                  share);
-    assert_true(share > 0.97 && share < 1.03);
-  }
-  geometry()->release(g);
-}
-
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(dead_branches_break), cmocka_unit_test(branches_are_called_back),
-      cmocka_unit_test(long_needles_are_seen), cmocka_unit_test(levels_are_as_broad)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(dead_branches_break),
+                                     cmocka_unit_test(branches_are_called_back),
+                                     cmocka_unit_test(long_needles_are_seen)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
