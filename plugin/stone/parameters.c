@@ -749,13 +749,14 @@ static const sozai_channel channel_stone_u = {
    .size = sizeof(sozai_channel), .first = STONE_U, .components = 1,
    .needs = SOZAI_INPUT_POINT,
    .id = "stone_u", .unit = "mm", .suffixes = "",
-   .doc = "Place along the stone, from its corner, joint's middle to joint's middle; 0 without a layout."};
+   .doc = "Place along the stone, joint's middle to joint's middle, from its corner; of arcs, fan, circles round the ring from its end, as long as the ring's middle is; "
+   "of crazy, hexagon, octagon from the corner of a square about the stone, which its own corners do not reach and may cross. 0 without a layout."};
 
 static const sozai_channel channel_stone_v = {
    .size = sizeof(sozai_channel), .first = STONE_V, .components = 1,
    .needs = SOZAI_INPUT_POINT,
    .id = "stone_v", .unit = "mm", .suffixes = "",
-   .doc = "Place across the stone, likewise."};
+   .doc = "Place across the stone, likewise: of arcs and fan outwards, of circles inwards."};
 
 static const sozai_channel channel_edge = {
    .size = sizeof(sozai_channel), .first = STONE_EDGE, .components = 1,
