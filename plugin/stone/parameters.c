@@ -243,6 +243,12 @@ static const sozai_parameter inclusion_variation = {
    .doc = "How much lighter or darker than its kind an inclusion may be; strays to three times this.",
    .hard_min = 0, .hard_max = 0.35, .soft_min = 0, .soft_max = 0.3, .default_number = {0.1}};
 
+static const sozai_parameter inclusion_polymict = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "inclusion_polymict", .label = "Polymict inclusions", .group = "inclusions", .unit = "",
+   .doc = "How far an inclusion's colour lies towards that of the other kind, or away from it, by chance: at 0.3 both kinds are two rocks each, four in all, as in gravel.",
+   .hard_min = 0, .hard_max = 0.5, .soft_min = 0, .soft_max = 0.5, .default_number = {0}};
+
 static const sozai_parameter inclusion_blur = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "inclusion_blur", .label = "Inclusion blur", .group = "inclusions", .unit = "mm",
@@ -299,8 +305,8 @@ static const sozai_parameter black_share = {
 static const sozai_parameter white_share = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "white_share", .label = "White specks' share", .group = "specks", .unit = "",
-   .doc = "Share of area: quartz, shell, calcite; likewise.",
-   .hard_min = 0, .hard_max = 0.5, .soft_min = 0, .soft_max = 0.2, .default_number = {0}};
+   .doc = "Share of area: quartz, shell, calcite, laths of plagioclase; likewise.",
+   .hard_min = 0, .hard_max = 0.5, .soft_min = 0, .soft_max = 0.4, .default_number = {0}};
 
 static const sozai_parameter speck_stretch = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -582,6 +588,7 @@ const sozai_parameter *const stone_parameters[STONE_PARAMETERS] = {
    [P_INCLUSION_STRETCH] = &inclusion_stretch,
    [P_INCLUSION_INTERLOCK] = &inclusion_interlock,
    [P_INCLUSION_VARIATION] = &inclusion_variation,
+   [P_INCLUSION_POLYMICT] = &inclusion_polymict,
    [P_INCLUSION_BLUR] = &inclusion_blur,
    [P_INCLUSION_RIM] = &inclusion_rim,
    [P_INCLUSION_CLEAVAGE] = &inclusion_cleavage,
