@@ -21,6 +21,7 @@
 #define SAND_RISE 0.7f
 #define SAND_BROKEN 0.15f
 #define SAND_TILT 0.5f
+#define SAND_STEEP 1.2f /* how fast that comes in from where two grains touch */
 
 #define SAND_FINER 2.7f     /* the fines' frequency over the grains' */
 #define SAND_EDGE 0.06f     /* cells: how soft a grain's outline is */
@@ -32,7 +33,7 @@
 /* Means over a plane, in cells: of the height that a layer of grains has over its ground, and of
  * the square of its slope along one axis (property.stone_sand measures them). */
 #define SAND_HEIGHT 0.044f
-#define SAND_SLOPE2 0.078f
+#define SAND_SLOPE2 0.085f
 
 /* A grain as it is found: r^2 - d^2, the place over its centre, its number. */
 typedef struct {
@@ -78,21 +79,27 @@ INLINE vf sand_tone(vu h) {
   return u * (splat(0.17f) + splat(0.35f) * u * u);
 }
 
-/* A dome that is broken off along a plane of the grain's own; 0 where there is no grain. */
-INLINE field sand_rise(const sand_grain *a) {
-  const vf zero = splat(0.0f);
-  field dome = {splat(SAND_RISE) * a->in, {zero, zero, zero}},
-        broken = field_of(splat(SAND_BROKEN));
+/* A dome that is broken off along a plane of the grain's own; 0 where there is no grain. Towards
+ * the next grain less is off, and where they touch nothing: there their domes are as high. */
+INLINE field sand_rise(const sand_grain *a, const sand_grain *b) {
+  const vf zero = splat(0.0f), two = splat(2.0f);
+  field off = field_of(splat(SAND_RISE) * a->in - splat(SAND_BROKEN)), rise;
   vu h = hash_upper(a->h);
+  vf most = splat(SAND_STEEP) * (a->in - b->in), slope[3];
   for (int k = 0; k < 3; k++) {
-    dome.g[k] = splat(-2.0f * SAND_RISE) * a->x[k];
-    broken.g[k] = splat(SAND_TILT / HASH_ONE) * to_float((vi)(h << (10 * (unsigned)k)));
-    broken.v = broken.v + broken.g[k] * a->x[k];
+    vf lean = splat(SAND_TILT / HASH_ONE) * to_float((vi)(h << (10 * (unsigned)k)));
+    slope[k] = splat(-2.0f * SAND_RISE) * a->x[k];
+    off.v = off.v - lean * a->x[k];
+    off.g[k] = slope[k] - lean;
   }
-  vm out = gt(vmin(dome.v, broken.v), zero), domed = lt(dome.v, broken.v);
-  field rise;
-  rise.v = vmax(vmin(dome.v, broken.v), zero);
-  for (int k = 0; k < 3; k++) rise.g[k] = sel(out, sel(domed, dome.g[k], broken.g[k]), zero);
+  vm broken = gt(off.v, zero), near = lt(most, off.v);
+  rise.v = splat(SAND_RISE) * a->in - vmax(vmin(off.v, most), zero);
+  vm there = gt(rise.v, zero);
+  rise.v = vmax(rise.v, zero);
+  for (int k = 0; k < 3; k++) {
+    vf g = sel(near, splat(SAND_STEEP) * two * (b->x[k] - a->x[k]), off.g[k]);
+    rise.g[k] = sel(there, slope[k] - sel(broken, g, zero), zero);
+  }
   return rise;
 }
 
@@ -114,7 +121,7 @@ INLINE sand_layer sand_grains(const vf at[3], uint32_t seed, vf e) {
   vf own = clamp01(half + (a->in - b->in) * each * inverse_root(dot3(g, g) + tiny));
   q.cover = clamp01(half + a->in * each * inverse_root(dot3(a->x, a->x) + tiny));
   q.tone = mix(sand_tone(b->h), sand_tone(a->h), own);
-  q.rise = sand_rise(a);
+  q.rise = sand_rise(a, b);
   return q;
 }
 
