@@ -162,6 +162,13 @@ INLINE vf cells_calm(const stone_cells *c, vf mean, vf tone) {
   return mean + (tone - mean) * splat(c->calm);
 }
 
+/* Of a body's colour what is the other kind's, more or less: of each kind there are two rocks, one
+ * towards the other kind and one beyond, and the mean is as it would be without. */
+INLINE vf cells_mixed(const stone_cells *c, vu h) {
+  vm beyond = lt(hash_signed(h + splatu(HASH_Z)), splat(0.0f));
+  return sel(beyond, splat(-c->mixing), splat(c->mixing));
+}
+
 /* How much of each part of the square has a body, `less` smaller all round: it ends at the faces to
  * both of the others. three: a flake's third cell is known, and counts as much as `third`. */
 INLINE void cells_within(const stone_cells *c, const cells_near near[3], int n, vf less,

@@ -17,7 +17,7 @@
 #define CLOUDS_WHOLE 0.04f /* the same over the turbidity of what is seen */
 
 typedef struct {
-  double size, stretch, grading, interlock, gap, roundness, variation, blur, share[2];
+  double size, stretch, grading, interlock, gap, roundness, variation, mixing, blur, share[2];
   double depth, cleavage, turbidity, flatness, cluster, rest, rim, fines, clear;
   int sorted;
 } body;
@@ -39,6 +39,7 @@ static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped
   c->warp = (float)(0.2 * b->interlock);
   c->warp_fine = (float)(0.045 * b->interlock);
   c->variation = (float)b->variation;
+  c->mixing = (float)b->mixing;
   c->calm = (float)(1.0 - b->rest);
   c->blur = (float)(b->blur / b->size);
   c->opacity = (float)(1.0 - b->clear);
@@ -164,6 +165,7 @@ static body inclusions_of(const settings *s) {
             .gap = number_at(s, P_INCLUSION_GAP),
             .roundness = number_at(s, P_INCLUSION_ROUNDNESS),
             .variation = number_at(s, P_INCLUSION_VARIATION),
+            .mixing = number_at(s, P_INCLUSION_POLYMICT),
             .blur = number_at(s, P_INCLUSION_BLUR),
             .rim = number_at(s, P_INCLUSION_RIM),
             .clear = 1.0 - number_at(s, P_INCLUSION_OPACITY),
@@ -241,6 +243,9 @@ static double layer_contrast(const settings *s, const stone_cells *c, int first,
       mean += (double)c->mean[i] * (light[i] - below[k]);
       square += (double)c->mean[i] * (light[i] * light[i] - below[k] * below[k]);
     }
+    double apart =
+        (double)(c->mixing * c->opacity) * (light_of(s, first, k) - light_of(s, second, k));
+    square += apart * apart * (double)(c->mean[0] + c->mean[1]);
     double clouds = CLOUDS_SD * (double)c->turbidity, lamellae = LAMELLAE_SD * (double)c->cleavage;
     square += ((double)(c->variation * c->variation) + clouds * clouds + lamellae * lamellae) *
               (double)(c->opacity * c->opacity) * mean * mean;

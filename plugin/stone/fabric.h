@@ -212,6 +212,11 @@ INLINE void fabric_add(fabric_stack *o, int layer, int first, int second, vf cov
   for (int c = 0; c < 3; c++) o->under[n][c] = under[c];
 }
 
+INLINE float fabric_least(float a, float b) {
+  float least = a < b ? a : b;
+  return least < 0.0f ? least : 0.0f;
+}
+
 /* Two colours of the palette, by their shares, over a part of what is there: that part, which
  * hides what is below as far as the layer is opaque. */
 INLINE vf lay_over(const stone_constants *w, int layer, int first, int second, fabric_stack *o,
@@ -228,6 +233,9 @@ INLINE vf lay_over(const stone_constants *w, int layer, int first, int second, f
     k->albedo[c] = k->albedo[c] * (one - hides) + own[0] * splat(w->colour[first][c]) +
                    own[1] * splat(w->colour[second][c]);
     /* no darker than black, but for what a palette has below that */
+    if (w->layer[layer].mixing > 0.0f)
+      k->albedo[c] =
+          vmax(k->albedo[c], splat(fabric_least(w->colour[first][c], w->colour[second][c])));
     if (mixed) k->albedo[c] = vmax(k->albedo[c] - with[c] * opacity, vmin(k->albedo[c], zero));
   }
   k->speck = k->speck * (one - hides);

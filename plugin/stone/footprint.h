@@ -42,8 +42,15 @@ INLINE void cells_add(const stone_cells *c, vu h, const cells_kind *kind, vf sha
     b = b + (a - inner);
     a = inner;
   }
-  out->of[1] = out->of[1] + a * tone1;
-  out->of[2] = out->of[2] + b * tone;
+  a = a * tone1;
+  b = b * tone;
+  if (c->shaped && c->mixing > 0.0f) {
+    vf mixed = cells_mixed(c, h) * (a - b);
+    a = a - mixed;
+    b = b + mixed;
+  }
+  out->of[1] = out->of[1] + a;
+  out->of[2] = out->of[2] + b;
 }
 
 #define CELLS_STEPS 8   /* looks along a side of the footprint, at most */

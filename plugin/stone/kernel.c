@@ -187,12 +187,17 @@ INLINE void stage_surface(const stone_constants *w, int paved, const stone_io *i
   stage_height(io, k);
 }
 
+/* Light grains are greyer, and dark ones browner, than all together. */
+INLINE vf joint_albedo(const stone_paving *v, int c, vf sand) {
+  const float *all = v->colour, grey = (all[0] + all[1] + all[2]) / 3.0f;
+  return splat(all[c]) + splat(0.5f * (all[c] + grey)) * sand;
+}
+
 /* What lies on the stone, and in its joints, over its colour. */
 INLINE void stage_cover(const stone_constants *w, int paved, block *k) {
   const surface *q = &k->surface;
   const stone_weather *air = &w->weather;
   vf one = splat(1.0f), joint = splat(0.0f);
-  vf sand = one + splat(0.5f) * q->sand;
   if (paved) joint = k->laid.joint;
   /* what the moss has left of the joint, and of the stone; of the joint it takes more */
   vf bare = one - q->moss, open = vmin(joint * (one - q->moss_joint), bare);
@@ -203,7 +208,7 @@ INLINE void stage_cover(const stone_constants *w, int paved, block *k) {
   const int hides = k->mixed[OVER_MOSS];
   for (int c = 0; c < 3; c++) {
     vf a = k->albedo[c];
-    if (paved) a = stone * (a * k->laid.tone[c]) + open * (splat(w->paving.colour[c]) * sand);
+    if (paved) a = stone * (a * k->laid.tone[c]) + open * joint_albedo(&w->paving, c, q->sand);
     if (air->on) {
       if (!paved) a = a * bare;
       if (hides) {

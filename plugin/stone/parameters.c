@@ -243,6 +243,12 @@ static const sozai_parameter inclusion_variation = {
    .doc = "How much lighter or darker than its kind an inclusion may be; strays to three times this.",
    .hard_min = 0, .hard_max = 0.35, .soft_min = 0, .soft_max = 0.3, .default_number = {0.1}};
 
+static const sozai_parameter inclusion_polymict = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "inclusion_polymict", .label = "Polymict inclusions", .group = "inclusions", .unit = "",
+   .doc = "How far an inclusion's colour lies towards that of the other kind, or away from it, by chance: at 0.3 both kinds are two rocks each, four in all, as in gravel.",
+   .hard_min = 0, .hard_max = 0.5, .soft_min = 0, .soft_max = 0.5, .default_number = {0}};
+
 static const sozai_parameter inclusion_blur = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "inclusion_blur", .label = "Inclusion blur", .group = "inclusions", .unit = "mm",
@@ -299,8 +305,8 @@ static const sozai_parameter black_share = {
 static const sozai_parameter white_share = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "white_share", .label = "White specks' share", .group = "specks", .unit = "",
-   .doc = "Share of area: quartz, shell, calcite; likewise.",
-   .hard_min = 0, .hard_max = 0.5, .soft_min = 0, .soft_max = 0.2, .default_number = {0}};
+   .doc = "Share of area: quartz, shell, calcite, laths of plagioclase; likewise.",
+   .hard_min = 0, .hard_max = 0.5, .soft_min = 0, .soft_max = 0.4, .default_number = {0}};
 
 static const sozai_parameter speck_stretch = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -582,6 +588,7 @@ const sozai_parameter *const stone_parameters[STONE_PARAMETERS] = {
    [P_INCLUSION_STRETCH] = &inclusion_stretch,
    [P_INCLUSION_INTERLOCK] = &inclusion_interlock,
    [P_INCLUSION_VARIATION] = &inclusion_variation,
+   [P_INCLUSION_POLYMICT] = &inclusion_polymict,
    [P_INCLUSION_BLUR] = &inclusion_blur,
    [P_INCLUSION_RIM] = &inclusion_rim,
    [P_INCLUSION_CLEAVAGE] = &inclusion_cleavage,
@@ -749,13 +756,14 @@ static const sozai_channel channel_stone_u = {
    .size = sizeof(sozai_channel), .first = STONE_U, .components = 1,
    .needs = SOZAI_INPUT_POINT,
    .id = "stone_u", .unit = "mm", .suffixes = "",
-   .doc = "Place along the stone, from its corner, joint's middle to joint's middle; 0 without a layout."};
+   .doc = "Place along the stone, joint's middle to joint's middle, from its corner; of arcs, fan, circles round the ring from its end, as long as the ring's middle is; "
+   "of crazy, hexagon, octagon from the corner of a square about the stone, which its own corners do not reach and may cross. 0 without a layout."};
 
 static const sozai_channel channel_stone_v = {
    .size = sizeof(sozai_channel), .first = STONE_V, .components = 1,
    .needs = SOZAI_INPUT_POINT,
    .id = "stone_v", .unit = "mm", .suffixes = "",
-   .doc = "Place across the stone, likewise."};
+   .doc = "Place across the stone, likewise: of arcs and fan outwards, of circles inwards."};
 
 static const sozai_channel channel_edge = {
    .size = sizeof(sozai_channel), .first = STONE_EDGE, .components = 1,

@@ -96,9 +96,15 @@ INLINE void sections_add(const stone_cells *c, const sections_cell *o, sections_
     sum->count[0] = sum->count[0] + sel(kind->first, patch, zero);
     sum->count[1] = sum->count[1] + sel(kind->second, patch, zero);
   }
+  vf first = sel(kind->first, tone, zero), second = sel(kind->second, calm, zero);
+  if (c->shaped && c->mixing > 0.0f) {
+    vf mixed = cells_mixed(c, o->h) * (first - second);
+    first = first - mixed;
+    second = second + mixed;
+  }
   sum->of[0] = sum->of[0] + sel(other, tone, zero);
-  sum->of[1] = sum->of[1] + sel(kind->first, tone, zero);
-  sum->of[2] = sum->of[2] + sel(kind->second, calm, zero);
+  sum->of[1] = sum->of[1] + first;
+  sum->of[2] = sum->of[2] + second;
 }
 
 INLINE sections_axis sections_open(const stone_cells *c, const vf p[3], const cells_square *s,

@@ -81,6 +81,7 @@ typedef struct {
   float chance[2];             /* below the first: kind 1; below the second: kind 2 */
   float mean[2];               /* expected share of kinds 1 and 2 */
   float variation;             /* of brightness from cell to cell; */
+  float mixing;                /* how far one's colour goes towards the other kind's, or from it */
   float calm;                  /* of that and of lamellae kind 2 has this part, of bodies */
   float blur;                  /* mm over size: crystals let light through at their edges */
   float opacity;               /* share of what is below that bodies hide */

@@ -11,6 +11,7 @@
 #include "laid.h"
 #include "moss.h"
 #include "relief.h"
+#include "sand.h"
 
 typedef struct {
   field height; /* mm over the face, object space */
@@ -67,6 +68,28 @@ STAGE laid_round surface_round(const stone_constants *w, const laid *q, const vf
   return r;
 }
 
+#define FILL_EDGE 0.3f /* of a grain: how far from the stones sand is as rough as it is */
+
+/* What fills the joint, up to the stones. *lost: the variance of its slopes that the footprint
+ * averages out. */
+INLINE void surface_fill(const stone_constants *w, const laid *q, const vf p[3], vf s,
+                         field *height, surface *out, vf *lost) {
+  const stone_paving *v = &w->paving;
+  float rim = FILL_EDGE / v->grain_frequency;
+  if (rim > v->half) rim = v->half;
+  field fill = laid_fall(q, v->half - rim, rim);
+  fill.v = mix(q->joint, fill.v, q->near);
+  for (int k = 0; k < 3; k++) fill.g[k] = fill.g[k] * q->near;
+  vm there = gt(fill.v, splat(0.0f));
+  if (!any(there)) return;
+  sand grains = sand_at(p, v->grain_frequency, w->seed + 77u, s);
+  out->sand = sel(there, grains.tone, out->sand);
+  *lost = sel(there, grains.lost * fill.v, *lost);
+  field filled = field_add(*height, field_mul(grains.height, fill));
+  height->v = sel(there, filled.v, height->v);
+  for (int k = 0; k < 3; k++) height->g[k] = sel(there, filled.g[k], height->g[k]);
+}
+
 /* How near a joint is, 1 in it. */
 INLINE field surface_near(const stone_constants *w, int paved, const laid *q) {
   if (!paved) return field_of(splat(0.0f));
@@ -109,18 +132,16 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
       field joint = laid_fall(q, v->half - v->wall, v->wall);
       joint.v = mix(q->joint, joint.v, q->near);
       for (int k = 0; k < 3; k++) joint.g[k] = joint.g[k] * q->near;
-      float grain = 1.0f / v->grain_frequency;
-      field sand = weather_noise(p, v->grain_frequency, w->seed + 77u, 1.0f, s, &sand_lost);
-      out->sand = sand.v;
       out->in_joint = joint.v;
       height = field_mul(height, field_rest(joint));
-      height = field_add(height, field_mul(field_scale(sand, splat(0.3f * grain)), joint));
+      surface_fill(w, q, p, s, &height, out, &sand_lost);
     }
     out->edge = profile.v;
     /* a chipped edge falls from as much further in */
     out->shoulder = splat(v->half + 0.5f * v->chamfer) + splat(0.35f) * round.wide.v;
     height = field_add(height, profile);
-    out->lost = out->lost * vmax(one - out->in_joint, zero) + lost; /* rounded, it may be over 1 */
+    /* rounded, it may be over 1 */
+    out->lost = out->lost * vmax(one - out->in_joint, zero) + lost + sand_lost;
     vf far = one - q->near;
     float steep = v->tilt / v->layout.width;
     out->lost = out->lost + splat(steep * steep * 0.65f) * far;
@@ -230,6 +251,8 @@ INLINE vf surface_lit(const stone_constants *w, int paved, const laid *q, const 
   vf shoulder = f->shoulder;
   vf crest = splat(-0.42f * v->drop - 0.5f * v->slope * v->chamfer);
   vf way = sel(lt(across, zero), shoulder + q->m.v, shoulder - q->m.v);
+  /* where joints meet all stones may be further away */
+  way = way + vmax(zero - (q->edge + splat(v->half)), zero);
   vf rise = c / vmax(vabs(across), splat(1e-3f));
   vf over = f->edge * (one - splat(0.65f) * f->moss) + way * rise - crest;
   vf soft = splat(0.1f) + splat(0.01f) * vabs(way) + splat(0.6f) * s * (rise + splat(0.3f));

@@ -206,9 +206,52 @@ static void second_kind_has_its_part(void **state) {
   }
 }
 
+/* Two kinds are four rocks, two on either side of each kind's colour, and the mean is as it was: of
+ * many places, and of wide footprints. */
+static void four_rocks(void **state) {
+  (void)state;
+  static const double red[4] = {0.72, 0.48, 0.32, 0.08};
+  enum { N = 60000 };
+  double mean[2] = {0, 0}, wide[2] = {0, 0}, share[4] = {0, 0, 0, 0}, bodies = 0;
+  for (int k = 0; k < 2; k++) {
+    char text[600];
+    snprintf(text, sizeof text,
+             PLAIN "inclusion_share=0.25; inclusion_second_share=0.25; inclusion_size=12; "
+                   "inclusion_colour=0.6 0.2 0.1 @ lin_rec709; inclusion_second_colour=0.2 0.2 0.2 "
+                   "@ lin_rec709; inclusion_polymict=%s",
+             k ? "0.3" : "0");
+    sozai_texture *t = stone_make(NULL, text);
+    points p = {0};
+    uniform_seed(75);
+    for (int i = 0; i < N; i++) points_add(&p, 3000 * uniform(), 3000 * uniform(), 0, 0);
+    for (int i = 0; i < 200; i++) points_add(&p, 9000 * uniform(), 9000 * uniform(), 0, 120);
+    points_ask(&p, t);
+    for (unsigned i = 0; i < N; i++) {
+      double a = (double)p.out[ALBEDO][i];
+      mean[k] += a / N;
+      bodies += k && a > 0.04;
+      for (int r = 0; r < 4 && k; r++) share[r] += fabs(a - red[r]) < 0.005;
+    }
+    for (unsigned i = N; i < N + 200; i++) wide[k] += (double)p.out[ALBEDO][i] / 200;
+    points_free(&p);
+    textures->destroy(t);
+  }
+  for (int r = 0; r < 4; r++) share[r] /= bodies;
+  CHECK(share[0] > 0.2 && share[1] > 0.2 && share[2] > 0.2 && share[3] > 0.2,
+        "of the bodies four rocks have %.3f %.3f %.3f %.3f\n", share[0], share[1], share[2],
+        share[3]);
+  CHECK(fabs(mean[1] - mean[0]) < 0.02 * mean[0] && fabs(wide[1] - wide[0]) < 0.02 * mean[0],
+        "mean %.4f, of two rocks %.4f; under 120 mm %.4f and %.4f\n", mean[1], mean[0], wide[1],
+        wide[0]);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(outlines_do_not_jump), cmocka_unit_test(rims_are_as_thick),
-      cmocka_unit_test(contacts_are_tangential), cmocka_unit_test(second_kind_has_its_part)};
+      cmocka_unit_test(outlines_do_not_jump),
+      cmocka_unit_test(rims_are_as_thick),
+      cmocka_unit_test(contacts_are_tangential),
+      cmocka_unit_test(second_kind_has_its_part),
+      cmocka_unit_test(four_rocks),
+  };
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

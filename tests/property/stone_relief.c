@@ -106,15 +106,20 @@ static void check_slopes(const char *what, const sozai_texture *t, bool (*within
   points_free(&p);
 }
 
-static bool in_hole(float height) { return height <= -0.02f; }
+/* Past the rim, which is spread over the footprint. */
+static bool in_hole(float height) { return height <= -0.05f; }
 static bool on_dome(float height) { return fabsf(height) >= 0.02f; }
 
+/* Of many travertines, since one face has few large holes. */
 static void normal_is_the_holes(void **state) {
   (void)state;
-  sozai_texture *t;
-  assert_int_equal(textures->create(NULL, "stone", "travertino", NULL, 0, &t), SOZAI_OK);
-  check_slopes("within holes", t, in_hole);
-  textures->destroy(t);
+  for (int k = 0; k < 8; k++) {
+    const sozai_value v = {.id = "seed", .kind = SOZAI_KIND_INT, .number = {7 + 31 * k}};
+    sozai_texture *t;
+    assert_int_equal(textures->create(NULL, "stone", "travertino", &v, 1, &t), SOZAI_OK);
+    check_slopes("within holes", t, in_hole);
+    textures->destroy(t);
+  }
 }
 
 /* Gravel, in a face that is level but for it. */

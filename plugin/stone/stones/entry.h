@@ -54,7 +54,7 @@ STONES_ALL(DECLARED)
       NUMBER("edge_drop", 0.5), NUMBER("tilt", 0.5)
 #define CUT_SETTS(size, j)                                                                         \
   NUMBER("stone_length", size), NUMBER("stone_width", size), NUMBER("joint_width", j),             \
-      NUMBER("joint_depth", 5.0), NUMBER("edge_round", 0.13 * (size)),                             \
+      NUMBER("joint_depth", 5.0), NUMBER("joint_grain", 0.8), NUMBER("edge_round", 0.13 * (size)), \
       NUMBER("edge_drop", 0.045 * (size)), NUMBER("edge_chipping", 0.8),                           \
       NUMBER("corner_radius", 0.12 * (size)), NUMBER("joint_wander", 0.035),                       \
       NUMBER("joint_divisions", 5.0), NUMBER("crown", 2.5), NUMBER("tilt", 1.5),                   \
