@@ -103,7 +103,8 @@ INLINE vf bands_mean(const wood_constants *w, const vessel_bands *b, vf c, vf s,
     sine_cosine_turns(b->fork, &sine, &parted);
     cosine = cosine * parted;
   }
-  return splat(1.0f) + splat(m->swing) * keep * cosine;
+  /* never below none */
+  return splat(1.0f) + vmin(splat(m->swing) * keep, splat(1.0f)) * cosine;
 }
 
 #endif

@@ -415,11 +415,39 @@ static void bands_show_no_lattice(void **state) {
   field_free(&f);
 }
 
+/* Under any footprint what vessels cover is a share: bands from afar leave no less than none. */
+static void covers_are_shares(void **state) {
+  (void)state;
+  static const char *const species[] = {"keyaki", "kihada", "chestnut", "hornbeam", "jarrah"};
+  points p = {0};
+  for (unsigned k = 0; k < sizeof species / sizeof *species; k++) {
+    sozai_texture *t = wood_make(species[k], "vessel_bands=1");
+    double least = 1, most = 0;
+    uniform_seed(55);
+    points_clear(&p);
+    for (int i = 0; i < 40000; i++) {
+      unsigned a = points_add(&p, 200 * (uniform() - 0.5), 400 * (uniform() - 0.5),
+                              200 * (uniform() - 0.5), pow(10, 3 * uniform() - 2));
+      p.normal[1][a] = i % 2 ? 1.0f : 0.0f;
+      p.normal[2][a] = i % 2 ? 0.0f : 1.0f;
+    }
+    points_ask_only(&p, t, ONLY(VESSEL));
+    for (unsigned i = 0; i < p.count; i++) {
+      least = fmin(least, (double)p.out[VESSEL][i]);
+      most = fmax(most, (double)p.out[VESSEL][i]);
+    }
+    CHECK(least >= 0 && most <= 1, "%-9s vessels cover %.6f to %.6f\n", species[k], least, most);
+    textures->destroy(t);
+  }
+  points_free(&p);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(diffuse_counts_and_radii),    cmocka_unit_test(ring_rows),
       cmocka_unit_test(porosity_orders_the_ring),    cmocka_unit_test(streaks_follow_the_dive),
       cmocka_unit_test(bands_lie_as_they_are_named), cmocka_unit_test(bands_show_no_lattice),
+      cmocka_unit_test(covers_are_shares),
   };
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }
