@@ -159,7 +159,7 @@ int run_grow(int argc, char **argv) {
        "set a parameter; any number of these", 0, 0},
       {"field", 0, OPTION_TEXT, &o.field, "FILE", "a measured tree's field table", 0, 0},
       {"level", 0, OPTION_COUNT, &o.level, "N",
-       "of detail: 0 (default) is all, 1 about a half, 2 a seventh, then half each", 0, 8},
+       "of detail: 0 (default) is all, 1 about a half, 2 a sixth, then half each", 0, 8},
       {"curves", 0, OPTION_FLAG, &o.curves, NULL, "curves in place of a mesh, in .usda", 0, 0},
       {"table", 0, OPTION_TEXT, &o.table, "NAME", "which table a .csv takes: see describe tree", 0,
        0},

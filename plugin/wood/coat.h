@@ -80,23 +80,10 @@ INLINE vf coat_facets_over(const slope_matrix *slopes, const coat_half *h, const
 /* The parts of half, light and view along the face's directions, as the normal has turned them. */
 INLINE void coat_parts_of(const lost_slopes *lost, const coat_half *h, const vf l[3], const vf v[3],
                           const vf n[3], coat_parts p[3]) {
-  vf u[3], across[3], size = splat(0.0f);
-  vf along = lost->u[0] * n[0] + lost->u[1] * n[1] + lost->u[2] * n[2];
-  for (int c = 0; c < 3; c++) {
-    u[c] = lost->u[c] - along * n[c];
-    size = size + u[c] * u[c];
-  }
-  vf k = inverse_root(vmax(size, splat(1e-12f)));
-  for (int c = 0; c < 3; c++) u[c] = u[c] * k;
-  for (int c = 0; c < 3; c++) {
-    int a = (c + 1) % 3, b = (c + 2) % 3;
-    across[c] = n[a] * u[b] - n[b] * u[a];
-  }
+  vf u[3], across[3];
+  slopes_frame(lost->u, n, u, across);
   const vf *d[3] = {h->d, l, v};
-  for (int i = 0; i < 3; i++) {
-    p[i].u = d[i][0] * u[0] + d[i][1] * u[1] + d[i][2] * u[2];
-    p[i].v = d[i][0] * across[0] + d[i][1] * across[1] + d[i][2] * across[2];
-  }
+  for (int i = 0; i < 3; i++) p[i] = (coat_parts){dot3(d[i], u), dot3(d[i], across)};
 }
 
 /* Towards v under l. lost: of the relief, or NULL where there is none. */
@@ -104,8 +91,7 @@ INLINE vf coat_highlight(const wood_constants *w, const vf l[3], const vf v[3], 
                          const lost_slopes *lost) {
   vf zero = splat(0.0f), a2 = splat(w->coat_alpha * w->coat_alpha);
   coat_half h = coat_half_of(l, v, n);
-  vf ci = clamp01(l[0] * n[0] + l[1] * n[1] + l[2] * n[2]);
-  vf cr = clamp01(v[0] * n[0] + v[1] * n[1] + v[2] * n[2]);
+  vf ci = clamp01(dot3(l, n)), cr = clamp01(dot3(v, n));
   vf facets;
   if (lost) {
     coat_parts p[3];

@@ -88,8 +88,8 @@ typedef struct {
   vf exponent, strength, incident, rise, tilted, power; /* figure */
   vf light[3];                                          /* log space */
   vf streak, pigment;                                   /* share of minerals; depth of bands */
-  vf fine, fine_power; /* of the lobe, what the relief's steep part has: its strength; over power */
-  const lost_slopes *lost; /* of the relief, where it has one */
+  vf steep_strength, steep_power; /* of the lobe over the relief's steep part; over power */
+  const lost_slopes *lost;        /* of the relief, where it has one */
   ray_turn ray_from;
   ray_cells ray_at;
   vu ray_on;

@@ -41,7 +41,7 @@ INLINE void stage_cone_radiance(const wood_constants *w, int boards, const wood_
     for (int c = 0; c < 3; c++) r[c] = mix(r[c], shine[c], k->ray);
   }
   if (w->surface.relief) {
-    vf lit = relief_lit(w, k);
+    vf lit = slopes_lit(k->lost, k->incident);
     for (int c = 0; c < 3; c++) r[c] = r[c] * lit;
   }
   if (w->coat > 0.0f) {

@@ -23,8 +23,8 @@ INLINE void stage_lobe_relief(block *k, vf *roughness) {
   vf n_steep = lobe_widened(k->exponent, slopes_within(k->lost), &steep);
   vf height = k->strength / (k->exponent + two);
   k->strength = (one - share) * height * (n + two);
-  k->fine = share * height * (n_steep + two);
-  k->fine_power = n_steep / n;
+  k->steep_strength = share * height * (n_steep + two);
+  k->steep_power = n_steep / n;
   k->exponent = n;
   *roughness = vmin(vsqrt(gentle), one);
 }
@@ -47,7 +47,8 @@ INLINE void stage_lobe(const wood_constants *w, int boards, const wood_io *io, b
     roughness = vmin(vsqrt(splat(2.0f) / (k->exponent + splat(2.0f))), one);
   }
   if (w->surface.relief) stage_lobe_relief(k, &roughness);
-  store_lanes(io, WOOD_SPECULAR, k, w->surface.relief ? k->strength + k->fine : k->strength);
+  store_lanes(io, WOOD_SPECULAR, k,
+              w->surface.relief ? k->strength + k->steep_strength : k->strength);
   store_lanes(io, WOOD_ROUGHNESS, k, roughness);
 }
 
@@ -83,8 +84,8 @@ INLINE void stage_radiance(const wood_constants *w, int boards, const wood_io *i
   vf gloss = k->strength * exp2_(k->power);
   vf diffuse = splat(w->diffuse) * vmax(k->incident, zero);
   if (w->surface.relief) {
-    gloss = gloss + k->fine * exp2_(k->power * k->fine_power);
-    diffuse = diffuse * relief_lit(w, k);
+    gloss = gloss + k->steep_strength * exp2_(k->power * k->steep_power);
+    diffuse = diffuse * slopes_lit(k->lost, k->incident);
   }
   vf coat = zero;
   if (w->coat > 0.0f) {

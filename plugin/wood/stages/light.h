@@ -63,9 +63,4 @@ INLINE vf coat_alpha2(const wood_constants *w, const block *k) {
   return w->surface.relief ? vmin(alpha2 + slopes_sum(&k->lost->gentle), splat(1.0f)) : alpha2;
 }
 
-/* How much light falls on the relief's slopes, over that on the face. */
-INLINE vf relief_lit(const wood_constants *w, const block *k) {
-  return w->surface.relief ? slopes_lit(k->lost, k->incident) : splat(1.0f);
-}
-
 #endif

@@ -9,7 +9,7 @@
 #ifndef SOZAI_WOOD_SURFACE_SLOPES_H
 #define SOZAI_WOOD_SURFACE_SLOPES_H
 
-#include "../../core/maths.h"
+#include "../../core/vectors.h"
 
 /* Mean products of slopes along two directions of the face. */
 typedef struct {
@@ -24,24 +24,23 @@ typedef struct {
   vf upright;          /* mean cosine between the face and all that is on it */
 } lost_slopes;
 
+/* Two directions of a face whose normal is n: what of the axis lies within it, and across that. */
+INLINE void slopes_frame(const vf axis[3], const vf n[3], vf u[3], vf v[3]) {
+  vf along = dot3(axis, n);
+  for (int c = 0; c < 3; c++) u[c] = axis[c] - along * n[c];
+  vf k = inverse_root(vmax(dot3(u, u), splat(1e-12f)));
+  for (int c = 0; c < 3; c++) u[c] = u[c] * k;
+  cross3(n, u, v);
+}
+
 /* up2: squared length of +y within the face, on which n is normal. On end grain any direction
  * does for up. */
 INLINE lost_slopes slopes_none(const vf n[3], vf up2) {
-  vf zero = splat(0.0f), one = splat(1.0f), size = zero;
+  vf zero = splat(0.0f), one = splat(1.0f);
   vm end = lt(up2, splat(0.04f));
   const vf axis[3] = {sel(end, one, zero), sel(end, zero, one), zero};
   lost_slopes l;
-  vf along = axis[0] * n[0] + axis[1] * n[1];
-  for (int c = 0; c < 3; c++) {
-    l.u[c] = axis[c] - along * n[c];
-    size = size + l.u[c] * l.u[c];
-  }
-  vf k = inverse_root(vmax(size, splat(1e-12f)));
-  for (int c = 0; c < 3; c++) l.u[c] = l.u[c] * k;
-  for (int c = 0; c < 3; c++) {
-    int a = (c + 1) % 3, b = (c + 2) % 3;
-    l.v[c] = n[a] * l.u[b] - n[b] * l.u[a];
-  }
+  slopes_frame(axis, n, l.u, l.v);
   l.gentle = (slope_matrix){zero, zero, zero};
   l.share = l.steep = zero;
   l.upright = one;
@@ -50,8 +49,7 @@ INLINE lost_slopes slopes_none(const vf n[3], vf up2) {
 
 /* A variance along g, log space, which is scaled by its length. */
 INLINE void slopes_along(const lost_slopes *l, slope_matrix *m, const vf g[3], vf variance) {
-  vf u = g[0] * l->u[0] + g[1] * l->u[1] + g[2] * l->u[2];
-  vf v = g[0] * l->v[0] + g[1] * l->v[1] + g[2] * l->v[2];
+  vf u = dot3(g, l->u), v = dot3(g, l->v);
   m->uu = m->uu + variance * u * u;
   m->uv = m->uv + variance * u * v;
   m->vv = m->vv + variance * v * v;
@@ -60,10 +58,7 @@ INLINE void slopes_along(const lost_slopes *l, slope_matrix *m, const vf g[3], v
 /* What slopes along g and h have in common, likewise. */
 INLINE void slopes_between(const lost_slopes *l, slope_matrix *m, const vf g[3], const vf h[3],
                            vf product) {
-  vf gu = g[0] * l->u[0] + g[1] * l->u[1] + g[2] * l->u[2];
-  vf gv = g[0] * l->v[0] + g[1] * l->v[1] + g[2] * l->v[2];
-  vf hu = h[0] * l->u[0] + h[1] * l->u[1] + h[2] * l->u[2];
-  vf hv = h[0] * l->v[0] + h[1] * l->v[1] + h[2] * l->v[2];
+  vf gu = dot3(g, l->u), gv = dot3(g, l->v), hu = dot3(h, l->u), hv = dot3(h, l->v);
   m->uu = m->uu + splat(2.0f) * product * gu * hu;
   m->uv = m->uv + product * (gu * hv + gv * hu);
   m->vv = m->vv + splat(2.0f) * product * gv * hv;
