@@ -104,7 +104,7 @@ INLINE fibre_sum fibre_alone(const wood_constants *w, vu own, const fibre_eye *n
     sum.lost = sum.lost + lost[0] + lost[1] + lost[2];
     sum.front = sum.front + front[0] + front[1] + front[2];
   }
-  if (w->bands.stray > 0.0f) bundle_alone(w, own, near, bundle);
+  if (w->has_strays) bundle_alone(w, own, near, bundle);
   return sum;
 }
 

@@ -20,7 +20,8 @@ typedef struct {
   vf trace, det; /* of the footprint in the section */
 } fibre_sum;
 
-/* The bundles' noise, unblurred, and its slopes, 1/mm. Vessels' bands stray by it. */
+/* The bundles' noise, unblurred, and its slopes, 1/mm. Bands of vessels and parenchyma stray by it.
+ */
 typedef struct {
   vf at, x, z;
 } fibre_bundle;
@@ -56,7 +57,7 @@ typedef struct {
   vf blur, blur2, often, scale, front, variance;
   vu seed;
   int idle, strays;
-  int bands; /* vessels' bands stray by this one */
+  int bands; /* bands of vessels or parenchyma stray by this one */
 } fibre_octave;
 
 INLINE fibre_octave fibre_octave_of(const wood_constants *w, int o) {
@@ -70,7 +71,7 @@ INLINE fibre_octave fibre_octave_of(const wood_constants *w, int o) {
   q.variance = splat(w->fibre_variance[o]);
   q.seed = splatu(w->seeds[SEED_FIBRE + o]);
   q.strays = w->fibre_front[o] > 0.0f;
-  q.bands = w->bands.stray > 0.0f && o == FIBRE_BUNDLE;
+  q.bands = w->has_strays && o == FIBRE_BUNDLE;
   q.idle = w->fibre_scale[o] <= 0.0f && !q.strays && !q.bands;
   return q;
 }
@@ -79,6 +80,15 @@ INLINE vf fibre_keep(const fibre_octave *q, const fibre_sum *sum) {
   vf spread = splat(1.0f) + q->blur * sum->trace + q->blur2 * sum->det;
   return vmax(splat(1.0f / (1.0f - FIBRE_END)) / spread - splat(FIBRE_END / (1.0f - FIBRE_END)),
               splat(0.0f));
+}
+
+/* The bundles' noise there. */
+INLINE void fibre_bundle_at(const fibre_octave *q, vu own, vf x, vf z, fibre_bundle *bundle) {
+  noise_axis ax = noise_split_cubic(x * q->often, HASH_X);
+  noise_axis az = noise_split_cubic(z * q->often, HASH_Z);
+  bundle->at = noise_value2(&ax, &az, q->seed + own, &bundle->x, &bundle->z);
+  bundle->x = bundle->x * q->often;
+  bundle->z = bundle->z * q->often;
 }
 
 /* Adds an octave at (x, z) of the reference section. Kawai and Momoi repeat a small array
@@ -97,7 +107,11 @@ INLINE void fibre_add(const fibre_octave *q, vu own, vf x, vf z, fibre_sum *sum,
   noise_axis az = noise_split_cubic(z * q->often, HASH_Z);
   vf dx, dz; /* computed where they are wanted */
   vf n = noise_value2(&ax, &az, q->seed + own, &dx, &dz);
-  if (q->bands) *bundle = (fibre_bundle){n, dx * q->often, dz * q->often};
+  if (q->bands) {
+    bundle->at = n;
+    bundle->x = dx * q->often;
+    bundle->z = dz * q->often;
+  }
   n = keep * n;
   sum->shift = sum->shift + q->scale * n;
   if (q->strays) sum->front = sum->front + q->front * n;

@@ -17,6 +17,7 @@
 #include "stages/grain.h"
 #include "stages/kawai.h"
 #include "stages/load.h"
+#include "stages/parenchyma.h"
 #include "stages/picture.h"
 #include "stages/rays.h"
 #include "stages/rings.h"
@@ -88,7 +89,9 @@ INLINE void evaluate_one(int boards, const wood_constants *restrict w, const woo
   if (want->vessel) {
     stage_vessel_parts(w, boards, k);
     stage_disc(w, boards, k);
-    if (w->bands.on) {
+    if (w->parenchyma.sheaths) {
+      stage_sheathed_pores(w, boards, w->bands.on, k);
+    } else if (w->bands.on) {
       stage_banded_pores(w, boards, k);
     } else {
       stage_pores(w, boards, k);
@@ -105,6 +108,7 @@ INLINE void evaluate_one(int boards, const wood_constants *restrict w, const woo
   if (want->vessel) {
     stage_rows(w, boards, k);
     stage_cover(w, boards, io, k);
+    if (w->parenchyma.on) stage_parenchyma(w, boards, io, k);
     if (rays) stage_rays(w, boards, io, k);
   }
 }
@@ -175,13 +179,24 @@ INLINE void evaluate_vessels(int boards, const wood_constants *restrict w,
                              const wood_io *restrict io, block *blocks, uint32_t count) {
   EACH(stage_vessel_parts(w, boards, &blocks[k]));
   EACH(stage_disc(w, boards, &blocks[k]));
-  if (w->bands.on) {
+  if (w->parenchyma.sheaths && w->bands.on) {
+    EACH(stage_sheathed_pores(w, boards, 1, &blocks[k]));
+  } else if (w->parenchyma.sheaths) {
+    EACH(stage_sheathed_pores(w, boards, 0, &blocks[k]));
+  } else if (w->bands.on) {
     EACH(stage_banded_pores(w, boards, &blocks[k]));
   } else {
     EACH(stage_pores(w, boards, &blocks[k]));
   }
   EACH(stage_rows(w, boards, &blocks[k]));
-  EACH(stage_cover(w, boards, io, &blocks[k]));
+  if (w->parenchyma.on) {
+    EACH({
+      stage_cover(w, boards, io, &blocks[k]);
+      stage_parenchyma(w, boards, io, &blocks[k]);
+    });
+  } else {
+    EACH(stage_cover(w, boards, io, &blocks[k]));
+  }
   if (w->has_rays) {
     EACH(stage_ray_turn(w, boards, &blocks[k]));
     EACH(stage_ray_shell(w, boards, &blocks[k]));
@@ -214,6 +229,9 @@ INLINE void evaluate_colour(int boards, const wood_constants *restrict w,
                             block *blocks, surface_relief *reliefs, uint32_t count) {
   if (w->has_canals && want->vessel) EACH(stage_canals(w, boards, io, &blocks[k]));
   if (want->vessel && !w->has_canals) EACH(store_lanes(io, WOOD_CANAL, &blocks[k], splat(0.0f)));
+  if (want->vessel && !w->parenchyma.on) {
+    EACH(store_lanes(io, WOOD_PARENCHYMA, &blocks[k], splat(0.0f)));
+  }
   if (want->colour && w->has_cells && !want->picture) EACH(stage_cells(w, boards, &blocks[k]));
   if (want->colour && w->has_spalt && !want->picture) EACH(stage_spalt(w, boards, io, &blocks[k]));
   if (want->picture) {

@@ -514,6 +514,59 @@ static const sozai_parameter row_jitter = {
    .doc = "How far a vessel may stray from even spacing along its row: 1 is the whole spacing.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.5}};
 
+static const sozai_parameter marginal = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "marginal_parenchyma", .label = "Marginal parenchyma", .group = "parenchyma", .unit = "um",
+   .doc = "Width of the pale line at a ring's end (IAWA feature 89), at most half the ring; 0 for none.",
+   .hard_min = 0, .hard_max = 2000, .soft_min = 0, .soft_max = 300, .default_number = {0}};
+
+static const sozai_parameter sheath = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "paratracheal_parenchyma", .label = "Paratracheal parenchyma", .group = "parenchyma", .unit = "um",
+   .doc = "Thickness of the pale sheath about each vessel outside the earlywood's rows (79), the mean; at most as far as "
+   "half-way to the next vessel. 0 for none.",
+   .hard_min = 0, .hard_max = 1000, .soft_min = 0, .soft_max = 150, .default_number = {0}};
+
+static const sozai_parameter wings = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "paratracheal_wings", .label = "Paratracheal wings", .group = "parenchyma", .unit = "",
+   .doc = "How much farther vessel and sheath reach round the stem than along the radius: 1 for a sheath alike all round, "
+   "2 for lozenges and wings (80), more where they run together (83).",
+   .hard_min = 1, .hard_max = 10, .soft_min = 1, .soft_max = 5, .default_number = {1}};
+
+static const sozai_parameter between = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "vessel_band_parenchyma", .label = "Vessel band parenchyma", .group = "parenchyma", .unit = "",
+   .doc = "How much of the tissue between the vessels of a band, file or flame is parenchyma and as pale; for a "
+   "vessel_arrangement other than even.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
+
+static const sozai_parameter soft_band_width = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "parenchyma_band_width", .label = "Parenchyma band width", .group = "parenchyma", .unit = "um",
+   .doc = "Of pale bands along the rings that stand by themselves (85, 86), the mean; at most nine tenths of "
+   "their spacing. 0 for none.",
+   .hard_min = 0, .hard_max = 4000, .soft_min = 0, .soft_max = 500, .default_number = {0}};
+
+static const sozai_parameter soft_band_spacing = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "parenchyma_band_spacing", .label = "Parenchyma band spacing", .group = "parenchyma", .unit = "mm",
+   .doc = "From one of those bands to the next, the mean: a ring holds a whole number.",
+   .hard_min = 0.02, .hard_max = 20, .soft_min = 0.1, .soft_max = 4, .default_number = {0.5}};
+
+static const sozai_parameter soft_band_stray = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "parenchyma_band_waviness", .label = "Parenchyma band waviness", .group = "parenchyma", .unit = "",
+   .doc = "How far those bands stray from their course, and swell and thin out, with bundles of fibres: in their "
+   "spacing.",
+   .hard_min = 0, .hard_max = 2, .soft_min = 0, .soft_max = 1, .default_number = {0.3}};
+
+static const sozai_parameter soft_colour = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "parenchyma_colour", .label = "Parenchyma colour", .group = "parenchyma", .unit = "",
+   .doc = "Of that tissue in heartwood; in sapwood as much paler as earlywood is there.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.86, 0.74, 0.56}, .default_text = "sRGB"};
+
 static const sozai_parameter ray_density = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "ray_density", .label = "Ray density", .group = "rays", .unit = "1/mm2",
@@ -1278,6 +1331,14 @@ const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_ROW_DIAMETER] = &row_diameter,
    [P_ROW_SPREAD] = &row_spread,
    [P_ROW_JITTER] = &row_jitter,
+   [P_MARGINAL] = &marginal,
+   [P_SHEATH] = &sheath,
+   [P_WINGS] = &wings,
+   [P_BETWEEN] = &between,
+   [P_SOFT_BAND_WIDTH] = &soft_band_width,
+   [P_SOFT_BAND_SPACING] = &soft_band_spacing,
+   [P_SOFT_BAND_STRAY] = &soft_band_stray,
+   [P_SOFT_COLOUR] = &soft_colour,
    [P_RAY_DENSITY] = &ray_density,
    [P_RAY_HEIGHT] = &ray_height,
    [P_RAY_WIDTH] = &ray_width,
@@ -1555,6 +1616,13 @@ static const sozai_channel channel_canal = {
    .id = "canal", .unit = "", .suffixes = "",
    .doc = "Share of the footprint that resin canals cover, 0 to 1."};
 
+static const sozai_channel channel_parenchyma = {
+   .size = sizeof(sozai_channel), .first = WOOD_PARENCHYMA, .components = 1,
+   .needs = SOZAI_INPUT_POINT,
+   .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
+   .id = "parenchyma", .unit = "", .suffixes = "",
+   .doc = "Share of the footprint that axial parenchyma covers, 0 to 1."};
+
 static const sozai_channel channel_knot = {
    .size = sizeof(sozai_channel), .first = WOOD_KNOT, .components = 1,
    .needs = SOZAI_INPUT_POINT,
@@ -1571,6 +1639,6 @@ static const sozai_channel channel_height = {
 
 const sozai_channel *const wood_channels[] = {
    &channel_albedo, &channel_radiance, &channel_fiber, &channel_dive, &channel_specular, &channel_roughness, &channel_time, &channel_latewood, &channel_vessel, &channel_reference, &channel_cone_colour, &channel_cone_width, &channel_coat, &channel_coat_roughness, &channel_ray,
-   &channel_board_id, &channel_board_u, &channel_board_v, &channel_board_edge, &channel_normal, &channel_height, &channel_canal, &channel_knot};
+   &channel_board_id, &channel_board_u, &channel_board_v, &channel_board_edge, &channel_normal, &channel_height, &channel_canal, &channel_knot, &channel_parenchyma};
 /* clang-format on */
 const uint32_t wood_channel_count = COUNT(wood_channels);

@@ -103,15 +103,20 @@ INLINE vf pore_integral(const wood_constants *w, vf f) {
 }
 
 /* What can be averaged across rings. */
-enum { MEAN_LATE, MEAN_PORE, MEAN_ROW };
-/* MEAN_LATE  latewood profile, weighted by the ring
- * MEAN_PORE  expected coverage of the field's pores, over its full value
- * MEAN_ROW   share of the earlywood band */
+enum { MEAN_LATE, MEAN_PORE, MEAN_ROW, MEAN_MARGIN, RING_MEANS };
+/* MEAN_LATE    latewood profile, weighted by the ring
+ * MEAN_PORE    expected coverage of the field's pores, over its full value
+ * MEAN_ROW     share of the earlywood band
+ * MEAN_MARGIN  share of the line of parenchyma at the ring's end */
 
 /* The integral from the ring's start to phase f, over its width. */
 INLINE vf ring_integral(const wood_constants *w, int what, vf f, vf inverse_width) {
   if (what == MEAN_LATE) return late_integral(w, f);
   if (what == MEAN_PORE) return pore_integral(w, f);
+  if (what == MEAN_MARGIN) {
+    vf wide = vmin(splat(w->parenchyma.margin) * inverse_width, splat(0.5f));
+    return vmax(f + wide - splat(1.0f), splat(0.0f));
+  }
   return vmin(f, splat(w->band) * inverse_width);
 }
 
@@ -124,6 +129,10 @@ INLINE vf integral_to(const wood_constants *w, int what, const ring_place *p) {
   }
   if (what == MEAN_PORE) {
     return splat(w->pore_ring_mean) * (p->turns * splat(w->ring_period) + p->start) + within;
+  }
+  if (what == MEAN_MARGIN) {
+    return p->turns * splat(w->parenchyma.margin_period) +
+           gather(w->parenchyma.margin_before, p->j) + within;
   }
   return p->turns * splat(w->row_period) + gather(w->row_before, p->j) + within;
 }

@@ -206,19 +206,26 @@ static int votes_z(const scan *s) { return 2 * (s->nz / STEP + 1); }
 
 int scan_votes(int nx, int nz) { return 4 * (nx / STEP + 1) * (nz / STEP + 1); }
 
-/* Every stripe votes for all points along its normal. */
-static void vote(scan *s, const stripe *q) {
+/* Votes for all points along a line through the stripe. */
+static void vote_along(scan *s, const stripe *q, double nx, double nz) {
   int wide = votes_x(s), high = votes_z(s);
   double x0 = q->x / STEP + wide / 4, z0 = q->z / STEP + high / 4;
   for (int side = -1; side <= 1; side += 2) {
     double x = x0, z = z0;
     for (;;) {
-      x += side * q->nx;
-      z += side * q->nz;
+      x += side * nx;
+      z += side * nz;
       if (x < 0.0 || z < 0.0 || x >= wide || z >= high) break;
       s->votes[(int)z * wide + (int)x] += (float)q->weight;
     }
   }
+}
+
+/* A ring's stripe points at the pith by its normal, a ray's or a flame's by its course, and which
+ * it is nobody knows yet: the other line of each misses all the others'. */
+static void vote(scan *s, const stripe *q) {
+  vote_along(s, q, q->nx, q->nz);
+  vote_along(s, q, -q->nz, q->nx);
 }
 
 static void strongest(scan *s, int inside, double out[2]) {
@@ -283,7 +290,9 @@ static int refine(const scan *s, int margin, double angle, int harmonics, double
       if (!deep_inside(s, i, j, margin) || !stripe_at(s, i, j, &q)) continue;
       double dx = q.x - p[0], dz = q.z - p[1], r = scalar_root(dx * dx + dz * dz);
       if (r < 3.0) continue;
-      double c = dx / r, d = dz / r, side = q.nx * c + q.nz * d < 0.0 ? -1.0 : 1.0;
+      double c = dx / r, d = dz / r, along = q.nx * c + q.nz * d;
+      if (along * along < 0.5) q = (stripe){q.x, q.z, -q.nz, q.nx, q.weight}; /* a ray's */
+      double side = q.nx * c + q.nz * d < 0.0 ? -1.0 : 1.0;
       double nx = side * q.nx, nz = side * q.nz;
       double row[UNKNOWNS + 1] = {-nz / r, nx / r};
       double ck = c, sk = d, miss = c * nz - d * nx, expected = 0.0;

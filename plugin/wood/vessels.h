@@ -4,6 +4,8 @@
  *
  *   vessels_pores.h    pores of the field
  *   vessels_bands.h    and the bands that they may stand in
+ *   vessels_sheaths.h  and their sheaths of parenchyma
+ *   vessels_pore_parts.h  under longer footprints
  *   vessels_rows.h     rows of the earlywood, under a footprint that one look-up answers
  *   vessels_row_box.h  and under longer ones
  *   footprint_parts.h  how a long footprint is cut into parts, for pores and for tubes.h
@@ -53,11 +55,9 @@ typedef struct {
 #define DISC_FULL 0.74f  /* x from which on a disc is full in its middle */
 #define DISC_APART 1.25f /* of x^2: what two discs share is smaller than either */
 
-INLINE disc disc_blurred(vf radius2, matrix2 c) {
-  vf k = splat(1.0f / 0.2552f), one = splat(1.0f);
-  vf xx = radius2 + k * c.xx, zz = radius2 + k * c.zz, xz = k * c.xz;
-  vf det = vmax(xx * zz - xz * xz, radius2 * radius2);
-  vf root = inverse_root(det), x = radius2 * root;
+/* Of a matrix M, whose determinant is det, and area without the blur over pi. */
+INLINE disc disc_within(vf xx, vf xz, vf zz, vf det, vf area) {
+  vf one = splat(1.0f), root = inverse_root(det), x = area * root;
   vf middle = vmax(x, splat(DISC_FULL));
   /* one over the ramp's width: 2 of a point, no less than what keeps the cone's tip at 1, and
    * between them what errs least against discs averaged over squares and lines */
@@ -75,6 +75,20 @@ INLINE disc disc_blurred(vf radius2, matrix2 c) {
   return d;
 }
 
+INLINE disc disc_blurred(vf radius2, matrix2 c) {
+  vf k = splat(1.0f / 0.2552f);
+  vf xx = radius2 + k * c.xx, zz = radius2 + k * c.zz, xz = k * c.xz;
+  vf det = vmax(xx * zz - xz * xz, radius2 * radius2);
+  return disc_within(xx, xz, zz, det, radius2);
+}
+
+/* The same of an ellipse, of whose own matrix the determinant is area2. */
+INLINE disc ellipse_blurred(matrix2 own, vf area2, matrix2 c) {
+  vf k = splat(1.0f / 0.2552f);
+  vf xx = own.xx + k * c.xx, zz = own.zz + k * c.zz, xz = own.xz + k * c.xz;
+  return disc_within(xx, xz, zz, vmax(xx * zz - xz * xz, area2), vsqrt(area2));
+}
+
 INLINE vf disc_distance(const disc *d, vf x, vf z) {
   return (d->xx * x + d->xz * z) * x + d->zz * z * z;
 }
@@ -87,9 +101,9 @@ INLINE vf vessel_cover(const wood_vessels *v, const disc *d, vu h, vf q) {
 
 /* From the sum of covers to the share covered: discs overlap, and where they
  * are blurred the sum counts that twice, by `overlap` on average. */
-INLINE vf vessel_overlap(const wood_vessels *v, const disc *d, vf sum) {
+INLINE vf vessel_overlap(const disc *d, float overlap, vf sum) {
   sum = sum * d->height;
-  return vmin(sum - sum * (splat(1.0f) - d->apart) * splat(v->overlap), splat(1.0f));
+  return vmin(sum - sum * (splat(1.0f) - d->apart) * splat(overlap), splat(1.0f));
 }
 
 /* A hash as a whole number within +-HASH_ONE: a place within half a cell of the
@@ -132,6 +146,7 @@ INLINE vf place_turn(vf c, vf s) { return arctan2(s, c) * splat(0.15915494f); }
 typedef struct {
   vf pores, rows;             /* coverage, where it could be looked up */
   vf pores_faded, rows_faded; /* 1: the expected coverage is to be used */
+  vf sheaths;                 /* of pores with their sheaths; faded as they are */
 } vessel_cover_t;
 
 /* 0 while sqrt(e2) is below 0.6 of the reach, 1 from the whole of it on. */

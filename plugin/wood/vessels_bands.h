@@ -12,6 +12,7 @@
 #ifndef SOZAI_WOOD_VESSELS_BANDS_H
 #define SOZAI_WOOD_VESSELS_BANDS_H
 
+#include "fibre.h"
 #include "vessels.h"
 
 #define BANDS_LEAST 3.0f /* round the pith */
@@ -50,6 +51,28 @@ INLINE void bands_round(const wood_constants *w, const vessel_place *p, vessel_b
   b->ring_x = inverse * p->c;
   b->ring_z = inverse * p->s;
   b->ring_end = half - splat(m->margin) * inverse;
+}
+
+INLINE vessel_bands bands_straight(const wood_constants *w, const vessel_place *p) {
+  vessel_bands b;
+  if (w->bands.along_arc) {
+    bands_round(w, p, &b);
+  } else {
+    bands_out(w, p, &b);
+  }
+  return b;
+}
+
+/* The same as they stray. */
+INLINE vessel_bands bands_strayed(const wood_constants *w, vessel_bands b,
+                                  const fibre_bundle *bundle) {
+  if (w->bands.stray > 0.0f && !w->picture) { /* under a picture no fibre's noise is found */
+    vf stray = splat(w->bands.stray);
+    b.phase = b.phase + stray * bundle->at;
+    b.x = b.x + stray * bundle->x;
+    b.z = b.z + stray * bundle->z;
+  }
+  return b;
 }
 
 /* The same with slopes per another unit, of so many mm. */

@@ -23,6 +23,12 @@ typedef struct {
   vessel_bands bands;
 } pore_cells;
 
+/* A disc in those units. */
+INLINE disc disc_in_cells(const wood_constants *w, const disc *d) {
+  vf square = splat(w->pore_step * w->pore_step);
+  return (disc){d->xx * square, d->xz * square, d->zz * square, d->top, d->height, d->apart, NULL};
+}
+
 #define PORE_NOWHERE 1e13f      /* far from everything */
 #define PORE_SECOND 0x2c1b3c6du /* makes another hash of a cell's */
 
@@ -30,14 +36,13 @@ INLINE pore_cells pores_near(const wood_constants *w, int banded, vu own, vf x, 
                              const disc *d) {
   pore_cells p;
   vf inverse_cell = splat(w->inverse_pore_cell), unit = splat(PORE_UNIT), half = splat(0.5f);
-  vf square = splat(w->pore_step * w->pore_step);
   vi ix, iz;
   x = x * inverse_cell - half;
   z = z * inverse_cell - half;
   p.x = (x - vfloor(x, &ix)) * unit;
   p.z = (z - vfloor(z, &iz)) * unit;
   p.hash = (vu)ix * splatu(HASH_X) + (vu)iz * splatu(HASH_Z) + wood_seed(w, own, SEED_PORES);
-  p.d = (disc){d->xx * square, d->xz * square, d->zz * square, d->top, d->height, d->apart, NULL};
+  p.d = disc_in_cells(w, d);
   if (banded) p.bands = bands_per(&w->bands, d->bands, w->pore_step);
   return p;
 }
@@ -111,7 +116,7 @@ INLINE vf pores_sum(const wood_vessels *v, const pore_cells *p) {
 INLINE vf pores_cover(const wood_constants *w, int banded, vu own, vf x, vf z, const disc *d) {
   pore_cells p = pores_near(w, banded, own, x, z, d);
   vf sum = banded ? pores_in_bands(w, &p) : pores_sum(&w->pores, &p);
-  return vessel_overlap(&w->pores, d, sum);
+  return vessel_overlap(d, w->pores.overlap, sum);
 }
 
 /* A pore at its mean radius under a footprint of (aa, ab, bb). */
@@ -126,37 +131,6 @@ INLINE disc pores_disc(const wood_constants *w, const vessel_place *p, vf aa, vf
   disc d = disc_blurred(radius2, m);
   d.bands = p->bands;
   return d;
-}
-
-/* Pores under footprints longer than what one tap answers are answered by up to 4; past the
- * part of those the expected coverage fades in. The lanes that are not cut are whole, in
- * one tap, as they would be alone. */
-INLINE vm pores_cut(const wood_constants *w, const footprint2 *f) {
-  return gt(f->aa + f->bb, splat(w->pores.part * w->pores.part));
-}
-
-INLINE void pores_in_parts(const wood_constants *w, const vessel_place *p, vm cut,
-                           vessel_cover_t *v) {
-  vf zero = splat(0.0f);
-  footprint_axes l = footprint_split(&p->f);
-  footprint_parts part = footprint_cut(&p->f, &l, cut, w->pores.part, w->pores.third, 4);
-  v->pores_faded = sel(part.most, fade_beyond(part.aa + part.bb, w->pores.part), zero);
-  vm left = lt(v->pores_faded, splat(1.0f));
-  if (!any(left)) return;
-  disc d = pores_disc(w, p, part.aa, part.ab, part.bb);
-  vessel_bands bands;
-  int taps = part.taps;
-  while (taps > 1 && !any(and_(left, footprint_has_part(&part, taps - 1)))) taps--;
-  for (int i = 0; i < taps; i++) {
-    footprint_part q = footprint_part_of(&l, &part, cut, i);
-    vf x = p->x + (q.rho * p->c - q.arc * p->s), z = p->z + (q.rho * p->s + q.arc * p->c);
-    if (w->bands.on) {
-      bands = bands_beside(&w->bands, p->bands, x - p->x, z - p->z);
-      d.bands = &bands;
-    }
-    v->pores = v->pores + pores_cover(w, w->bands.on, p->own, x, z, &d) * q.weight;
-  }
-  v->pores = sel(left, v->pores, zero);
 }
 
 #endif

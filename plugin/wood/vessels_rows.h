@@ -91,7 +91,7 @@ INLINE vf rows_cover(const wood_constants *w, const row_place *p, vf rho, vf da,
       sum = sum + vessel_cover(&w->row, d, h, disc_distance(d, x, z));
     }
   }
-  return sel(p->near, vessel_overlap(&w->row, d, sum), splat(0.0f));
+  return sel(p->near, vessel_overlap(d, w->row.overlap, sum), splat(0.0f));
 }
 
 /* An earlywood vessel at its mean radius under such a footprint. */

@@ -132,6 +132,30 @@ typedef struct {
   float within[WOOD_RADII];
 } wood_bands;
 
+/* Axial parenchyma: pale tissue of short, thin-walled cells. See parenchyma.h and
+ * vessels_sheaths.h. */
+typedef struct {
+  int32_t on, sheaths; /* any; about vessels */
+  float colour[3], sap[3];
+  float margin; /* mm: of the line at a ring's end, of a wide ring; 0: none */
+  float margin_before[WOOD_RINGS + 1]; /* mm: of all rings before, as far as they have room */
+  float margin_period;
+  float bands_often, bands_share;    /* 1/mm of radius; of the wood. 0: none */
+  float bands_stray, bands_uneven;   /* turns, and of the share, over the bundles' noise */
+  float bands_lost;                  /* twelve times the variance of that, turns^2 */
+  float ragged;                      /* turns, over the brightness that fibres have */
+  float between_lost;                /* of what bands of vessels stray, likewise */
+  float part;                        /* mm: a footprint that swallows little of either */
+  float between_denser;              /* how many more vessels stand in a band than in the mean */
+  float between, between_half;       /* share of a band of vessels; half of its width, in turns */
+  float sheath_arc2, sheath_radial2; /* mm^2: semi-axes of a vessel with its sheath, squared */
+  float sheath_cover;                /* expected, at full size */
+  float sheath_area;                 /* sum of their areas over that of the section */
+  float sheath_met;                  /* of n times the section n / (1 + met n) is covered */
+  float sheath_late;                 /* of latewood, over what they are expected to cover */
+  float sheath_grown; /* the mean over a ring of what that covers, over that of its mean */
+} wood_parenchyma;
+
 /* How far waves along the stem are from a sine: they are of the phase
  * y / length + stray n, n an axial noise, and of the complex amplitude steady +
  * swell (a + i b), a and b value noises. Where that is zero a wave forks or ends. */
@@ -238,7 +262,9 @@ typedef struct {
   float pore_ring_mean;          /* mean over the ring of size^2 */
   wood_vessels row;              /* of the earlywood: rows at the ring's start */
   wood_bands bands;              /* that those stand in */
-  int32_t has_pores, rows;
+  uint32_t pores_each;           /* top bit: two to each cell of the section, not to every other */
+  wood_parenchyma parenchyma;
+  int32_t has_pores, rows, has_strays; /* the last: of bands */
   float rows_alone;  /* mm: a footprint along rho that meets the rows of one ring alone */
   float row_density; /* 1/mm of arc */
   float row_spacing; /* mm, radially */
@@ -404,7 +430,8 @@ enum {
   WOOD_CANAL = 31,
   WOOD_KNOT = 32,
   WOOD_COAT_ROUGHNESS = 33,
-  WOOD_COMPONENTS = 34
+  WOOD_PARENCHYMA = 34,
+  WOOD_COMPONENTS = 35
 };
 
 typedef void wood_radius(const wood_constants *w, uint32_t count, const float *t,

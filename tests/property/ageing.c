@@ -13,7 +13,7 @@
 
 /* Earlywood alone: what albedo is then. */
 static void tissue_after(const char *preset, double years, const char *part, double rgb[3]) {
-  char text[300];
+  char text[512];
   snprintf(text, sizeof text,
            "construction=solid;porosity=none;ray_density=0;streak_share=0;pigment=0;fibre_"
            "brightness=0;drift=0;age_"
@@ -30,7 +30,8 @@ static void tissue_after(const char *preset, double years, const char *part, dou
 
 #define EARLY                                                                                      \
   "latewood_fraction=0.01;latewood_abruptness=1;ring_width=30;ring_variation=0;heartwood_years="   \
-  "1000"
+  "1000;parenchyma_band_width=0;paratracheal_parenchyma=0;vessel_band_parenchyma=0;marginal_"      \
+  "parenchyma=0"
 
 /* A colour parameter of a preset in linear light. */
 static void colour_of(const char *preset, const char *id, double out[3]) {

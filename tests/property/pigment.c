@@ -13,7 +13,7 @@
   "porosity=none; fibre_brightness=0; ray_density=0; latewood_colour=0 0 0 @ lin_rec709; "         \
   "earlywood_colour=0 0 0 @ lin_rec709; latewood_fraction=0.02; "                                  \
   "sapwood_earlywood_colour=0 0 1 @ lin_rec709; sapwood_latewood_colour=0 0 1 @ lin_rec709; "      \
-  "pigment_colour=1 0 0 @ lin_rec709; "
+  "pigment_colour=1 0 0 @ lin_rec709; parenchyma_band_width=0; "
 
 /* Along a radius, fifty samples to a ring. */
 static void ask_radius(points *p, const sozai_texture *t, double turn) {

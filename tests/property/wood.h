@@ -37,7 +37,7 @@ int wood_is_panel(const char *preset);
 typedef struct {
   unsigned count, room;
   float *point[3], *normal[3], *light[3], *view[3], *footprint;
-  float *out[34];
+  float *out[35];
 } points;
 
 /* Components, as describe lists them. */
@@ -62,7 +62,8 @@ enum {
   HEIGHT = 30,
   CANAL,
   KNOT,
-  COAT_ROUGHNESS
+  COAT_ROUGHNESS,
+  PARENCHYMA
 };
 
 void points_clear(points *p);

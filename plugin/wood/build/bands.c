@@ -101,6 +101,21 @@ double wood_banded_cover(const wood_bands *m, double c, double radius, double ce
   return within * mean_over_ring(m, met * c / (double)m->share) / met;
 }
 
+double wood_bands_denser(const wood_bands *m, double half) {
+  double held = 0.0, area = 0.0;
+  for (int i = 0; i < SAMPLES; i++) {
+    double fork = (double)m->fork * (i + 0.5) / SAMPLES;
+    double arm = half - scalar_least(fork, (double)m->fork_most);
+    for (int k = 0; k < SAMPLES; k++) {
+      double t = 0.5 * (k + 0.5) / SAMPLES;
+      if (__builtin_fabs(t - fork) > arm) continue;
+      held += held_at(m, t, fork);
+      area += 1.0;
+    }
+  }
+  return held / area / mean_over_ring(m, 0.0);
+}
+
 static void build_swing(wood_bands *m) {
   double swing = 0.0;
   for (int i = 0; i < WOOD_RADII; i++) {

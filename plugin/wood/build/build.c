@@ -66,6 +66,7 @@ int32_t wood_build(wood_constants *w, const sozai_host *host, const settings *s,
   if (r) return r;
   wood_build_vessels(w, s);
   wood_build_rays(w, s);
+  wood_build_parenchyma(w, s, colours);
   wood_build_fibres(w, s);
   r = wood_build_colour(w, host, s, colours);
   if (r) return r;
@@ -76,6 +77,7 @@ int32_t wood_build(wood_constants *w, const sozai_host *host, const settings *s,
   w->ray_shade = (float)number_at(s, P_RAY_SHADE);
   w->has_ends = w->shade > 0.0f || w->ray_shade > 0.0f;
   surface_build_colour(w, s, colours);
+  wood_build_parenchyma_sap(w);
   wood_build_canals(w, s, colours);
   wood_build_cells(w, s);
   wood_build_spalt(w, s);

@@ -12,8 +12,9 @@
  * sum of their areas over it. */
 static void build_overlap(const wood_constants *w, wood_vessels *v) {
   double c = (double)v->coverage, cell = (double)w->pore_cell;
-  double covered =
-      w->bands.on ? wood_banded_cover(&w->bands, c, (double)v->radius, cell) : 1.0 - scalar_exp(-c);
+  double radius = (double)v->radius, covered = 1.0 - scalar_exp(-c);
+  if (w->bands.on) covered = wood_banded_cover(&w->bands, c, radius, cell);
+  if (w->pores_each) covered = wood_paired_cover(v, radius, radius, cell);
   v->overlap = c > 1e-6 ? (float)(1.0 - covered / c) : 0.0f;
   v->coverage = (float)covered;
 }
@@ -31,6 +32,10 @@ static void build_pores(wood_constants *w, const settings *s, double late) {
   wood_build_bands(w, s, largest);
   w->pore_cell = (float)(1.0 / __builtin_sqrt(density));
   if (w->bands.on) w->pore_cell = (float)__builtin_sqrt((double)w->bands.share / density);
+  if (wood_has_sheaths(w, s) && !w->bands.on) {
+    w->pores_each = 0x80000000u;
+    w->pore_cell = (float)__builtin_sqrt(2.0 / density);
+  }
   w->inverse_pore_cell = 1.0f / w->pore_cell;
   w->pore_step = w->pore_cell / 4294967296.0f;
   w->pores.reach = wood_longest_footprint(0.5 * (double)w->pore_cell, largest, END_SHARP);
@@ -45,6 +50,7 @@ static void build_pores(wood_constants *w, const settings *s, double late) {
   w->pore_growth = (float)(late - 1.0);
   double g = late - 1.0;
   w->pore_ring_mean = (float)(1.0 + g + g * g / 3.0);
+  if (wood_has_sheaths(w, s)) wood_build_sheaths(w, s, square);
 }
 
 /* What the pores are expected to take of latewood, over what they do where they are full size: the

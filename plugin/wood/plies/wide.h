@@ -21,7 +21,8 @@
 
 /* Means over side x side parts. */
 static __attribute__((noinline)) void wide_rings_grid(const wood_constants *w, vu own, int ball,
-                                                      const block *k, int side, vf mean[3]) {
+                                                      const block *k, int side,
+                                                      vf mean[RING_MEANS]) {
   const vf *p = k->p, *n = k->nrm;
   vf axis_x = splat(w->peeled ? w->shift[0] : 0.0f), axis_z = splat(w->peeled ? w->shift[2] : 0.0f);
   vf px = p[0] - axis_x, pz = p[2] - axis_z;
@@ -30,7 +31,7 @@ static __attribute__((noinline)) void wide_rings_grid(const wood_constants *w, v
   vf inverse_r = inverse_root(vmax(px * px + pz * pz, one)), rise = k->board.lead * inverse_r;
   /* the sheet's normal, which leans as its spiral rises */
   vf nx = n[0] + rise * pz * inverse_r, nz = n[2] - rise * px * inverse_r;
-  for (int what = 0; what < 3; what++) mean[what] = zero;
+  for (int what = 0; what < RING_MEANS; what++) mean[what] = zero;
   for (int i = 0; i < side; i++) {
     vf s, c, along = splat((float)i - 0.5f * (float)(side - 1)) * part;
     sine_cosine(along * inverse_r, &s, &c);
@@ -57,15 +58,19 @@ static __attribute__((noinline)) void wide_rings_grid(const wood_constants *w, v
         mean[MEAN_PORE] = mean[MEAN_PORE] + ring_average(w, MEAN_PORE, &at, q.rho, reach);
       }
       if (w->rows) mean[MEAN_ROW] = mean[MEAN_ROW] + ring_average(w, MEAN_ROW, &at, q.rho, reach);
+      if (w->parenchyma.margin > 0.0f) {
+        vf margin = ring_average(w, MEAN_MARGIN, &at, q.rho, reach);
+        mean[MEAN_MARGIN] = mean[MEAN_MARGIN] + margin;
+      }
     }
   }
-  for (int what = 0; what < 3; what++) mean[what] = mean[what] * splat(share * share);
+  for (int what = 0; what < RING_MEANS; what++) mean[what] = mean[what] * splat(share * share);
 }
 
 /* For a block that has a wide one; `room` is where its means are kept. */
 static __attribute__((noinline)) void wide_rings_of(const wood_constants *w, vu own, int ball,
                                                     block *k, wide_rings *room) {
-  vf s = k->board.bent, zero = splat(0.0f), more[3];
+  vf s = k->board.bent, zero = splat(0.0f), more[RING_MEANS];
   k->wide = room;
   room->share = smooth_step(splat(WIDE_FROM), splat(WIDE_TO), s);
   if (k->knot) {
@@ -74,12 +79,12 @@ static __attribute__((noinline)) void wide_rings_of(const wood_constants *w, vu 
   }
   vm few = and_(gt(s, splat(WIDE_FROM)), lt(s, splat(WIDER_TO)));
   vm many = gt(s, splat(WIDER_FROM));
-  for (int what = 0; what < 3; what++) room->mean[what] = zero;
+  for (int what = 0; what < RING_MEANS; what++) room->mean[what] = zero;
   if (any(few)) wide_rings_grid(w, own, ball, k, 2, room->mean);
   if (!any(many)) return;
   wide_rings_grid(w, own, ball, k, 4, more);
   vf wider = smooth_step(splat(WIDER_FROM), splat(WIDER_TO), s);
-  for (int what = 0; what < 3; what++) {
+  for (int what = 0; what < RING_MEANS; what++) {
     vf both = mix(room->mean[what], more[what], wider);
     room->mean[what] = sel(many, sel(few, both, more[what]), room->mean[what]);
   }

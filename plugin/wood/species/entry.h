@@ -84,6 +84,16 @@ SPECIES_ALL(DECLARE)
 #define VESSEL_BANDS(arrangement, share, spacing, waviness)                                        \
   CHOICE("vessel_arrangement", arrangement), NUMBER("vessel_bands", share),                        \
       NUMBER("vessel_band_spacing", spacing), NUMBER("vessel_band_waviness", waviness)
+/* Axial parenchyma, by features 79 to 89 of that list: about vessels, um, and how much farther round
+ * the stem; in bands of their own, um, every so many mm; between the vessels of bands; at a ring's
+ * end, um. */
+#define SHEATHS(thickness, wings)                                                                  \
+  NUMBER("paratracheal_parenchyma", thickness), NUMBER("paratracheal_wings", wings)
+#define SOFT_BANDS(width, spacing, waviness)                                                       \
+  NUMBER("parenchyma_band_width", width), NUMBER("parenchyma_band_spacing", spacing),              \
+      NUMBER("parenchyma_band_waviness", waviness)
+#define BETWEEN(share) NUMBER("vessel_band_parenchyma", share)
+#define MARGINAL(width) NUMBER("marginal_parenchyma", width)
 #define RAYS(density, height, width, length)                                                       \
   NUMBER("ray_density", density), NUMBER("ray_height", height), NUMBER("ray_width", width),        \
       NUMBER("ray_length", length), NUMBER("ray_shade", 0.25)

@@ -37,6 +37,8 @@ static const sozai_value values_lauan_plywood[] = {
     SRGB("earlywood_colour", 198, 148, 116),
     SRGB("latewood_colour", 178, 126, 96),
     SRGB("vessel_colour", 177, 127, 97),
+    SHEATHS(20.0, 1.3),
+    SRGB("parenchyma_colour", 207, 164, 132),
     SRGB("sapwood_earlywood_colour", 214, 186, 154),
     SRGB("sapwood_latewood_colour", 196, 164, 132),
     NUMBER("heartwood_years", 150.0),

@@ -40,6 +40,8 @@
     SRGB("earlywood_colour", 154, 122, 90), \
     SRGB("latewood_colour", 110, 82, 58), \
     SRGB("vessel_colour", 112, 86, 62), \
+    SOFT_BANDS(25.0, 0.22, 0.5), \
+    SRGB("parenchyma_colour", 169, 141, 109), \
     SRGB("sapwood_earlywood_colour", 206, 188, 158), \
     SRGB("sapwood_latewood_colour", 184, 162, 130), \
     NUMBER("heartwood_years", 100.0), \

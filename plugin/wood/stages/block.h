@@ -35,8 +35,8 @@ typedef struct {
 
 /* Rings over the parts of a wide footprint; see plies/wide.h. */
 typedef struct {
-  vf mean[3]; /* of MEAN_LATE... */
-  vf share;   /* 0..1: how far they stand in for the whole */
+  vf mean[RING_MEANS]; /* of MEAN_LATE... */
+  vf share;            /* 0..1: how far they stand in for the whole */
 } wide_rings;
 
 /* A place in a cross section of the stem. */
@@ -83,7 +83,10 @@ typedef struct {
   vf front_rho, front_reach; /* of latewood where it strays */
   ring_place front_ring;     /* where that crosses a ring's end for any lane */
   int crossed;
-  vf shift; /* of brightness, a factor */
+  vf shift;                     /* of brightness, a factor */
+  vf between;                   /* of parenchyma, among a band's vessels, */
+  int between_found;            /* if it has been */
+  vf margin, tough, rest, soft; /* parenchyma; see stages/parenchyma.h */
   vf late, over_late, cover, ray, albedo[3];
   vf exponent, strength, incident, rise, tilted, power; /* figure */
   vf light[3];                                          /* log space */

@@ -28,15 +28,26 @@ INLINE season_shares season_shares_of(const wood_constants *w, const block *k) {
   vf late = season * (one - vmin(k->over_late, one));
   if (w->has_canals)
     late = canals_leave(w, &k->canal, k->section.f.bb, k->ring.inverse_width, late);
-  late = clamp(late, zero, vmax(one - k->cover, zero));
+  vf room = one - k->cover;
+  if (w->parenchyma.on) {
+    /* a ring's last cells are its latest */
+    if (w->parenchyma.margin > 0.0f) late = late - k->margin * k->ring.weight;
+    late = late * k->tough;
+    room = k->rest;
+  }
+  late = clamp(late, zero, vmax(room, zero));
   vf shift = w->has_eyes ? k->shift * (one - splat(EYE_STAIN) * vmin(k->stem.eye, one)) : k->shift;
-  return (season_shares){vmax(one - k->cover - late, zero) * shift, late * shift};
+  return (season_shares){vmax(room - late, zero) * shift, late * shift};
+}
+
+INLINE vf heart_at(const wood_constants *w, const block *k) {
+  return heart_share(w, k->years, k->section.c, k->section.s,
+                     vsqrt(k->section.f.bb) * k->ring.inverse_width);
 }
 
 /* The colours of both, of heartwood with its pigment or of sapwood. */
-INLINE void season_colours(const wood_constants *w, const block *k, vf early[3], vf late[3]) {
-  vf heart = heart_share(w, k->years, k->section.c, k->section.s,
-                         vsqrt(k->section.f.bb) * k->ring.inverse_width);
+INLINE void season_colours(const wood_constants *w, const block *k, vf heart, vf early[3],
+                           vf late[3]) {
   vm pale = lt(heart, splat(1.0f));
   UNROLL(3)
   for (int c = 0; c < 3; c++) {
@@ -58,13 +69,32 @@ INLINE void season_colours(const wood_constants *w, const block *k, vf early[3],
   }
 }
 
+#define PIGMENT_SOFT 0.6f /* how much of the tissue's pigment lies in its parenchyma */
+
+/* Parenchyma's, likewise. */
+INLINE void tissue_soft(const wood_constants *w, const block *k, vf heart, vf tissue[3]) {
+  const wood_parenchyma *m = &w->parenchyma;
+  vf soft = k->soft * k->shift;
+  vm pale = lt(heart, splat(1.0f));
+  int sap = any(pale);
+  UNROLL(3)
+  for (int c = 0; c < 3; c++) {
+    vf own = splat(m->colour[c]);
+    if (w->has_pigment) own = mix(own, splat(w->pigment[c]), splat(PIGMENT_SOFT) * k->pigment);
+    if (sap) own = sel(pale, mix(splat(m->sap[c]), own, heart), own);
+    tissue[c] = tissue[c] + soft * own;
+  }
+}
+
 /* All but rays and canals. */
 INLINE void tissue_colour(const wood_constants *w, const block *k, vf tissue[3]) {
   vf early[3], late[3], open = w->has_cells ? k->cover + k->lining : k->cover;
   season_shares share = season_shares_of(w, k);
-  season_colours(w, k, early, late);
+  vf heart = heart_at(w, k);
+  season_colours(w, k, heart, early, late);
   UNROLL(3)
   for (int c = 0; c < 3; c++) tissue[c] = early[c] * share.early + late[c] * share.late;
+  if (w->parenchyma.on) tissue_soft(w, k, heart, tissue);
   if (w->has_cells && any(lt(splat(0.0f), k->cell_contrast))) {
     UNROLL(3)
     for (int c = 0; c < 3; c++) {

@@ -25,6 +25,7 @@ INLINE void stage_picture(const wood_constants *w, int boards, const wood_io *io
   k->ray = splat(0.0f);
   store_lanes(io, WOOD_RAY, k, k->ray);
   store_lanes(io, WOOD_CANAL, k, k->ray);
+  store_lanes(io, WOOD_PARENCHYMA, k, k->ray);
   vf shift = fibre_shift(w, own_of(boards, k), p.x, p.z, &f);
   for (int c = 0; c < 3; c++) k->albedo[c] = k->albedo[c] * shift;
   k->shift = shift;

@@ -76,14 +76,16 @@ INLINE void stage_stray(const wood_constants *w, block *k) {
   }
 }
 
-/* The latewood's mean. */
+/* The mean of what goes with rings whose ends stray. */
+INLINE vf rings_mean_strayed(const wood_constants *w, int boards, const wood_io *io, int what,
+                             const block *k) {
+  if (!w->has_front) return rings_mean(w, boards, io, what, k);
+  const ring_place *ring = k->crossed ? &k->front_ring : &k->ring;
+  return rings_mean_at(w, boards, io, what, k, k->front_rho, ring, k->front_reach);
+}
+
 INLINE void stage_rings(const wood_constants *w, int boards, const wood_io *io, block *k) {
-  if (w->has_front) {
-    const ring_place *ring = k->crossed ? &k->front_ring : &k->ring;
-    k->late = rings_mean_at(w, boards, io, MEAN_LATE, k, k->front_rho, ring, k->front_reach);
-  } else {
-    k->late = rings_mean(w, boards, io, MEAN_LATE, k);
-  }
+  k->late = rings_mean_strayed(w, boards, io, MEAN_LATE, k);
   vf late = k->late;
   if (k->knot) late = stage_knot_late(w, k);
   store_lanes(io, WOOD_LATEWOOD, k, late);

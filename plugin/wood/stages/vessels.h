@@ -5,8 +5,8 @@
 #ifndef SOZAI_WOOD_STAGES_VESSELS_H
 #define SOZAI_WOOD_STAGES_VESSELS_H
 
-#include "../vessels_bands.h"
-#include "../vessels_pores.h"
+#include "../parenchyma.h"
+#include "../vessels_pore_parts.h"
 #include "../vessels_row_box.h"
 #include "rings.h"
 
@@ -18,23 +18,22 @@ INLINE vessel_place vessel_place_of(int boards, const block *k) {
   return place_in(boards, grown_at(k), k);
 }
 
-/* The bands that the field's pores stand in. Not kept: to store them costs more than to find them
- * again where a footprint is long. */
+/* The bands that the field's pores stand in, as they stray. Not kept: to store them costs more than
+ * to find them again where a footprint is long. */
 INLINE vessel_bands bands_of(const wood_constants *w, int boards, const block *k) {
-  vessel_bands b;
   vessel_place place = vessel_place_of(boards, k);
-  if (w->bands.along_arc) {
-    bands_round(w, &place, &b);
-  } else {
-    bands_out(w, &place, &b);
-  }
-  if (w->bands.stray > 0.0f && !w->picture) { /* under a picture no fibre's noise is found */
-    vf stray = splat(w->bands.stray);
-    b.phase = b.phase + stray * k->strays.at;
-    b.x = b.x + stray * k->strays.x;
-    b.z = b.z + stray * k->strays.z;
-  }
-  return b;
+  return bands_strayed(w, bands_straight(w, &place), &k->strays);
+}
+
+/* What parenchyma is told of the point. */
+INLINE soft_place soft_place_of(const wood_constants *w, int boards, const block *k) {
+  vf one = splat(1.0f), zero = splat(0.0f);
+  soft_place here = {.at = vessel_place_of(boards, k), .bundle = k->strays};
+  if (!place_has_turn(w)) here.at.turn = zero;
+  if (!w->has_strays) here.bundle = (fibre_bundle){zero, zero, zero};
+  here.ragged = splat(w->parenchyma.ragged) * (k->bundle.shift - one);
+  here.pores = k->vessels.pores;
+  return here;
 }
 
 /* Where a surface's relief asks for them. */
@@ -45,8 +44,8 @@ INLINE void stage_bands(const wood_constants *w, int boards, block *k) {
 /* Long footprints here; what is within one tap goes through the stages after this one. */
 INLINE void stage_vessel_parts(const wood_constants *w, int boards, block *k) {
   vf zero = splat(0.0f);
-  k->vessels = (vessel_cover_t){zero, zero, zero, zero};
-  k->pores_parted = k->rows_parted = 0;
+  k->vessels = (vessel_cover_t){zero, zero, zero, zero, zero};
+  k->pores_parted = k->rows_parted = k->between_found = 0;
   const footprint2 *f = &grown_at(k)->f;
   vm none = lt(zero, zero), pores = w->has_pores ? pores_cut(w, f) : none;
   vm rows = w->rows ? rows_cut(w, f) : none, meet = w->rows ? rows_meet(w, f) : none;
@@ -85,6 +84,27 @@ INLINE void stage_banded_pores(const wood_constants *w, int boards, block *k) {
   disc d = k->pore;
   d.bands = &bands;
   k->vessels.pores = pores_cover(w, 1, own_of(boards, k), q->x, q->z, &d);
+  if (!(w->parenchyma.between > 0.0f)) return;
+  /* here, where the bands are at hand */
+  soft_place here = soft_place_of(w, boards, k);
+  k->between = soft_between(w, &here, &bands, NULL);
+  k->between_found = 1;
+}
+
+/* The same, and their sheaths. */
+INLINE void stage_sheathed_pores(const wood_constants *w, int boards, int banded, block *k) {
+  if (k->pores_parted) return;
+  vessel_place place = vessel_place_of(boards, k);
+  vessel_bands bands;
+  disc d = k->pore, sheath = sheaths_disc(w, &place, place.f.aa, place.f.ab, place.f.bb);
+  if (banded) {
+    bands = bands_of(w, boards, k);
+    d.bands = &bands;
+  }
+  vf cover[2];
+  sheathed_cover(w, banded, place.own, place.x, place.z, &d, &sheath, cover);
+  k->vessels.pores = cover[0];
+  k->vessels.sheaths = cover[1];
 }
 
 INLINE void stage_rows(const wood_constants *w, int boards, block *k) {
@@ -102,7 +122,7 @@ INLINE void stage_cover(const wood_constants *w, int boards, const wood_io *io, 
   const vessel_cover_t *v = &k->vessels;
   vf one = splat(1.0f), zero = splat(0.0f);
   const section_place *q = grown_at(k);
-  vf pores = v->pores, rows = v->rows;
+  vf pores = v->pores, rows = v->rows, sheaths = v->sheaths;
   k->over_late = v->pores;
   if (w->has_pores && any(gt(v->pores_faded, zero))) {
     vf expected = one;
@@ -114,6 +134,9 @@ INLINE void stage_cover(const wood_constants *w, int boards, const wood_io *io, 
       expected = expected * bands_mean(w, &bands, q->c, q->s, &q->f);
     }
     pores = mix(pores, splat(w->pores.coverage) * expected, v->pores_faded);
+    if (w->parenchyma.sheaths) {
+      sheaths = mix(sheaths, sheaths_expected(w, expected), v->pores_faded);
+    }
     k->over_late = mix(k->over_late, splat(w->late_vessel), v->pores_faded);
   }
   if (w->rows && any(gt(v->rows_faded, zero))) {
@@ -126,6 +149,11 @@ INLINE void stage_cover(const wood_constants *w, int boards, const wood_io *io, 
   }
   if (k->knot) rows = rows * (one - k->knot->cover); /* branches have no wide earlywood vessels */
   k->cover = vmin(pores + rows - pores * rows, one); /* they stand where they like */
+  if (w->parenchyma.on) {
+    k->vessels.pores = pores;
+    k->vessels.sheaths = vmin(vmax(sheaths, pores), one);
+    k->rest = w->parenchyma.sheaths ? (one - k->vessels.sheaths) * (one - rows) : one - k->cover;
+  }
   k->ray = zero;
   if (!w->has_rays) store_lanes(io, WOOD_RAY, k, zero);
   store_lanes(io, WOOD_VESSEL, k, k->cover);

@@ -22,7 +22,7 @@ static wood_wants wants_of(const wood_constants *w, const kernel_io *io) {
   q.fibre = kernel_wants(io, WOOD_FIBER, 3);
   q.dive = kernel_wants(io, WOOD_DIVE, 1);
   q.vessel = kernel_wants(io, WOOD_VESSEL, 1) || kernel_wants(io, WOOD_RAY, 1) ||
-             kernel_wants(io, WOOD_CANAL, 1) || q.colour;
+             kernel_wants(io, WOOD_CANAL, 1) || kernel_wants(io, WOOD_PARENCHYMA, 1) || q.colour;
   q.late = kernel_wants(io, WOOD_LATEWOOD, 1) || q.vessel;
   q.picture = w->picture && q.late;
   if (w->picture) q.late = q.vessel = 0;
@@ -33,7 +33,7 @@ static wood_wants wants_of(const wood_constants *w, const kernel_io *io) {
   q.relief = w->surface.relief && (q.lobe || q.cone || (w->surface.stains && q.colour) ||
                                    kernel_wants(io, WOOD_NORMAL, 4));
   if (q.relief && w->bands.on && !w->picture) q.late = 1;
-  q.bundle = q.bundle || (q.late && w->bands.on);
+  q.bundle = q.bundle || (q.late && (w->bands.on || w->has_strays));
   q.direction = q.fibre || q.dive || q.radiance || q.cone || q.relief;
   q.section = q.direction || q.vessel || q.bundle || q.picture || q.lobe || q.cone ||
               kernel_wants(io, WOOD_REFERENCE, 2);

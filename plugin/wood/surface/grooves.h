@@ -24,7 +24,7 @@ INLINE trough_sum grooves_pores(const wood_constants *w, vu own, vf x, vf z, con
       vm held = bands_hold(&w->bands, &p.bands, base, cx - hash_place(h), cz - hash_place2(h));
       cx = sel(held, cx, splat(PORE_NOWHERE));
     } else {
-      cx = sel_top(base, cx, splat(PORE_NOWHERE));
+      cx = sel_top(base | splatu(w->pores_each), cx, splat(PORE_NOWHERE));
     }
     for (int k = 0; k < (w->bands.on ? 1 : 2); k++) {
       trough_add(&p.d, one, lookup8(w->pores.inverse_square, h >> 5), cx - hash_place(h),
