@@ -34,8 +34,9 @@ static const sozai_value values_terrazzo[] = {
     NUMBER("third_share", 0.0),
 };
 STONE(terrazzo, "Terrazzo (Venetian, marble chips in white cement)",
-      "Crushed marble chips, white, ochre and grey-green, of all sizes to 13 mm, ground flush in a "
-      "pale binder.",
+      "Crushed marble chips, cream, rose, grey-green and white, of all sizes to 13 mm, ground "
+      "flush in "
+      "a pale binder.",
       EN13748);
 
 static const sozai_value values_cast_concrete[] = {
@@ -153,6 +154,6 @@ static const sozai_value values_araidashi[] = {
     NUMBER("relief", 0.6),
 };
 STONE(araidashi, "Araidashi (pebbles washed out of mortar)",
-      "Small rounded river pebbles, ochre and grey, standing out of the cement that was washed "
-      "from between them before it set: forecourts and paths.",
+      "Small rounded river pebbles, ochre, russet and grey, standing out of the cement that was "
+      "washed from between them before it set: forecourts and paths.",
       CONCRETE);
