@@ -8,7 +8,7 @@
 #include <stdint.h>
 #include "failure.h"
 
-#define MOST_DIMENSIONS 8
+#define MOST_DIMENSIONS 10
 
 typedef struct moments {
   size_t dimensions;

@@ -7,9 +7,9 @@
 #include <stdint.h>
 #include "sozai.h"
 
-#define MOST_ROLES 4
+#define MOST_ROLES 5
 #define MOST_BOARD 12
-#define MOST_SHARES 3
+#define MOST_SHARES 4
 
 typedef struct match_role {
   const char *colour; /* the parameter */
@@ -25,6 +25,8 @@ typedef struct match_material {
   const char *brightness;
   /* Parameters that say how much of a face grains or specks of a role's colour cover. */
   const char *shares[MOST_SHARES];
+  const char *spare_share; /* of those, one looked for only where the others leave ranks apart; or
+                              NULL */
   const char *part, *second_part; /* what the parts of a material of two are called */
   /* The parameter that says where the second part begins, and the channel that
    * it is a value of; or NULL. */

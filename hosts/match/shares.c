@@ -17,7 +17,8 @@
 #define LAST_STEP 1.01
 #define WELL 0.01 /* a distance that another face of the same stone has */
 #define MOST_KNOBS (MOST_SHARES + 1)
-#define MOST_KNOWN 600
+#define MOST_KNOWN 900
+#define AXIS_SEEN 0.05 /* of the first axis' deviation: along others there is noise alone */
 
 /* What is turned: the shares, then the brightness. */
 typedef struct knob {
@@ -39,8 +40,9 @@ typedef struct search {
   board thin;
   knob knobs[MOST_KNOBS];
   size_t shares, count;
-  double axis[3], spread; /* of the photograph's colours: the first principal axis */
-  float *ranked;          /* the photograph along it, rising */
+  size_t axes; /* of the photograph's colours, the principal axes along which they differ */
+  double axis[3][3], spread; /* and the deviation along the first */
+  float *ranked[3];          /* the photograph along each, rising */
   uint64_t pixels;
   setting known[MOST_KNOWN];
   size_t known_count;
@@ -55,22 +57,32 @@ static int rising(const void *a, const void *b) {
 
 /* ---- the photograph ------------------------------------------------------------ */
 
-static bool rank_photo(search *s) {
+static bool rank_photo_along(search *s, size_t axis) {
   const photo *p = s->q->photo;
-  double values[3], vectors[9];
   size_t pixels = (size_t)p->width * p->height;
-  symmetric_eigen(s->q->problem->target->covariance, values, vectors);
-  for (int k = 0; k < 3; k++) s->axis[k] = vectors[3 * k];
-  s->spread = sqrt(fmax(values[0], 1e-12));
-  s->ranked = malloc(pixels * sizeof *s->ranked);
-  if (!s->ranked) return fail(s->why, EXIT_FAILURE, "out of memory");
+  float *ranked = s->ranked[axis] = malloc(pixels * sizeof *ranked);
+  if (!ranked) return fail(s->why, EXIT_FAILURE, "out of memory");
+  s->pixels = 0;
   for (size_t i = 0; i < pixels; i++) {
     if (p->pixel[i] != s->q->pixel) continue;
     double v = 0;
-    for (size_t k = 0; k < 3; k++) v += s->axis[k] * (double)p->rgb[3 * i + k];
-    s->ranked[s->pixels++] = (float)v;
+    for (size_t k = 0; k < 3; k++) v += s->axis[axis][k] * (double)p->rgb[3 * i + k];
+    ranked[s->pixels++] = (float)v;
   }
-  qsort(s->ranked, s->pixels, sizeof *s->ranked, rising);
+  qsort(ranked, s->pixels, sizeof *ranked, rising);
+  return true;
+}
+
+static bool rank_photo(search *s) {
+  double values[3], vectors[9];
+  symmetric_eigen(s->q->problem->target->covariance, values, vectors);
+  s->spread = sqrt(fmax(values[0], 1e-12));
+  for (size_t a = 0; a < 3; a++) {
+    if (a && sqrt(fmax(values[a], 0)) < AXIS_SEEN * s->spread) break;
+    for (size_t k = 0; k < 3; k++) s->axis[a][k] = vectors[3 * k + a];
+    s->axes = a + 1;
+    if (!rank_photo_along(s, a)) return false;
+  }
   return true;
 }
 
@@ -101,39 +113,41 @@ static void fit_setting(const search *s, const weights *w, fit *f) {
   fit_palette(&problem, f);
 }
 
-static bool rank_setting(const search *s, const weights *w, const fit *f, float **out) {
+static void rank_setting(const search *s, const weights *w, const fit *f, size_t axis,
+                         float *ranked) {
   double along[MOST_DIMENSIONS] = {0};
   for (size_t i = 0; i < w->stride; i++)
-    for (size_t k = 0; k < 3; k++) along[i] += s->axis[k] * f->colour[i][k];
-  float *ranked = *out = malloc(w->points * sizeof *ranked);
-  if (!ranked) return fail(s->why, EXIT_FAILURE, "out of memory");
+    for (size_t k = 0; k < 3; k++) along[i] += s->axis[axis][k] * f->colour[i][k];
   for (uint64_t p = 0; p < w->points; p++) {
     double v = 0;
     for (size_t i = 0; i < w->stride; i++) v += along[i] * (double)w->of[p * w->stride + i];
     ranked[p] = (float)v;
   }
   qsort(ranked, w->points, sizeof *ranked, rising);
-  return true;
 }
 
-/* The mean distance from rank to rank, with the palette that is the best for
+/* The mean distance from rank to rank, along all axes, with the palette that is the best for
  * that setting. */
 static bool measure(search *s, setting *x) {
   weights w;
   fit f;
-  float *ranked = NULL;
   double sum = 0;
   if (!weigh_setting(s, x, &w)) return false;
   fit_setting(s, &w, &f);
-  bool ok = rank_setting(s, &w, &f, &ranked);
-  for (uint64_t i = 0; ok && i < w.points; i++) {
-    double rank = ((double)i + 0.5) / (double)w.points;
-    sum += fabs((double)ranked[i] - (double)s->ranked[(uint64_t)(rank * (double)s->pixels)]);
+  float *ranked = malloc(w.points * sizeof *ranked);
+  for (size_t a = 0; ranked && a < s->axes; a++) {
+    rank_setting(s, &w, &f, a, ranked);
+    for (uint64_t i = 0; i < w.points; i++) {
+      double rank = ((double)i + 0.5) / (double)w.points;
+      uint64_t place = (uint64_t)(rank * (double)s->pixels);
+      sum += fabs((double)ranked[i] - (double)s->ranked[a][place]);
+    }
   }
   x->distance = sum / ((double)w.points * s->spread);
-  free(ranked);
   weights_free(&w);
-  return ok;
+  if (!ranked) return fail(s->why, EXIT_FAILURE, "out of memory");
+  free(ranked);
+  return true;
 }
 
 static double distance_of(search *s, setting *x) {
@@ -198,15 +212,34 @@ static void narrow(search *s, setting *x, unsigned which) {
     }
 }
 
+/* Two at once, from none to more than there is likely to be: with one of them wrong another has a
+ * trough of its own. */
+static void try_pairs(search *s, setting *x, unsigned which) {
+  static const double values[] = {0, 0.1, 0.25, 0.4, 0.55};
+  const size_t count = sizeof values / sizeof *values;
+  setting best = {{0}, INFINITY};
+  for (size_t i = 0; i < s->shares; i++)
+    for (size_t j = i + 1; j < s->shares; j++)
+      for (size_t k = 0; k < count * count && turns(s, which, i) && turns(s, which, j); k++) {
+        setting at = *x;
+        at.of[i] = fmin(values[k / count], s->knobs[i].most);
+        at.of[j] = fmin(values[k % count], s->knobs[j].most);
+        if (distance_of(s, &at) < best.distance) best = at;
+      }
+  if (best.distance == INFINITY) return;
+  narrow(s, &best, which);
+  if (best.distance < x->distance) *x = best;
+}
+
 /* What the preset has before what it has not: a kind of speck more would make
  * up for another's share. But where such specks are there, nothing without them
  * comes near, and all at once is tried as well. */
-static void find(search *s, setting *x) {
-  unsigned has = 1u << s->shares;
-  for (size_t i = 0; i < s->shares; i++) has |= (unsigned)(s->knobs[i].preset > 0) << i;
+static void find_all(search *s, setting *x, unsigned has) {
   setting at_once = *x;
   scan(s, x, has);
   narrow(s, x, has);
+  if (x->distance < WELL) return;
+  try_pairs(s, x, has);
   if (x->distance < WELL) return;
   scan(s, x, ~has);
   narrow(s, x, ALL);
@@ -214,6 +247,26 @@ static void find(search *s, setting *x) {
   scan(s, &at_once, ALL);
   narrow(s, &at_once, ALL);
   if (at_once.distance < x->distance) *x = at_once;
+}
+
+/* First without the spare share, which would as soon stand for one of the others. */
+static void find(search *s, setting *x) {
+  const char *spare = s->q->weighing->material->spare_share;
+  unsigned has = 1u << s->shares, without = 0;
+  setting fewer = *x;
+  for (size_t i = 0; i < s->shares; i++) {
+    has |= (unsigned)(s->knobs[i].preset > 0) << i;
+    if (!spare || strcmp(s->knobs[i].id, spare) != 0 || s->knobs[i].given) continue;
+    without = 1u << i;
+    fewer.of[i] = 0;
+  }
+  if (without) {
+    distance_of(s, &fewer);
+    scan(s, &fewer, has & ~without);
+    narrow(s, &fewer, has & ~without);
+  }
+  if (!without || !(fewer.distance < WELL)) find_all(s, x, has);
+  if (without && fewer.distance < fmax(x->distance, WELL)) *x = fewer;
 }
 
 /* ---- all of it ------------------------------------------------------------------------- */
@@ -291,11 +344,11 @@ static bool search_all(search *s, recipe *r, match_shares *out) {
     any = any || (i < s->shares && !s->knobs[i].given);
   }
   if (!any) return true;
-  if (!rank_photo(s)) return false;
+  if (!rank_photo(s)) s->failed = true;
   distance_of(s, &x);
   const setting preset = x;
   find(s, &x);
-  free(s->ranked);
+  for (size_t a = 0; a < 3; a++) free(s->ranked[a]);
   tell(s, &preset, &x, out);
   return !s->failed && keep(s, &x, r);
 }

@@ -33,22 +33,30 @@ typedef struct {
   vf s;
   vf t1[3], t2[3]; /* the footprint's sides */
   int facing;      /* `face` is that of the block before */
-  vf light[3], view[3];
-  int alike; /* of the blocks on their way the first whose footprints lie as these do */
+  int alike;       /* of the blocks on their way the first whose footprints lie as these do */
   vf albedo[3], speck, hole, inclusion; /* the last three: shares of the footprint */
   int crystal_known;                    /* the colour has met it */
   vu crystal;                           /* that the point is in */
   int hidden; /* how many of the layers, from below, no lane sees anything of */
   cells_cover cover[STONE_LAYERS];
-  int mixed[STONE_COVERS];           /* a bit to each layer below that it covers unevenly */
-  vf with[STONE_PAIRS][CELLS_PARTS]; /* where it does: its covariances with their shares */
-  int mossed;                        /* its shares are known, */
-  moss_shares moss;                  /* and here; */
-  vf moss_hides[3];                  /* the covariance of its share with the stone's colour, */
-  vf moss_hides_specks;              /* and with what shows specks */
-  int square;                        /* the footprint is square to a normal that was given */
-  laid laid;                         /* where there is a paving */
-  field relief;                      /* mm, with its slope; */
+  vf third;                /* the share of the third kind of inclusions */
+  int mixed[STONE_COVERS]; /* a bit to each layer below that it covers unevenly */
+  union {
+    struct {
+      vf with[STONE_PAIRS][CELLS_PARTS]; /* where it does: its covariances with their shares */
+      vf with_third[2];                  /* and with the third inclusions': of holes, of moss */
+    };
+    struct {
+      vf light[3], view[3]; /* asked for when all those have been laid */
+    };
+  };
+  int mossed;           /* its shares are known, */
+  moss_shares moss;     /* and here; */
+  vf moss_hides[3];     /* the covariance of its share with the stone's colour, */
+  vf moss_hides_specks; /* and with what shows specks */
+  int square;           /* the footprint is square to a normal that was given */
+  laid laid;            /* where there is a paving */
+  field relief;         /* mm, with its slope; */
   surface surface;
   cells_found holes, inclusions; /* that are asked how high they are */
   cells_bends bends;             /* of layers that share them, at the point */

@@ -25,6 +25,14 @@ INLINE cells_kind cells_kind_of(const stone_cells *c, const vi at[3]) {
   return (cells_kind){first, and_(lt(u, splat(c->chance[1]) * rich), not_(first))};
 }
 
+/* Of a cell's share what is the third kind's, which is taken out of kind 1. */
+INLINE vf cells_take_third(const stone_cells *c, const vi at[3], cells_kind *kind, vf share) {
+  vf rich, u = cells_rank(c, at, &rich);
+  vm third = and_(kind->first, lt(u, splat(c->third) * rich));
+  kind->first = and_(kind->first, not_(third));
+  return sel(third, share, splat(0.0f));
+}
+
 /* Whether it is of either. */
 INLINE vm cells_has_body(const stone_cells *c, const vi at[3]) {
   vf rich, u = cells_rank(c, at, &rich);
@@ -120,10 +128,10 @@ INLINE vf cells_rounded(vf a, vf g[3], vf b, const vf other[3]) {
   return vmin(a, b) - near * near * splat(0.25f / k);
 }
 
-/* A sorted body: its ball, as far as its neighbours leave it that, and no edge where two of its
- * sides meet. */
-INLINE cells_edge edge_of_rounded(const stone_cells *c, const cells_near near[3], int n, vf erosion,
-                                  vf less, const cells_square *s, const cells_parts *p) {
+/* How deep within a sorted body, which is its ball, as far as its neighbours leave it that, and no
+ * edge where two of its sides meet; out: how that grows. */
+INLINE vf depth_of_rounded(const stone_cells *c, const cells_near near[3], int n, vf erosion,
+                           vf out[3]) {
   const cells_near *a = &near[n];
   vf side[3], g[3][3], per = splat(1.0f / CELLS_APART);
   side[0] = cells_differ(a, &near[1 - n], g[0]) * per - erosion;
@@ -135,7 +143,30 @@ INLINE cells_edge edge_of_rounded(const stone_cells *c, const cells_near near[3]
   }
   vf in = cells_rounded(side[0], g[0], side[1], g[1]);
   in = cells_rounded(in, g[0], side[2], g[2]);
-  return edge_of(s, p, in - less, g[0], c->blur);
+  for (int i = 0; i < 3; i++) out[i] = g[0][i];
+  return in;
+}
+
+INLINE cells_edge edge_of_rounded(const stone_cells *c, const cells_near near[3], int n, vf erosion,
+                                  vf less, const cells_square *s, const cells_parts *p) {
+  vf g[3], in = depth_of_rounded(c, near, n, erosion, g);
+  return edge_of(s, p, in - less, g, c->blur);
+}
+
+/* How deep within a body, from its nearest side; g: how that grows. */
+INLINE vf cells_depth(const stone_cells *c, const cells_near near[3], int n, vf g[3]) {
+  const cells_near *a = &near[n];
+  vf erosion = cells_erosion(c, a->h), other[3], per = splat(1.0f / CELLS_APART);
+  if (c->sorted) return depth_of_rounded(c, near, n, erosion, g);
+  vf in = cells_differ(a, &near[1 - n], g), second = cells_differ(a, &near[2], other);
+  vm nearer = lt(second, in);
+  for (int k = 0; k < 3; k++) g[k] = sel(nearer, other[k], g[k]) * per;
+  in = vmin(in, second) * per - erosion;
+  if (c->radius >= 4.0f) return in;
+  vf ball = cells_ball(c, a, other);
+  nearer = lt(ball, in);
+  for (int k = 0; k < 3; k++) g[k] = sel(nearer, other[k], g[k]);
+  return vmin(in, ball);
 }
 
 /* Those of the cells about a point. together: see cells_find_as. three: of crystals, too. */
@@ -167,6 +198,19 @@ INLINE vf cells_calm(const stone_cells *c, vf mean, vf tone) {
 INLINE vf cells_mixed(const stone_cells *c, vu h) {
   vm beyond = lt(hash_signed(h + splatu(HASH_Z)), splat(0.0f));
   return sel(beyond, splat(-c->mixing), splat(c->mixing));
+}
+
+/* Shares of the kinds, mixed. mixed: see above; third: NULL where there is none, which goes towards
+ * what lies between the others. */
+INLINE void cells_mix_kinds(vf mixed, vf *first, vf *second, vf *third) {
+  vf moved = mixed * (*first - *second);
+  *first = *first - moved;
+  *second = *second + moved;
+  if (!third) return;
+  moved = mixed * *third;
+  *third = *third - moved;
+  *first = *first + splat(0.5f) * moved;
+  *second = *second + splat(0.5f) * moved;
 }
 
 /* How much of each part of the square has a body, `less` smaller all round: it ends at the faces to

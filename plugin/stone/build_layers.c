@@ -18,6 +18,8 @@
 
 typedef struct {
   double size, stretch, grading, interlock, gap, roundness, variation, mixing, blur, share[2];
+  double zoning;
+  double third; /* share of a third kind */
   double depth, cleavage, turbidity, flatness, cluster, rest, rim, fines, clear;
   int sorted;
 } body;
@@ -47,6 +49,7 @@ static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped
   c->depth = (float)(0.6 * b->depth);
   c->cleavage = (float)b->cleavage;
   c->turbidity = (float)b->turbidity;
+  c->zoning = (float)b->zoning;
   c->seed = hash1(seed);
   c->seed_warp = hash1(seed + 0x51ed270bu);
   memcpy(c->bend_turn, c->turn, sizeof c->turn);
@@ -88,14 +91,18 @@ static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped
   }
 }
 
-/* What part of the cells a share of area takes, their bodies filling `fill`. Two kinds that ask for
- * more than there is both give way alike. */
+/* What part of the cells a share of area takes, their bodies filling `fill`. Kinds that ask for
+ * more than there is give way alike. */
 static void set_shares(stone_cells *c, const body *b, double fill, double core) {
-  double part[2], asked = 0.0, sum = 0.0;
+  double part[2], third = fill > 1e-6 ? b->third / fill : 0.0, asked = third, sum = 0.0;
   for (int k = 0; k < 2; k++) {
     part[k] = fill > 1e-6 ? b->share[k] / fill : 0.0;
     asked += part[k];
   }
+  if (asked > 1.0) third /= asked;
+  c->third = (float)third;
+  c->third_mean = (float)(third * fill);
+  sum = third;
   for (int k = 0; k < 2; k++) {
     double p = asked > 1.0 ? part[k] / asked : part[k];
     sum += p;
@@ -170,8 +177,10 @@ static body inclusions_of(const settings *s) {
             .rim = number_at(s, P_INCLUSION_RIM),
             .clear = 1.0 - number_at(s, P_INCLUSION_OPACITY),
             .cleavage = number_at(s, P_INCLUSION_CLEAVAGE),
+            .zoning = number_at(s, P_INCLUSION_ZONING),
             .turbidity = number_at(s, P_INCLUSION_TURBIDITY),
-            .share = {number_at(s, P_INCLUSION_SHARE), number_at(s, P_INCLUSION_SECOND_SHARE)}};
+            .share = {number_at(s, P_INCLUSION_SHARE), number_at(s, P_INCLUSION_SECOND_SHARE)},
+            .third = number_at(s, P_INCLUSION_THIRD_SHARE)};
   b.sorted = choice_at(s, P_INCLUSION_CONTACT) == CONTACT_TANGENTIAL;
   if (b.sorted) b.size /= 2.0 * radius_of(b.roundness); /* the largest ball's, not the spacing */
   return b;
@@ -222,6 +231,7 @@ static body holes_of(const settings *s) {
 /* Relative sd of what is seen within a crystal, of turbidity 1 and of cleavage 1. */
 #define CLOUDS_SD 0.06
 #define LAMELLAE_SD 0.05
+#define ZONES_SD 0.12 /* the same of zoning */
 
 /* Light of a palette's colour, near enough, and the same in whatever space the
  * host renders: from the numbers as they were given, which are encoded. */
@@ -246,8 +256,17 @@ static double layer_contrast(const settings *s, const stone_cells *c, int first,
     double apart =
         (double)(c->mixing * c->opacity) * (light_of(s, first, k) - light_of(s, second, k));
     square += apart * apart * (double)(c->mean[0] + c->mean[1]);
+    if (c->third > 0.0f) {
+      double own = light_of(s, COLOUR_INCLUSION_THIRD, k) - below[k], light3 = 0.0;
+      light3 = below[k] + (double)c->opacity * own;
+      mean += (double)c->third_mean * (light3 - below[k]);
+      square += (double)c->third_mean * (light3 * light3 - below[k] * below[k]);
+      apart = (double)c->mixing * (light3 - 0.5 * (light[0] + light[1]));
+      square += apart * apart * (double)c->third_mean;
+    }
     double clouds = CLOUDS_SD * (double)c->turbidity, lamellae = LAMELLAE_SD * (double)c->cleavage;
-    square += ((double)(c->variation * c->variation) + clouds * clouds + lamellae * lamellae) *
+    double zones = ZONES_SD * (double)c->zoning, within = clouds * clouds + lamellae * lamellae;
+    square += ((double)(c->variation * c->variation) + within + zones * zones) *
               (double)(c->opacity * c->opacity) * mean * mean;
     double variance = square - mean * mean;
     double sd = variance > 0.0 ? __builtin_sqrt(variance / (mean + 0.01)) : 0.0;
@@ -348,7 +367,8 @@ static void share_bends(stone_cells *grains, const body *crystals, stone_cells *
 /* Inclusions over the face; of the paper's colours there are none. */
 static void set_raise(stone_constants *w, const settings *s, const stone_means *m) {
   const stone_cells *c = &w->layer[LAYER_INCLUSIONS];
-  double share = (double)c->mean[0] + (double)c->mean[1], high = (double)w->raise;
+  double share = (double)c->mean[0] + (double)c->mean[1] + (double)c->third_mean,
+         high = (double)w->raise;
   double mean = share * m->dome, square = share * m->dome_square;
   double stretch = number_at(s, P_INCLUSION_STRETCH);
   double steep2 = m->dome_steep2 * (2.0 + stretch * stretch) / 3.0; /* in the mean of all ways */
@@ -363,7 +383,7 @@ void stone_build_layers(stone_constants *w, const settings *s, stone_measure *me
   const body bodies[STONE_LAYERS] = {grains_of(s), inclusions_of(s), specks_of(s), holes_of(s)};
   for (int l = 0; l < STONE_LAYERS; l++) {
     const body *b = &bodies[l];
-    if (l != LAYER_GRAINS && b->share[0] + b->share[1] <= 0.0) continue;
+    if (l != LAYER_GRAINS && b->share[0] + b->share[1] + b->third <= 0.0) continue;
     build_cells(&w->layer[l], w->seed + 0x9e3779b9u * (uint32_t)(l + 1), b, l != LAYER_GRAINS);
   }
   share_bends(&w->layer[LAYER_GRAINS], &bodies[LAYER_GRAINS], &w->layer[LAYER_SPECKS],

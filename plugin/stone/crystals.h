@@ -22,6 +22,8 @@
 #include "value.h"
 
 #define LAMELLAE 13.0f        /* to a cell, of the finest direction's */
+#define ZONES 9.0f            /* to a cell, from the outline inwards */
+#define ZONES_GONE 0.42f      /* cells: wider footprints see none */
 #define LAMELLAE_GONE 0.4f    /* cells: wider footprints see none */
 #define LAMELLAE_BODIES 0.29f /* the same of those within bodies */
 #define LAMELLAE_NEXT 0.05f   /* those of the second nearest crystal begin to go, */
@@ -46,7 +48,7 @@ typedef struct {
 
 /* Whether there is anything to be seen. */
 INLINE int crystal_textured(const stone_cells *c) {
-  return c->cleavage > 0.0f || c->turbidity > 0.0f;
+  return c->cleavage > 0.0f || c->turbidity > 0.0f || c->zoning > 0.0f;
 }
 
 /* 1 up to low, 0 from high on. */
@@ -94,19 +96,30 @@ typedef struct {
   vf from, side, inverse, keep;
 } crystal_line;
 
-INLINE crystal_line crystal_line_of(vu h, const vf q[3], const cells_square *s) {
-  const vf k = splat(LAMELLAE / HASH_ONE);
+/* hash: of what lies along it; t: where, and d how that grows: lamellae. */
+INLINE crystal_line crystal_line_along(vu hash, vf t, const vf d[3], const cells_square *s) {
   crystal_line o;
-  o.hash = hash_upper(h ^ splatu(0x3c6ef35fu));
-  vf d[3] = {to_float((vi)o.hash) * k, to_float((vi)(o.hash << 10)) * k,
-             to_float((vi)(o.hash << 20)) * k};
-  vf t = dot3(d, q);
+  o.hash = hash;
   vf a = dot3(d, s->u), b = dot3(d, s->v), square = a * a + b * b + splat(1e-4f);
   o.inverse = inverse_root(square);
   o.side = square * o.inverse;
   o.from = t - splat(0.5f) * o.side;
   o.keep = crystal_keep(vmin(vabs(a), vabs(b)), 0.7f, 2.5f);
   return o;
+}
+
+INLINE crystal_line crystal_line_of(vu h, const vf q[3], const cells_square *s) {
+  const vf k = splat(LAMELLAE / HASH_ONE);
+  vu hash = hash_upper(h ^ splatu(0x3c6ef35fu));
+  vf d[3] = {to_float((vi)hash) * k, to_float((vi)(hash << 10)) * k,
+             to_float((vi)(hash << 20)) * k};
+  return crystal_line_along(hash, dot3(d, q), d, s);
+}
+
+/* A body's zones of growth, so deep below its outline. g: how that grows, cells. */
+INLINE crystal_line crystal_zones_of(vu h, vf deep, const vf g[3], const cells_square *s) {
+  const vf k = splat(ZONES), d[3] = {g[0] * k, g[1] * k, g[2] * k};
+  return crystal_line_along(hash_upper(h ^ splatu(0x1f83d9abu)), deep * k, d, s);
 }
 
 /* wide: that some lane's footprint is longer than a lamella. */

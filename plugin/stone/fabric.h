@@ -23,10 +23,12 @@ INLINE void stage_eye(const block *k, const cells_view *view, cells_seen *looks,
   e->s = k->s;
   e->view = view;
   e->looks = looks;
+  e->thirds = NULL;
   e->found = NULL;
   e->bends = NULL;
   e->nearest = splatu(0);
   e->sum = cells_none();
+  e->third = splat(0.0f);
 }
 
 /* What a layer's bodies are found to be, for who asks how high they are; NULL: nobody does. */
@@ -37,7 +39,9 @@ INLINE cells_found *stage_found(const stone_constants *w, int layer, block *k) {
 
 INLINE void stage_seen(const stone_constants *w, int layer, const cells_eye *e, block *k) {
   cells_found *found = stage_found(w, layer, k);
-  eye_close(&w->layer[layer], e, &k->cover[layer]);
+  vf third;
+  eye_close(&w->layer[layer], e, &k->cover[layer], &third);
+  if (layer == LAYER_INCLUSIONS) k->third = third;
   if (found) {
     found->bent = 1;
     found->met =
@@ -70,18 +74,22 @@ STAGE void stage_moss(const stone_constants *w, int paved, block *k, cells_cover
   k->mossed = 1;
 }
 
-/* The covariances of what a layer covers with the layers below it. */
+/* The covariances of what a layer covers with the layers below it. thirds: NULL, or what the looks
+ * at that one saw of its third kind. */
 INLINE void stage_mixed(block *k, int above, int below, const cells_grid *grid, const vf *covered,
-                        const cells_seen *seen) {
+                        const cells_seen *seen, const vf (*thirds)[CELLS_STEPS * CELLS_STEPS]) {
   if (!any(gt(grid->weight * seen->grid.weight, splat(0.0f)))) return;
   k->mixed[above] |= 1 << below;
   vf *with = k->with[pair_of(above, below)];
   seen_covariance(grid, covered, seen, with);
+  vf *third = &k->with_third[above == OVER_MOSS];
+  if (thirds) *third = seen_covariance_third(grid, covered, &seen->grid, thirds);
   if (above >= STONE_LAYERS) return;
   /* where it covers all it goes with nothing, to the bit: where it does to all lanes, what is below
    * is not looked at */
   vm part = lt(k->cover[above].of[0], splat(1.0f));
   for (int p = 0; p < CELLS_PARTS; p++) with[p] = sel(part, with[p], splat(0.0f));
+  if (thirds) *third = sel(part, *third, splat(0.0f));
 }
 
 /* The layers, a bit to each, of which a footprint takes more than a look. mossy: who asks for the
@@ -90,6 +98,8 @@ STAGE void stage_looks(const stone_constants *w, int paved, int mossy, int layer
                        fabric_views *views, block *k) {
   cells_seen seen[STONE_LAYERS];
   cells_covered moss;
+  vf thirds[1][CELLS_STEPS * CELLS_STEPS];
+  const int third = w->layer[LAYER_INCLUSIONS].third > 0.0f;
   if (mossy) stage_moss(w, paved, k, &moss);
   for (int n = k->hidden; n < STONE_LAYERS; n++) {
     int l = fabric_order[n];
@@ -98,13 +108,20 @@ STAGE void stage_looks(const stone_constants *w, int paved, int mossy, int layer
     cells_eye e;
     stage_view(c, k, &views->view[l], &views->of[l]);
     stage_eye(k, &views->view[l], &seen[l], &e);
+    const vf(*its)[CELLS_STEPS * CELLS_STEPS] = NULL;
+    if (third && l == LAYER_INCLUSIONS) {
+      e.thirds = thirds[0];
+      its = thirds;
+    }
     eye_look_about(c, &e);
     stage_seen(w, l, &e, k);
     for (int m = k->hidden; m < n; m++) {
       int below = fabric_order[m];
-      if (layers >> below & 1) stage_mixed(k, l, below, &seen[l].grid, seen[l].of[0], &seen[below]);
+      if (!(layers >> below & 1)) continue;
+      stage_mixed(k, l, below, &seen[l].grid, seen[l].of[0], &seen[below],
+                  third && below == LAYER_INCLUSIONS ? thirds : NULL);
     }
-    if (mossy) stage_mixed(k, OVER_MOSS, l, &moss.grid, moss.of, &seen[l]);
+    if (mossy) stage_mixed(k, OVER_MOSS, l, &moss.grid, moss.of, &seen[l], its);
   }
 }
 
@@ -139,7 +156,10 @@ STAGE int stage_layer(const stone_constants *w, int n, block *blocks, int count)
     int all = c->shaped && c->opacity == 1.0f && !any(lt(of[b]->cover[l].of[0], splat(1.0f)));
     if (!all || n <= of[b]->hidden) continue;
     of[b]->hidden = n;
-    for (int m = 0; m < n; m++) of[b]->cover[fabric_order[m]] = cells_none();
+    for (int m = 0; m < n; m++) {
+      of[b]->cover[fabric_order[m]] = cells_none();
+      if (fabric_order[m] == LAYER_INCLUSIONS) of[b]->third = splat(0.0f);
+    }
   }
   return 1;
 }
@@ -189,6 +209,10 @@ INLINE void fabric_with(const stone_constants *w, const fabric_stack *o, const b
       out[c] = out[c] + with[1] * splat(w->colour[o->colour[n][0]][c]) +
                with[2] * splat(w->colour[o->colour[n][1]][c]) - with[0] * o->under[n][c];
     }
+    if (o->layer[n] != LAYER_INCLUSIONS || w->layer[LAYER_INCLUSIONS].third <= 0.0f) continue;
+    const vf third = k->with_third[layer == OVER_MOSS] * opacity;
+    for (int c = 0; c < 3; c++)
+      out[c] = out[c] + third * splat(w->colour[COLOUR_INCLUSION_THIRD][c]);
   }
 }
 
@@ -217,6 +241,14 @@ INLINE float fabric_least(float a, float b) {
   return least < 0.0f ? least : 0.0f;
 }
 
+/* The darkest that a layer's kinds may mix to: no darker than black, but for what a palette has
+ * below that. */
+INLINE float fabric_darkest(const stone_constants *w, int layer, int first, int second, int c) {
+  float least = fabric_least(w->colour[first][c], w->colour[second][c]);
+  if (w->layer[layer].third <= 0.0f) return least;
+  return fabric_least(least, w->colour[COLOUR_INCLUSION_THIRD][c]);
+}
+
 /* Two colours of the palette, by their shares, over a part of what is there: that part, which
  * hides what is below as far as the layer is opaque. */
 INLINE vf lay_over(const stone_constants *w, int layer, int first, int second, fabric_stack *o,
@@ -232,10 +264,11 @@ INLINE vf lay_over(const stone_constants *w, int layer, int first, int second, f
   for (int c = 0; c < 3; c++) {
     k->albedo[c] = k->albedo[c] * (one - hides) + own[0] * splat(w->colour[first][c]) +
                    own[1] * splat(w->colour[second][c]);
-    /* no darker than black, but for what a palette has below that */
-    if (w->layer[layer].mixing > 0.0f)
+    if (w->layer[layer].third > 0.0f)
       k->albedo[c] =
-          vmax(k->albedo[c], splat(fabric_least(w->colour[first][c], w->colour[second][c])));
+          k->albedo[c] + k->third * opacity * splat(w->colour[COLOUR_INCLUSION_THIRD][c]);
+    if (w->layer[layer].mixing > 0.0f)
+      k->albedo[c] = vmax(k->albedo[c], splat(fabric_darkest(w, layer, first, second, c)));
     if (mixed) k->albedo[c] = vmax(k->albedo[c] - with[c] * opacity, vmin(k->albedo[c], zero));
   }
   k->speck = k->speck * (one - hides);

@@ -25,32 +25,36 @@ INLINE cells_cover cells_none(void) {
 #define CELLS_DARKEST 0.2f /* of its colour, a body's darkest: black mica's is near enough to 0 */
 
 /* A cell's share goes to its mineral, and with the cell's brightness; of a body's, what is
- * not its core to kind 2. uneven: brightness within the cell, of kinds 0 and 2, and of kind 1. */
-INLINE void cells_add(const stone_cells *c, vu h, const cells_kind *kind, vf share, vf core,
-                      const vf uneven[2], cells_cover *out) {
-  vf zero = splat(0.0f);
+ * not its core to kind 2. at: where the cell is; uneven: brightness within it, of kinds 0 and 2,
+ * and of kind 1; third: to what there is of a third kind. */
+INLINE void cells_add(const stone_cells *c, vu h, const vi at[3], cells_kind kind, vf share,
+                      vf core, const vf uneven[2], cells_cover *out, vf *third) {
+  vf zero = splat(0.0f), c3 = zero;
   vf own = splat(c->variation / HASH_ONE) * hash_signed(h + splatu(HASH_Y));
   vf tone = uneven[0] + own, tone1 = uneven[1] + own;
   if (c->shaped) {
     tone = vmax(cells_calm(c, splat(1.0f), tone), splat(CELLS_DARKEST));
     tone1 = vmax(tone1, splat(CELLS_DARKEST));
   }
-  vf a = sel(kind->first, share, zero), b = sel(kind->second, share, zero);
+  vf a = sel(kind.first, share, zero), b = sel(kind.second, share, zero);
   out->of[0] = out->of[0] + (c->shaped ? a + b : (share - a - b) * tone);
+  if (c->third > 0.0f) {
+    c3 = cells_take_third(c, at, &kind, share);
+    a = a - c3;
+  }
   if (c->shaped && c->rim > 0.0f) {
-    vf inner = sel(kind->first, core, zero);
+    vf inner = sel(kind.first, core, zero);
     b = b + (a - inner);
     a = inner;
   }
   a = a * tone1;
   b = b * tone;
-  if (c->shaped && c->mixing > 0.0f) {
-    vf mixed = cells_mixed(c, h) * (a - b);
-    a = a - mixed;
-    b = b + mixed;
-  }
+  c3 = c3 * tone1;
+  if (c->shaped && c->mixing > 0.0f)
+    cells_mix_kinds(cells_mixed(c, h), &a, &b, c->third > 0.0f ? &c3 : NULL);
   out->of[1] = out->of[1] + a;
   out->of[2] = out->of[2] + b;
+  *third = *third + c3;
 }
 
 #define CELLS_STEPS 8   /* looks along a side of the footprint, at most */
@@ -112,10 +116,12 @@ typedef struct {
   vf s;
   const cells_view *view;
   cells_seen *looks;  /* to be kept there, or NULL */
+  vf *thirds;         /* likewise, the third kind's share */
   cells_found *found; /* likewise, of the last look */
   cells_bends *bends; /* at a lone look, where layers share them; or NULL */
   vu nearest;
   cells_cover sum;
+  vf third; /* as sum, of the third kind */
 } cells_eye;
 
 #define CELLS_LOOKS 8 /* of one footprint, that go through the stages side by side */
@@ -247,8 +253,16 @@ INLINE void view_open(const stone_cells *c, const vf t1[3], const vf t2[3], vf s
   view_weigh(c, e);
 }
 
+/* Of what has been seen of a layer's third kind, and of what is counted of it, the footprint's. */
+INLINE vf eye_third(const stone_cells *c, const cells_view *view, vf seen, vf counted) {
+  vf mean = splat(c->third_mean);
+  seen = sel(lt(view->keep, splat(1.0f)), mix(mean, seen, view->keep), seen);
+  seen = sel(view->seen, seen, mean);
+  return sel(view->counted, mix(mean, counted, view->keep), seen);
+}
+
 /* What has been seen, and as far as the looks do not reach the expected shares. */
-INLINE void eye_close(const stone_cells *c, const cells_eye *e, cells_cover *out) {
+INLINE void eye_close(const stone_cells *c, const cells_eye *e, cells_cover *out, vf *third) {
   const cells_view *view = e->view;
   vf one = splat(1.0f);
   if (e->looks) {
@@ -256,6 +270,7 @@ INLINE void eye_close(const stone_cells *c, const cells_eye *e, cells_cover *out
     vm parts = and_(view->seen, view_several(view));
     e->looks->grid.weight = sel(parts, view->keep * view->swell, splat(0.0f));
   }
+  *third = e->third * view->each;
   if (view->sole) {
     for (int k = 0; k < CELLS_PARTS; k++) out->of[k] = e->sum.of[k] * view->each;
     return;
@@ -267,6 +282,7 @@ INLINE void eye_close(const stone_cells *c, const cells_eye *e, cells_cover *out
     for (int k = 0; k < 2; k++) mean[k] = mean[k] * rich;
   }
   vf bodies = mean[0] + mean[1];
+  if (c->third > 0.0f) bodies = bodies + splat(c->third_mean);
   const vf expected[CELLS_PARTS] = {c->shaped ? bodies : one - bodies, mean[0], mean[1]};
   for (int k = 0; k < CELLS_PARTS; k++) {
     /* all of a footprint is 1 and not nearly so */
@@ -274,9 +290,11 @@ INLINE void eye_close(const stone_cells *c, const cells_eye *e, cells_cover *out
     vf some = sel(lt(view->keep, one), mix(expected[k], sum, view->keep), sum);
     out->of[k] = sel(view->seen, some, expected[k]);
   }
-  if (view->once || !any(view->counted)) return;
-  vf cut[CELLS_PARTS];
-  sections_count(c, e->p, &view->all, view->counted, cut);
+  const int counted = !view->once && any(view->counted);
+  vf cut[CELLS_PARTS], cut_third = splat(0.0f);
+  if (counted) sections_count(c, e->p, &view->all, view->counted, cut, &cut_third);
+  if (c->third > 0.0f) *third = eye_third(c, view, *third, cut_third);
+  if (!counted) return;
   for (int k = 0; k < CELLS_PARTS; k++)
     out->of[k] = sel(view->counted, mix(expected[k], cut[k], view->keep), out->of[k]);
 }

@@ -187,6 +187,7 @@ STAGE void looks_find(const stone_cells *c, cells_look *looks, int count) {
 
 /* That go through the stages of adding side by side: each is one long wait. Of points alone there
  * is mostly one. */
+#define ZONED 5.0f /* what zones differ by, of what lamellae do */
 #define ADD_LOOKS (LANES == 1 ? 1 : 8)
 
 /* What a look adds, on its way: of the nearest two cells, of crystals three, and of kinds 0 and 2
@@ -227,6 +228,7 @@ INLINE int add_begin(const stone_cells *c, const cells_look *o, cells_adding *a)
   }
   if (some) return 1;
   for (int k = 0; k < CELLS_PARTS && eye->looks; k++) eye->looks->of[k][o->slot] = zero;
+  if (eye->thirds) eye->thirds[o->slot] = zero;
   return 0;
 }
 
@@ -290,27 +292,50 @@ INLINE void adds_lamellae(const stone_cells *c, cells_adding *adding, int count)
   }
 }
 
+/* Zones of growth, as lamellae: over those. */
+INLINE void adds_zones(const stone_cells *c, cells_adding *adding, int count) {
+  for (int l = 0; l < count; l++) {
+    cells_adding *a = &adding[l];
+    const cells_look *o = a->look;
+    const cells_view *view = o->eye->view;
+    vf keep = crystal_keep(view->most, 0.4f * ZONES_GONE, ZONES_GONE);
+    for (int n = 0; n < 2; n++) {
+      if (c->cleavage <= 0.0f) a->lamellae[n] = splat(0.0f);
+      if (!add_sees(a, n) || !any(gt(keep, splat(0.0f)))) continue;
+      vf g[3], deep = cells_depth(c, o->near, n, g);
+      crystal_line zones = crystal_zones_of(o->near[n].h, deep, g, &view->part);
+      vf zone = crystal_line_mean(&zones, any(gt(zones.side, splat(1.0f))));
+      a->lamellae[n] = a->lamellae[n] + splat(ZONED * c->zoning) * keep * zone;
+    }
+  }
+}
+
 INLINE void add_sum(const stone_cells *c, int whole, const cells_adding *a) {
   const cells_look *o = a->look;
   cells_eye *eye = o->eye;
   cells_cover look = cells_none();
+  vf third = splat(0.0f);
   for (int n = 0; n < (whole || c->shaped ? 2 : 3); n++) {
     if (!add_sees(a, n)) continue;
     vf tone[2] = {a->tone[0], a->tone[1]};
-    if (n < 2 && c->cleavage > 0.0f) {
+    if (n < 2 && (c->cleavage > 0.0f || c->zoning > 0.0f)) {
       tone[0] = tone[0] + splat(0.1f) * a->lamellae[n];
       tone[1] = tone[1] + splat(0.05f) * a->lamellae[n];
     }
     if (crystal_textured(c)) {
       for (int k = 0; k < 2; k++) tone[k] = vmax(tone[k], splat(0.0f));
     }
-    cells_add(c, o->near[n].h, &a->kind[n], a->share[n], a->core[n], tone, &look);
+    cells_add(c, o->near[n].h, o->near[n].at, a->kind[n], a->share[n], a->core[n], tone, &look,
+              &third);
   }
   cells_cover *sum = &eye->sum;
   for (int k = 0; k < CELLS_PARTS; k++) {
     if (eye->looks) eye->looks->of[k][o->slot] = look.of[k];
     sum->of[k] = sel(o->there, sum->of[k] + look.of[k], sum->of[k]);
   }
+  if (c->third <= 0.0f) return;
+  if (eye->thirds) eye->thirds[o->slot] = third;
+  eye->third = sel(o->there, eye->third + third, eye->third);
 }
 
 INLINE void looks_add_as(const stone_cells *c, int whole, const cells_look *looks, int count) {
@@ -321,6 +346,7 @@ INLINE void looks_add_as(const stone_cells *c, int whole, const cells_look *look
   for (int l = 0; l < some && c->turbidity > 0.0f; l++) add_noise(c, whole, &adding[l]);
   for (int l = 0; l < some; l++) add_tones(c, &adding[l]);
   if (c->cleavage > 0.0f) adds_lamellae(c, adding, some);
+  if (c->zoning > 0.0f) adds_zones(c, adding, some);
   for (int l = 0; l < some && !c->shaped; l++) {
     cells_adding *a = &adding[l];
     for (int n = 0; n < (whole ? 2 : 3); n++) {

@@ -186,13 +186,19 @@ static const sozai_parameter inclusion_share = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "inclusion_share", .label = "Inclusions' share", .group = "inclusions", .unit = "",
    .doc = "Share of area of inclusions of the first kind. Gap, grading and roundness leave so much room and "
-   "no more: where the two kinds ask for more, both get less, in proportion.",
+   "no more: where the kinds ask for more, all get less, in proportion.",
    .hard_min = 0, .hard_max = 0.9, .soft_min = 0, .soft_max = 0.8, .default_number = {0}};
 
 static const sozai_parameter inclusion_second_share = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "inclusion_second_share", .label = "Second inclusions' share", .group = "inclusions", .unit = "",
    .doc = "Share of area of inclusions of the second kind; likewise.",
+   .hard_min = 0, .hard_max = 0.9, .soft_min = 0, .soft_max = 0.8, .default_number = {0}};
+
+static const sozai_parameter inclusion_third_share = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "inclusion_third_share", .label = "Third inclusions' share", .group = "inclusions", .unit = "",
+   .doc = "Share of area of inclusions of the third kind; likewise. They have no rim.",
    .hard_min = 0, .hard_max = 0.9, .soft_min = 0, .soft_max = 0.8, .default_number = {0}};
 
 static const sozai_parameter inclusion_gap = {
@@ -246,7 +252,7 @@ static const sozai_parameter inclusion_variation = {
 static const sozai_parameter inclusion_polymict = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "inclusion_polymict", .label = "Polymict inclusions", .group = "inclusions", .unit = "",
-   .doc = "How far an inclusion's colour lies towards that of the other kind, or away from it, by chance: at 0.3 both kinds are two rocks each, four in all, as in gravel.",
+   .doc = "How far an inclusion's colour lies towards that of the other kind, or away from it, by chance: at 0.3 both kinds are two rocks each, four in all, as in gravel. Of a third kind, towards what lies between the two or away from it: then there are six.",
    .hard_min = 0, .hard_max = 0.5, .soft_min = 0, .soft_max = 0.5, .default_number = {0}};
 
 static const sozai_parameter inclusion_blur = {
@@ -266,6 +272,13 @@ static const sozai_parameter inclusion_cleavage = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "inclusion_cleavage", .label = "Inclusion cleavage", .group = "inclusions", .unit = "",
    .doc = "How clear the lamellae of cleavage and twins are within inclusions, as in phenocrysts.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
+
+static const sozai_parameter inclusion_zoning = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "inclusion_zoning", .label = "Inclusion zoning", .group = "inclusions", .unit = "",
+   .doc = "How plain the zones of growth are within inclusions, lighter and darker ones along their outline, some "
+   "four to the middle: as of zoned feldspars and nodules.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
 
 static const sozai_parameter inclusion_turbidity = {
@@ -451,6 +464,12 @@ static const sozai_parameter inclusion_second_colour = {
    .doc = "Of the second kind.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.3529, 0.3137, 0.2745}, .default_text = "sRGB"};
 
+static const sozai_parameter inclusion_third_colour = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "inclusion_third_colour", .label = "Third inclusions", .group = "colour", .unit = "",
+   .doc = "Of the third kind.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.5608, 0.3529, 0.2902}, .default_text = "sRGB"};
+
 static const sozai_parameter black_colour = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
    .id = "black_colour", .label = "Black specks", .group = "colour", .unit = "",
@@ -581,6 +600,7 @@ const sozai_parameter *const stone_parameters[STONE_PARAMETERS] = {
    [P_INCLUSION_SIZE] = &inclusion_size,
    [P_INCLUSION_SHARE] = &inclusion_share,
    [P_INCLUSION_SECOND_SHARE] = &inclusion_second_share,
+   [P_INCLUSION_THIRD_SHARE] = &inclusion_third_share,
    [P_INCLUSION_GAP] = &inclusion_gap,
    [P_INCLUSION_ROUNDNESS] = &inclusion_roundness,
    [P_INCLUSION_CONTACT] = &inclusion_contact,
@@ -592,6 +612,7 @@ const sozai_parameter *const stone_parameters[STONE_PARAMETERS] = {
    [P_INCLUSION_BLUR] = &inclusion_blur,
    [P_INCLUSION_RIM] = &inclusion_rim,
    [P_INCLUSION_CLEAVAGE] = &inclusion_cleavage,
+   [P_INCLUSION_ZONING] = &inclusion_zoning,
    [P_INCLUSION_TURBIDITY] = &inclusion_turbidity,
    [P_INCLUSION_OPACITY] = &inclusion_opacity,
    [P_INCLUSION_RELIEF] = &inclusion_relief,
@@ -622,6 +643,7 @@ const sozai_parameter *const stone_parameters[STONE_PARAMETERS] = {
    [P_BED_COLOUR] = &bed_colour,
    [P_INCLUSION] = &inclusion_colour,
    [P_INCLUSION_SECOND] = &inclusion_second_colour,
+   [P_INCLUSION_THIRD] = &inclusion_third_colour,
    [P_BLACK] = &black_colour,
    [P_WHITE] = &white_colour,
    [P_VEIN] = &vein_colour,

@@ -79,15 +79,17 @@ typedef struct {
   cells_kind kind;
 } sections_cell;
 
-/* Of patches: all of them; as of cells_cover; and of bodies those of kinds 1 and 2. */
+/* Of patches: all of them; as of cells_cover; of bodies those of kinds 1 and 2; and a third kind's.
+ */
 typedef struct {
-  vf of[3], count[2], all;
+  vf of[3], count[2], all, third;
 } sections_sum;
 
 INLINE void sections_add(const stone_cells *c, const sections_cell *o, sections_sum *sum) {
   const vf zero = splat(0.0f);
   const cells_kind *kind = &o->kind;
-  vf patch = o->patch;
+  cells_kind own = *kind;
+  vf patch = o->patch, third = zero;
   sum->all = sum->all + patch;
   vf tone = patch + patch * splat(c->variation / HASH_ONE) * hash_signed(o->h + splatu(HASH_Y));
   vf calm = c->shaped ? cells_calm(c, patch, tone) : tone;
@@ -96,15 +98,14 @@ INLINE void sections_add(const stone_cells *c, const sections_cell *o, sections_
     sum->count[0] = sum->count[0] + sel(kind->first, patch, zero);
     sum->count[1] = sum->count[1] + sel(kind->second, patch, zero);
   }
-  vf first = sel(kind->first, tone, zero), second = sel(kind->second, calm, zero);
-  if (c->shaped && c->mixing > 0.0f) {
-    vf mixed = cells_mixed(c, o->h) * (first - second);
-    first = first - mixed;
-    second = second + mixed;
-  }
+  if (c->third > 0.0f) third = cells_take_third(c, o->at, &own, tone);
+  vf first = sel(own.first, tone, zero), second = sel(kind->second, calm, zero);
+  if (c->shaped && c->mixing > 0.0f)
+    cells_mix_kinds(cells_mixed(c, o->h), &first, &second, c->third > 0.0f ? &third : NULL);
   sum->of[0] = sum->of[0] + sel(other, tone, zero);
   sum->of[1] = sum->of[1] + first;
   sum->of[2] = sum->of[2] + second;
+  sum->third = sum->third + third;
 }
 
 INLINE sections_axis sections_open(const stone_cells *c, const vf p[3], const cells_square *s,
@@ -127,14 +128,14 @@ INLINE sections_axis sections_open(const stone_cells *c, const vf p[3], const ce
   return a;
 }
 
-/* What is cut, as of cells_cover. there: lanes that ask. */
+/* What is cut, as of cells_cover, and of a third kind. there: lanes that ask. */
 STAGE void sections_count(const stone_cells *c, const vf p[3], const cells_square *s, vm there,
-                          vf out[3]) {
+                          vf out[3], vf *third) {
   sections_face f;
   vf zero = splat(0.0f), one = splat(1.0f), half = splat(0.5f);
   sections_axis axis = sections_open(c, p, s, &f);
   vf q[3], up[3], u[3], v[3];
-  sections_sum sum = {{zero, zero, zero}, {zero, zero}, zero};
+  sections_sum sum = {{zero, zero, zero}, {zero, zero}, zero, zero};
   sections_turn(&axis, f.q, q);
   sections_turn(&axis, f.up, up);
   sections_turn(&axis, s->u, u);
@@ -187,7 +188,8 @@ STAGE void sections_count(const stone_cells *c, const vf p[3], const cells_squar
   vf each = one / vmax(sum.all, splat(1e-6f));
   if (c->shaped) {
     /* of the cells that have a body, all the same part is body */
-    each = each * splat(c->chance[1] > 0.0f ? (c->mean[0] + c->mean[1]) / c->chance[1] : 0.0f);
+    float bodies = c->mean[0] + c->mean[1] + c->third_mean;
+    each = each * splat(c->chance[1] > 0.0f ? bodies / c->chance[1] : 0.0f);
     sum.of[0] = sum.count[0] + sum.count[1];
     if (c->rim > 0.0f) {
       vf rim = sum.of[1] * splat(1.0f - c->core);
@@ -196,6 +198,7 @@ STAGE void sections_count(const stone_cells *c, const vf p[3], const cells_squar
     }
   }
   for (int k = 0; k < 3; k++) out[k] = sum.of[k] * each;
+  *third = sum.third * each;
 }
 
 #endif

@@ -36,6 +36,7 @@ enum {
   COLOUR_BED,
   COLOUR_INCLUSION,
   COLOUR_INCLUSION_SECOND,
+  COLOUR_INCLUSION_THIRD,
   COLOUR_BLACK,
   COLOUR_WHITE,
   COLOUR_VEIN,
@@ -80,6 +81,7 @@ typedef struct {
   float cluster;               /* how much chances change from place to place, 0..1 */
   float chance[2];             /* below the first: kind 1; below the second: kind 2 */
   float mean[2];               /* expected share of kinds 1 and 2 */
+  float third, third_mean;     /* the same of a third: of kind 1, what is below the first */
   float variation;             /* of brightness from cell to cell; */
   float mixing;                /* how far one's colour goes towards the other kind's, or from it */
   float calm;                  /* of that and of lamellae kind 2 has this part, of bodies */
@@ -87,6 +89,7 @@ typedef struct {
   float opacity;               /* share of what is below that bodies hide */
   float depth;                 /* share of light that comes through from behind them */
   float cleavage, turbidity;   /* what is seen within a crystal: crystals.h */
+  float zoning;                /* and of a body's growth: look_stages.h */
   float swell;                 /* what the widest looks see of bodies in excess, a part of them */
   float size;                  /* mm */
   float fade;                  /* footprint, in cells, of which all but all is looked at */

@@ -40,17 +40,18 @@ INLINE int seen_alike(const cells_grid *a, const cells_grid *b) {
 }
 
 /* The covariance over the footprint of what a layer covers of each of its parts with the shares of
- * another, below it. Zero where either was not looked at in parts. */
-STAGE void seen_covariance(const cells_grid *above, const vf *covered, const cells_seen *seen,
-                           vf out[CELLS_PARTS]) {
-  const cells_grid *below = &seen->grid;
+ * another, below it: `parts` of them, of looks in rows of all. Zero where either was not looked at
+ * in parts. */
+INLINE void seen_covariance_as(const int parts, const cells_grid *above, const vf *covered,
+                               const cells_grid *below, const vf (*of)[CELLS_STEPS * CELLS_STEPS],
+                               vf *out) {
   static const int32_t numbers[16] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
   vf zero = splat(0.0f), one = splat(1.0f), n[2], rate[2][2], sum = zero, each;
   vf alone[CELLS_PARTS], both[CELLS_PARTS];
   vi own;
   memcpy(&own, numbers, sizeof own);
   int same = seen_alike(above, below);
-  for (int k = 0; k < CELLS_PARTS; k++) alone[k] = both[k] = zero;
+  for (int k = 0; k < parts; k++) alone[k] = both[k] = zero;
   for (int k = 0; k < 2; k++) {
     n[k] = vmax(above->n[k], below->n[k]);
     rate[0][k] = above->n[k] / n[k];
@@ -70,18 +71,31 @@ STAGE void seen_covariance(const cells_grid *above, const vf *covered, const cel
       under = seli(there, under, splati(0));
       vf cover = sel(there, seen_pick(covered, slot, own, same), zero);
       sum = sum + cover;
-      for (int k = 0; k < CELLS_PARTS; k++) {
-        vf x = sel(there, seen_pick(seen->of[k], under, own, same), zero);
+      for (int k = 0; k < parts; k++) {
+        vf x = sel(there, seen_pick(of[k], under, own, same), zero);
         alone[k] = alone[k] + x;
         both[k] = both[k] + cover * x;
       }
     }
   }
   vf counts = above->weight * below->weight;
-  for (int k = 0; k < CELLS_PARTS; k++) {
+  for (int k = 0; k < parts; k++) {
     vf c = (both[k] - sum * alone[k] * each) * each;
     out[k] = sel(gt(counts, zero), c * counts, zero);
   }
+}
+
+STAGE void seen_covariance(const cells_grid *above, const vf *covered, const cells_seen *seen,
+                           vf out[CELLS_PARTS]) {
+  seen_covariance_as(CELLS_PARTS, above, covered, &seen->grid, seen->of, out);
+}
+
+/* The same with the third kind's share. grid: its layer's. */
+STAGE vf seen_covariance_third(const cells_grid *above, const vf *covered, const cells_grid *grid,
+                               const vf (*thirds)[CELLS_STEPS * CELLS_STEPS]) {
+  vf out;
+  seen_covariance_as(1, above, covered, grid, thirds, &out);
+  return out;
 }
 
 #endif

@@ -59,11 +59,29 @@ works match lively.exr --material stone --preset inada --width 120
 within "specks among lively crystals" 0.07 0.11 "$(value_of black_share)"
 within "the crystals' variation" 0.17 0.23 "$(value_of grain_variation)"
 
+# A third mineral, its share and its colour; where there is none, what the second leaves is the base's.
+for seed in 1 9; do
+  granite third.exr -p seed=$seed -p black_share=0.08 -p third_share=0.2 \
+    -p "third_colour=0.78 0.62 0.55 @ sRGB"
+  works match third.exr --material stone --preset inada --width 120
+  within "the third mineral, block $seed" 0.15 0.25 "$(value_of third_share)"
+  within "the second beside it" 0.28 0.38 "$(value_of second_share)"
+  within "specks beside it" 0.06 0.1 "$(value_of black_share)"
+  within "its red" 0.75 0.81 "$(value_of third_colour)"
+  within "the base's red" 0.68 0.72 "$(value_of base_colour)"
+  within "its green" 0.59 0.65 "$(awk '$1 == "third_colour" { print $3 }' out)"
+  within "its blue" 0.52 0.58 "$(awk '$1 == "third_colour" { print $4 }' out)"
+done
+granite two.exr -p seed=1 -p black_share=0.08
+works match two.exr --material stone --preset inada --width 120
+within "no third mineral" 0 0.02 "$(value_of third_share)"
+within "the base's red" 0.68 0.72 "$(value_of base_colour)"
+
 # What is given is kept.
 works match lively.exr --material stone --preset inada --width 120 -p black_share=0.04
 check "a share as given" grep -q 'black_share  *0.0400  as given' out
 works match lively.exr --material stone --preset inada --width 120 -p black_share=0.09 -p white_share=0 \
-  -p second_share=0.33
+  -p second_share=0.33 -p third_share=0
 check "nothing to look for" test "$(grep -c '^shares' out)" = 0
 
 # Mica near black is the stone's, a border as dark is not.

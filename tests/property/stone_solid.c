@@ -80,11 +80,12 @@ static void shares_are_of_area(void **state) {
  * footprint is looked at goes by the palette. */
 static void linear_in_the_palette(void **state) {
   (void)state;
-  static const char *const ids[] = {"base_colour",  "second_colour",    "third_colour",
-                                    "bed_colour",   "inclusion_colour", "inclusion_second_colour",
-                                    "black_colour", "white_colour",     "vein_colour",
-                                    "hole_colour"};
-  enum { COLOURS = 10, POINTS = 4000 };
+  static const char *const ids[] = {
+      "base_colour",  "second_colour",         "third_colour",
+      "bed_colour",   "inclusion_colour",      "inclusion_second_colour",
+      "black_colour", "white_colour",          "vein_colour",
+      "hole_colour",  "inclusion_third_colour"};
+  enum { COLOURS = 11, POINTS = 4000 };
   static double sum[POINTS];
   points p = {0};
   uniform_seed(93);
@@ -93,13 +94,14 @@ static void linear_in_the_palette(void **state) {
   }
   double worst = 0;
   for (int k = 0; k <= COLOURS; k++) {
-    sozai_value v[COLOURS + 1] = {number("vein_width", 4)};
+    sozai_value v[COLOURS + 2] = {number("vein_width", 4)};
     for (int c = 0; c < COLOURS; c++) {
       double x = k == COLOURS || k == c ? 0.05 * (c + 1) : 0;
       v[c + 1] = (sozai_value){
           .id = ids[c], .kind = SOZAI_KIND_COLOUR, .number = {x, x, x}, .text = "lin_rec709"};
     }
-    sozai_texture *t = make("oya", v, COLOURS + 1);
+    v[COLOURS + 1] = number("inclusion_third_share", 0.05);
+    sozai_texture *t = make("oya", v, COLOURS + 2);
     points_ask(&p, t);
     for (int i = 0; i < POINTS; i++) {
       if (k == COLOURS) {
@@ -110,7 +112,7 @@ static void linear_in_the_palette(void **state) {
     }
     textures->destroy(t);
   }
-  CHECK(worst < 1e-5, "the sum of ten palettes of one colour is off by %.2g\n", worst);
+  CHECK(worst < 1e-5, "the sum of eleven palettes of one colour is off by %.2g\n", worst);
   points_free(&p);
 }
 

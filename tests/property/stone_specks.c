@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * Specks in stone: how ragged their outlines are.
+ * Specks in stone: how ragged their outlines are, and how long gabbro's laths.
  */
 #include <math.h>
 #include <stdio.h>
@@ -69,7 +69,85 @@ static void frayed_outlines_are_longer(void **state) {
   }
 }
 
+enum { SIDE = 800 };
+
+/* Of a speck on a raster: its pixels, and sums of their places and products of these. */
+typedef struct {
+  double n, x, y, xx, xy, yy;
+  int cut; /* by the raster's border */
+} speck;
+
+/* Empties the speck that a pixel is of. */
+static void take(unsigned char *seen, int *heap, int at, speck *s) {
+  static const int way[4] = {1, -1, SIDE, -SIDE};
+  int count = 0;
+  heap[count++] = at;
+  seen[at] = 0;
+  while (count) {
+    at = heap[--count];
+    int i = at % SIDE, j = at / SIDE;
+    s->n++;
+    s->x += i, s->y += j;
+    s->xx += i * i, s->xy += i * j, s->yy += j * j;
+    if (i == 0 || j == 0 || i == SIDE - 1 || j == SIDE - 1) {
+      s->cut = 1;
+      continue;
+    }
+    for (int k = 0; k < 4; k++) {
+      int next = at + way[k];
+      if (seen[next]) heap[count++] = next;
+      seen[next] = 0;
+    }
+  }
+}
+
+/* How long the specks are over how wide, of those that lie apart: the root of their second moments'
+ * ratio, in the mean. */
+static double elongation(const char *settings, int *count) {
+  static unsigned char seen[SIDE * SIDE];
+  static int heap[SIDE * SIDE];
+  sozai_texture *t = stone_make("gabbro", settings);
+  points p = {0};
+  for (int j = 0; j < SIDE; j++)
+    for (int i = 0; i < SIDE; i++) points_add(&p, 0.1 * i, 0.1 * j, 0, 0);
+  points_ask_only(&p, t, ONLY3(ALBEDO));
+  for (int i = 0; i < SIDE * SIDE; i++) seen[i] = p.out[ALBEDO][i] > 0.5f;
+  points_free(&p);
+  textures->destroy(t);
+  double sum = 0;
+  *count = 0;
+  for (int at = 0; at < SIDE * SIDE; at++) {
+    if (!seen[at]) continue;
+    speck s = {0};
+    take(seen, heap, at, &s);
+    if (s.cut || s.n < 40) continue;
+    double x = s.x / s.n, y = s.y / s.n, xx = s.xx / s.n - x * x, yy = s.yy / s.n - y * y,
+           xy = s.xy / s.n - x * y, half = 0.5 * (xx + yy),
+           root = sqrt(0.25 * (xx - yy) * (xx - yy) + xy * xy);
+    sum += sqrt((half + root) / (half - root));
+    ++*count;
+  }
+  return sum / *count;
+}
+
+/* Of the preset's laths as many as lie apart, in light alone. */
+#define LATHS                                                                                      \
+  "white_share=0.06; black_share=0; white_colour=1 1 1 @ lin_rec709; base_colour=0 0 0 @ "         \
+  "lin_rec709; second_colour=0 0 0 @ lin_rec709; third_colour=0 0 0 @ lin_rec709; "                \
+  "grain_variation=0; cleavage=0"
+
+static void gabbro_has_laths(void **state) {
+  (void)state;
+  int count[2];
+  double laths = elongation(LATHS, &count[0]);
+  double grains = elongation(LATHS "; speck_flatness=0", &count[1]);
+  CHECK(count[0] > 60 && count[1] > 60 && laths > 2.2 && grains < 1.8,
+        "%d laths are %.2f times as long as wide, %d grains that are not flat %.2f\n", count[0],
+        laths, count[1], grains);
+}
+
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(frayed_outlines_are_longer)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(frayed_outlines_are_longer),
+                                     cmocka_unit_test(gabbro_has_laths)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

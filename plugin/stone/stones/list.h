@@ -51,7 +51,8 @@
   X(concrete_paver) \
   X(cast_concrete) \
   X(exposed_aggregate) \
-  X(araidashi)
+  X(araidashi) \
+  X(puddingstone)
 /* clang-format on */
 
 #endif

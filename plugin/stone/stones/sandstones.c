@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0
- * Sandstones and slate. */
+ * Sandstones, a conglomerate and slate. */
 #include "entry.h"
 
 static const sozai_value values_isahaya[] = {
@@ -138,3 +138,47 @@ static const sozai_value values_slate[] = {
 STONE(slate, "Ogatsu slate (Miyagi)",
       "Black slate, riven along its cleavage: fine, faintly banded, in sheets that end in steps.",
       PETTIJOHN "; " GSJ);
+
+static const sozai_value values_puddingstone[] = {
+    WHOLE("seed", 75),
+    NUMBER("grain_size", 0.4),
+    NUMBER("grain_grading", 0.6),
+    NUMBER("grain_interlock", 0.5),
+    NUMBER("grain_blur", 0.1),
+    NUMBER("second_share", 0.35),
+    NUMBER("third_share", 0.15),
+    NUMBER("grain_variation", 0.12),
+    NUMBER("mottle", 0.1),
+    NUMBER("mottle_size", 18.0),
+    SRGB("base_colour", 188, 173, 148),
+    SRGB("second_colour", 174, 159, 134),
+    SRGB("third_colour", 202, 190, 170),
+    NUMBER("inclusion_size", 34.0),
+    NUMBER("inclusion_share", 0.26),
+    NUMBER("inclusion_second_share", 0.17),
+    NUMBER("inclusion_third_share", 0.18),
+    NUMBER("inclusion_gap", 0.8),
+    NUMBER("inclusion_roundness", 0.28),
+    NUMBER("inclusion_grading", 0.95),
+    NUMBER("inclusion_interlock", 0.4),
+    NUMBER("inclusion_variation", 0.22),
+    NUMBER("inclusion_polymict", 0.12),
+    NUMBER("inclusion_rim", 1.2),
+    NUMBER("inclusion_zoning", 0.7),
+    NUMBER("inclusion_turbidity", 1.0),
+    NUMBER("inclusion_blur", 0.25),
+    NUMBER("inclusion_stretch", 1.2),
+    CHOICE("inclusion_contact", "tangential"),
+    SRGB("inclusion_colour", 150, 108, 78),
+    SRGB("inclusion_second_colour", 80, 69, 61),
+    SRGB("inclusion_third_colour", 188, 172, 146),
+    NUMBER("speck_size", 3.0),
+    NUMBER("black_share", 0.03),
+    NUMBER("white_share", 0.04),
+    SRGB("black_colour", 108, 90, 74),
+    SRGB("white_colour", 214, 206, 190),
+};
+STONE(puddingstone, "Puddingstone (Hertfordshire)",
+      "Round flint pebbles, brown with dark rinds, black and cream, zoned, in a pale cement of "
+      "silica and sand.",
+      PETTIJOHN);
