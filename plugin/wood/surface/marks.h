@@ -82,7 +82,7 @@ INLINE void marks_noise(const surface_noise *q, vu seed, vf x, vf y, vf e, const
   r->b = r->b + b;
   if (!l->past || q->rank == 0.0f) return;
   vf variance = splat(q->slope2[0]) * l->a * l->a + splat(q->slope2[1]) * l->b * l->b;
-  shade_noise(l->past, keep * keep * variance, splat(q->rank) * n, a * l->a + b * l->b);
+  shade_noise(l->past, keep * keep * variance, keep * n * splat(q->rank), a * l->a + b * l->b);
 }
 
 /* How teeth are set and fed unevenly: a shift of the travel t, and one

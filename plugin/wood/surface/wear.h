@@ -85,7 +85,7 @@ INLINE fibre_relief wear_fibres(const wood_constants *w, vu own, vf x, vf z, vf 
     vf du, dv, k = keep * splat(q->height);
     vf n = noise_value2(&au, &av, wood_seed(w, own, SEED_WEAR + (uint32_t)o), &du, &dv);
     r.height = r.height + k * n;
-    r.rank = r.rank + n * splat(q->rank);
+    r.rank = r.rank + keep * n * splat(q->rank);
     k = k * f;
     if (o) {
       r.x = r.x + k * (splat(0.8f) * du + splat(0.6f) * dv);
