@@ -85,11 +85,10 @@ INLINE vf slopes_upright(vf v) {
 INLINE void slopes_steep_taking(lost_slopes *l, vf share, vf taken, vf lost, vf square) {
   vf one = splat(1.0f);
   lost = clamp01(lost);
-  lost = lost * lost;
-  share = vmin(share, one) * lost;
+  share = vmin(share, one) * lost * lost;
   l->steep = l->steep + share * vmin(square, one);
   l->share = l->share + share * (one - l->share);
-  l->upright = l->upright * mix(one, slopes_upright(square), vmin(taken, one) * lost);
+  l->upright = l->upright * mix(one, slopes_upright(square), vmin(taken, one) * lost * lost);
 }
 
 /* The same of what is cut into the face, so that no more falls on it. */
