@@ -43,7 +43,10 @@ INLINE void evaluate_one(int boards, const wood_constants *restrict w, const woo
   if (boards) memset(&sawn, 0, sizeof sawn);
   stage_load(w, boards, io, want, &sawn, k);
   stage_pith(w, boards, k);
-  if (want->radiance && !want->relief) stage_light(w, boards, io, k);
+  if (want->radiance && !want->relief) {
+    stage_light(w, boards, io, k);
+    stage_incident(k);
+  }
   stage_about(k);
   stage_undulations(w, boards, k);
   if (w->has_curl || w->has_quilt || w->has_eyes) stage_figure(w, boards, k);
@@ -234,11 +237,13 @@ INLINE void evaluate_colour(int boards, const wood_constants *restrict w,
   }
   if (want->colour && w->has_cells && !want->picture) EACH(stage_cells(w, boards, &blocks[k]));
   if (want->colour && w->has_spalt && !want->picture) EACH(stage_spalt(w, boards, io, &blocks[k]));
+  /* of which the relief shades some */
+  if (want->radiance && want->relief) EACH(stage_light(w, boards, io, &blocks[k]));
   if (want->picture) {
     EACH(stage_picture(w, boards, io, &blocks[k]));
-    if (want->relief) EACH(stage_relief(w, boards, io, &blocks[k], &reliefs[k]));
+    if (want->relief) EACH(stage_relief(w, boards, io, want, &blocks[k], &reliefs[k]));
   } else {
-    if (want->relief) EACH(stage_relief(w, boards, io, &blocks[k], &reliefs[k]));
+    if (want->relief) EACH(stage_relief(w, boards, io, want, &blocks[k], &reliefs[k]));
     if (want->colour && w->has_pigment) EACH(stage_pigment(w, boards, &blocks[k]));
     if (want->colour && w->streaks.share > 0.0f) EACH(stage_streaks(w, boards, &blocks[k]));
     if (want->colour) EACH(stage_colour(w, boards, io, &blocks[k]));
@@ -256,7 +261,8 @@ INLINE void evaluate_light(int boards, const wood_constants *restrict w, const w
   if (!want->radiance) return;
   if (!lit) {
     EACH({
-      stage_light(w, boards, io, &blocks[k]);
+      if (!want->relief) stage_light(w, boards, io, &blocks[k]);
+      stage_incident(&blocks[k]);
       stage_tilt(&blocks[k]);
     });
   }

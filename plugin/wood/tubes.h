@@ -21,6 +21,7 @@
 /* A sum of troughs and its slopes. */
 typedef struct {
   vf depth, x, z, y;
+  vf fall; /* of each its depth, times how that falls off with the disc's distance */
 } trough_sum;
 
 /* How high a blurred trough still is, in sharp ones' 1.6. */
@@ -41,8 +42,10 @@ INLINE void trough_add(const disc *d, vf size, vf inverse_square, vf dx, vf dz, 
   vf zero = splat(0.0f), k = inverse_square / d->top;
   vf v = size * size - disc_distance(d, dx, dz) * k;
   vf amount = sel(gt(v, zero), trough_amount(d), zero);
-  g->depth = g->depth + amount * v;
+  vf deep = amount * v;
+  g->depth = g->depth + deep;
   vf slope = zero - amount * k;
+  g->fall = g->fall - deep * slope;
   g->x = g->x + slope * (splat(2.0f) * d->xx * dx + d->xz * dz);
   g->z = g->z + slope * (splat(2.0f) * d->zz * dz + d->xz * dx);
   *size_slope = amount * splat(2.0f) * size;
@@ -53,7 +56,7 @@ INLINE void tubes_tap(const wood_tubes *m, vu seed, vf x, vf y, vf z, const disc
                       trough_sum *sum) {
   vf zero = splat(0.0f), one = splat(1.0f), half = splat(0.5f);
   vf inverse = splat(m->inverse_cell), cell = splat(m->cell);
-  trough_sum g = {zero, zero, zero, zero};
+  trough_sum g = {zero, zero, zero, zero, zero};
   vi ix, iz;
   vf px = x * inverse - half, pz = z * inverse - half;
   vf fx = px - vfloor(px, &ix), fz = pz - vfloor(pz, &iz);
@@ -81,28 +84,32 @@ INLINE void tubes_tap(const wood_tubes *m, vu seed, vf x, vf y, vf z, const disc
   sum->x = sum->x + weight * g.x;
   sum->z = sum->z + weight * g.z;
   sum->y = sum->y + weight * g.y;
+  sum->fall = sum->fall + weight * weight * g.fall;
 }
 
-/* Over the footprint at a place. left: how much of the slopes' square is. */
-INLINE trough_sum tubes_over(const wood_tubes *m, vu seed, const vessel_place *v, vf y, vf *left) {
+/* Over the footprint at a place. left: how much of the slopes' square is; d: what a tube is there.
+ */
+INLINE trough_sum tubes_over(const wood_tubes *m, vu seed, const vessel_place *v, vf y, vf *left,
+                             disc *d) {
   vf zero = splat(0.0f), one = splat(1.0f), twelfth = splat(1.0f / 12.0f);
   vm cut = gt(v->f.aa + v->f.bb, splat(m->reach * m->reach));
   footprint_axes l = footprint_split(&v->f);
   footprint_parts part = footprint_cut(&v->f, &l, cut, m->reach, 0.0f, 8);
   vf faded = sel(part.most, fade_beyond(part.aa + part.bb, m->reach), zero), keep = one - faded;
-  trough_sum sum = {splat(m->mean) * faded, zero, zero, zero};
+  trough_sum sum = {splat(m->mean) * faded, zero, zero, zero, zero};
   *left = zero;
+  *d = (disc){zero, zero, zero, zero, zero, zero, NULL};
   if (!any(gt(keep, zero))) return sum;
   matrix2 c = to_section(part.aa * twelfth, part.ab * twelfth, part.bb * twelfth, v->c, v->s);
-  disc d = disc_blurred(splat(m->radius * m->radius), c);
+  *d = disc_blurred(splat(m->radius * m->radius), c);
   for (int i = 0; i < part.taps; i++) {
     footprint_part q = footprint_part_of(&l, &part, cut, i);
     vf weight = keep * q.weight;
     vf x = v->x + (q.rho * v->c - q.arc * v->s), z = v->z + (q.rho * v->s + q.arc * v->c);
-    tubes_tap(m, seed, x, y, z, &d, weight, &sum);
+    tubes_tap(m, seed, x, y, z, d, weight, &sum);
   }
   /* the parts' slopes are of either sign */
-  *left = trough_left(&d) * keep * keep * part.along * part.beside;
+  *left = trough_left(d) * keep * keep * part.along * part.beside;
   return sum;
 }
 

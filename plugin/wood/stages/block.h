@@ -92,7 +92,8 @@ typedef struct {
   vf light[3];                                          /* log space */
   vf streak, pigment;                                   /* share of minerals; depth of bands */
   vf steep_strength, steep_power; /* of the lobe over the relief's steep part; over power */
-  const lost_slopes *lost;        /* of the relief, where it has one */
+  const lost_slopes *lost;        /* of the relief, where it has one, */
+  vf past;                        /* and of the light, what comes past that */
   ray_turn ray_from;
   ray_cells ray_at;
   vu ray_on;

@@ -41,12 +41,15 @@ INLINE void stage_cone_radiance(const wood_constants *w, int boards, const wood_
     for (int c = 0; c < 3; c++) r[c] = mix(r[c], shine[c], k->ray);
   }
   if (w->surface.relief) {
-    vf lit = slopes_lit(k->lost, k->incident);
+    vf lit = slopes_lit(k->lost);
     for (int c = 0; c < 3; c++) r[c] = r[c] * lit;
   }
   if (w->coat > 0.0f) {
     vf coat = coat_highlight(w, k->light, v, k->nrm, w->surface.relief ? k->lost : NULL);
     for (int c = 0; c < 3; c++) r[c] = r[c] + coat;
+  }
+  if (w->surface.relief) {
+    for (int c = 0; c < 3; c++) r[c] = r[c] * k->past;
   }
   if (boards) {
     /* what lies in the joint has no fibres */

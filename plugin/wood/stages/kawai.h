@@ -85,7 +85,7 @@ INLINE void stage_radiance(const wood_constants *w, int boards, const wood_io *i
   vf diffuse = splat(w->diffuse) * vmax(k->incident, zero);
   if (w->surface.relief) {
     gloss = gloss + k->steep_strength * exp2_(k->power * k->steep_power);
-    diffuse = diffuse * slopes_lit(k->lost, k->incident);
+    diffuse = diffuse * slopes_lit(k->lost);
   }
   vf coat = zero;
   if (w->coat > 0.0f) {
@@ -98,7 +98,8 @@ INLINE void stage_radiance(const wood_constants *w, int boards, const wood_io *i
   for (int c = 0; c < 3; c++) {
     vf r = diffuse * k->albedo[c];
     if (w->coat > 0.0f) r = r + coat;
-    store_lit(io, k, c, r + gloss * splat(w->tint_colour[c]));
+    r = r + gloss * splat(w->tint_colour[c]);
+    store_lit(io, k, c, w->surface.relief ? r * k->past : r);
   }
 }
 

@@ -9,7 +9,7 @@
 #include "axes.h"
 
 INLINE void stage_light(const wood_constants *w, int boards, const wood_io *io, block *k) {
-  vf zero = splat(0.0f), light[3], *l = k->light;
+  vf light[3], *l = k->light;
   if (!boards && k->o && as_before(io->in->light, k->i, k->n)) {
     for (int c = 0; c < 3; c++) l[c] = k[-1].light[c];
   } else {
@@ -17,10 +17,15 @@ INLINE void stage_light(const wood_constants *w, int boards, const wood_io *io, 
     unit_direction(light);
     to_log(w, boards, k, light, l);
   }
+}
+
+/* How it falls on the surface, whose normal is the relief's own by now. */
+INLINE void stage_incident(block *k) {
+  const vf *l = k->light;
   k->incident = l[0] * k->nrm[0] + l[1] * k->nrm[1] + l[2] * k->nrm[2];
   /* up the stem within the surface */
   vf rise = (l[1] - k->nrm[1] * k->incident) * k->inverse_up;
-  k->rise = sel(gt(k->up2, splat(1e-6f)), rise, zero);
+  k->rise = sel(gt(k->up2, splat(1e-6f)), rise, splat(0.0f));
 }
 
 /* Radiance of a channel, under the light's colour. */

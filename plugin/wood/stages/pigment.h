@@ -14,8 +14,9 @@
 static __attribute__((noinline)) void stage_streaks(const wood_constants *w, int boards, block *k) {
   vessel_place place = place_in(boards, &k->section, k);
   vf left;
+  disc d;
   trough_sum g =
-      tubes_over(&w->streaks, wood_seed(w, place.own, SEED_STREAKS), &place, k->p[1], &left);
+      tubes_over(&w->streaks, wood_seed(w, place.own, SEED_STREAKS), &place, k->p[1], &left, &d);
   k->streak = vmin(splat(WOOD_STREAK) * g.depth, splat(1.0f));
 }
 

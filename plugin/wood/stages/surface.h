@@ -40,8 +40,8 @@ INLINE void surface_feed(const wood_constants *w, int boards, const wood_io *io,
 }
 
 INLINE void surface_marks(const wood_constants *w, int boards, const wood_io *io, const block *k,
-                          surface_relief *r) {
-  vf along[3], across[3], a = splat(0.0f), b = a, g[3], turned[3];
+                          surface_relief *r, surface_shade *s) {
+  vf along[3], across[3], a = splat(0.0f), b = a, g[3], up[3], beside[3];
   surface_feed(w, boards, io, k, along, across);
   /* tools go over plies and veneers as over one piece */
   int laid = boards && w->boards.layout.kind != LAYOUT_NONE;
@@ -55,16 +55,22 @@ INLINE void surface_marks(const wood_constants *w, int boards, const wood_io *io
       b = b + across[c] * p;
     }
   }
-  marks_relief m = marks_at(&w->surface, wood_seed(w, own_of(laid, k), SEED_MARKS), a, b, k->s);
+  to_log(w, boards, k, along, up);
+  to_log(w, boards, k, across, beside);
+  vf to[2] = {splat(0.0f), splat(0.0f)}, turned[3];
+  if (s) {
+    to[0] = dot3(up, s->to);
+    to[1] = dot3(beside, s->to);
+  }
+  vu seed = wood_seed(w, own_of(laid, k), SEED_MARKS);
+  marks_relief m = marks_at(&w->surface, seed, a, b, k->s, to, s);
   for (int c = 0; c < 3; c++) g[c] = along[c] * m.a + across[c] * m.b;
   to_log(w, boards, k, g, turned);
   r->height = r->height + m.height;
   relief_add(r, splat(1.0f), turned);
-  to_log(w, boards, k, along, turned);
-  to_log(w, boards, k, across, g);
-  slopes_along(&r->lost, &r->lost.gentle, turned, m.lost_aa);
-  slopes_along(&r->lost, &r->lost.gentle, g, m.lost_bb);
-  slopes_between(&r->lost, &r->lost.gentle, turned, g, m.lost_ab);
+  slopes_along(&r->lost, &r->lost.gentle, up, m.lost_aa);
+  slopes_along(&r->lost, &r->lost.gentle, beside, m.lost_bb);
+  slopes_between(&r->lost, &r->lost.gentle, up, beside, m.lost_ab);
 }
 
 /* The way back to log space from a place in a section, whose arc has the row a: of x and z, which
@@ -131,16 +137,24 @@ INLINE void surface_place_of(const wood_constants *w, int boards, const wood_io 
 /* The surface at the block's points; the share of light that its checks and
  * cracks swallow goes to the fibres' shift. */
 static __attribute__((noinline)) void stage_relief(const wood_constants *w, int boards,
-                                                   const wood_io *io, block *k, surface_relief *r) {
+                                                   const wood_io *io, const wood_wants *want,
+                                                   block *k, surface_relief *r) {
   vf one = splat(1.0f);
   surface_place p;
+  surface_shade shade, *s = NULL;
+  if (want->radiance && io->in->normal[0]) {
+    shade = shade_under(k->light, k->nrm);
+    s = &shade;
+  }
   surface_place_of(w, boards, io, k, &p);
-  *r = relief_grown(w, &p, k->nrm);
-  surface_marks(w, boards, io, k, r);
+  *r = relief_grown(w, &p, k->nrm, s);
+  surface_marks(w, boards, io, k, r, s);
+  k->past = s ? shade_lit(s, r->slope) : one;
   if (boards) {
     vf face = one - k->board.unit.joint;
     r->height = r->height * face;
     for (int c = 0; c < 3; c++) r->slope[c] = r->slope[c] * face;
+    k->past = mix(one, k->past, face);
   }
   k->lost = &r->lost;
   if (w->surface.stains) k->shift = k->shift * (one - r->dark);

@@ -34,6 +34,16 @@ static void noise_of(surface_noise *q, double height, double along, double acros
   }
 }
 
+/* Which of the octaves a point's height is counted in: shadows are by slopes. */
+static void rank_octaves(surface_noise *q) {
+  double sum = 0.0;
+  for (int o = 0; o < SURFACE_OCTAVES; o++) sum += (double)(q[o].slope2[0] + q[o].slope2[1]);
+  for (int o = 0; o < SURFACE_OCTAVES; o++) {
+    double share = (double)(q[o].slope2[0] + q[o].slope2[1]) / sum;
+    q[o].rank = (float)(scalar_root(share) / (NOISE_SD * HASH_RANGE));
+  }
+}
+
 /* ---- tools ------------------------------------------------------------- */
 
 /* Scratches of a grit: as wide as its grains and four times as wide, since the
@@ -48,6 +58,7 @@ static void build_scratches(wood_surface *m, const settings *s) {
   if (height <= 0.0) return;
   noise_of(&m->scratch[0], height, 90.0 * grain, 1.2 * grain);
   noise_of(&m->scratch[1], 0.5 * height, 260.0 * grain, 4.3 * grain);
+  rank_octaves(m->scratch);
 }
 
 static void build_marks(wood_surface *m, const surface_finish *f, const settings *s) {
@@ -65,6 +76,7 @@ static void build_marks(wood_surface *m, const surface_finish *f, const settings
   if (f->torn > 0.0 && torn > 0.0) {
     noise_of(&m->scratch[0], 0.65 * torn, 5.0, 0.28);
     noise_of(&m->scratch[1], 0.35 * torn, 2.0, 0.11);
+    rank_octaves(m->scratch);
   }
   if (f->marks == MARKS_NONE || depth <= 0.0) return;
   m->marks = f->marks;
@@ -160,6 +172,7 @@ static void build_wear(wood_constants *w, const surface_finish *f, const setting
   if (fibre > 0.0) {
     noise_of(&m->fibre[0], 0.68 * fibre, size, size);
     noise_of(&m->fibre[1], 0.32 * fibre, size / 2.7, size / 2.7);
+    rank_octaves(m->fibre);
   }
   m->fibre_late = (float)f->latewood;
   if (f->fibre_stain > 0.0 && fibre > 0.0) {

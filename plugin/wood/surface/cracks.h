@@ -18,6 +18,17 @@ typedef struct {
   vf dark;           /* 0..1: how far into the core */
 } crack_place;
 
+/* A crack that light may come over. */
+typedef struct {
+  vf across, away[3]; /* half widths from its middle, and how that goes with the place, per mm */
+  vf other;           /* over crack_depth: how high the plate beyond stands */
+} crack_side;
+
+/* Along the nearest edge of the column, and the nearest one across it. */
+typedef struct {
+  crack_side side[2];
+} crack_view;
+
 /* The middle of column (ix + a, iz + b), from the point's own cell's corner. */
 INLINE vu crack_column(vi ix, vi iz, int a, int b, vu seed, vf *x, vf *z) {
   vu h = hash_mix((vu)(ix + splati(a)) * splatu(HASH_X) + (vu)(iz + splati(b)) * splatu(HASH_Z) +
@@ -79,8 +90,10 @@ INLINE vf crack_narrow(vu h, float least, float most) {
 typedef struct {
   vf d, slope; /* mm to the nearest crack, times its factor; and how that goes with y */
   vf off;      /* mm from that crack upwards */
-  vu plate;    /* a hash of the stretch between two cracks, */
+  vi number;   /* of the stretch between two cracks, */
   vf from;     /* and mm from its middle */
+  vi beyond;   /* the next one over the nearest crack, */
+  vf there;    /* and mm from its middle to that, or about */
 } crack_spot;
 
 /* chance: of 256, how many of the cracks there are. */
@@ -107,8 +120,14 @@ INLINE crack_spot crack_across(vf y, float frequency, vu column, float least, fl
   }
   vm above = gt(c[1], zero);
   vi plate = at + seli(above, splati(1), splati(0));
-  q.plate = hash_mix((vu)plate * splatu(HASH_Z) + column);
-  q.from = half * (sel(above, c[1], c[0]) + sel(above, c[2], c[1])) * per;
+  vf below = sel(above, c[1], c[0]), over = sel(above, c[2], c[1]);
+  q.number = plate;
+  q.from = half * (below + over) * per;
+  /* the third crack ends the one beyond if the second begins it */
+  vm up = lt(q.off, zero);
+  vf length = sel(eq(q.off, c[1]), sel(above, c[0] - c[1], c[1] - c[2]), splat(1.0f));
+  q.beyond = plate + seli(up, splati(1), splati(-1));
+  q.there = sel(up, zero - half, half) * length * per;
   q.d = q.d * per;
   q.off = q.off * per;
   return q;
@@ -117,16 +136,13 @@ INLINE crack_spot crack_across(vf y, float frequency, vu column, float least, fl
 #define HAIRLINES 150       /* of 256 places, those that have one */
 #define HAIRLINE_KEEPS 0.2f /* of the way between cracks: what it keeps from them */
 
-/* A hash's 10 bits, from -1 to 1. */
-INLINE vf plate_slope(vu h) {
-  return (to_float((vi)(h & splatu(1023u))) - splat(511.5f)) * splat(1.0f / 511.5f);
-}
-
 /* The column that a place of the bent reference section is in. */
 typedef struct {
   vu column;
   vf x, z;         /* cells: the place, from the column's middle */
   vf edge, ex, ez; /* mm: to its nearest edge, and the slopes of that */
+  vu beside;       /* the column over that edge, */
+  vf bx, bz;       /* and where from its middle */
 } crack_cell;
 
 INLINE crack_cell crack_cell_of(const wood_surface *m, vu seed, vf px, vf pz) {
@@ -146,7 +162,8 @@ INLINE crack_cell crack_cell_of(const wood_surface *m, vu seed, vf px, vf pz) {
     column = (vu)seli(nearer, (vi)h, (vi)column);
   }
   /* cracks along the fibre are the narrower, some of them much so */
-  vf edge = far, ex = zero, ez = zero;
+  vf edge = far, ex = zero, ez = zero, bx = zero, bz = zero;
+  vu beside = splatu(0);
   for (int i = 0; i < 9; i++) {
     vu h = crack_column(ix, iz, i % 3 - 1, i / 3 - 1, seed, &cx, &cz);
     vf dx = cx - mx, dz = cz - mz, d2 = dx * dx + dz * dz;
@@ -157,9 +174,36 @@ INLINE crack_cell crack_cell_of(const wood_surface *m, vu seed, vf px, vf pz) {
     edge = sel(nearer, d, edge);
     ex = sel(nearer, zero - dx * k * narrow, ex);
     ez = sel(nearer, zero - dz * k * narrow, ez);
+    bx = sel(nearer, cx, bx);
+    bz = sel(nearer, cz, bz);
+    beside = (vu)seli(nearer, (vi)h, (vi)beside);
   }
   edge = vmax(edge, zero) * splat(1.0f / m->crack_frequency[0]);
-  return (crack_cell){column, fx - mx, fz - mz, edge, ex, ez};
+  return (crack_cell){column, fx - mx, fz - mz, edge, ex, ez, beside, fx - bx, fz - bz};
+}
+
+/* A hash's 10 bits, from -1 to 1. */
+INLINE vf plate_slope(vu h) {
+  return (to_float((vi)(h & splatu(1023u))) - splat(511.5f)) * splat(1.0f / 511.5f);
+}
+
+/* A plate's slopes, over plate_tilt, and how high it stands at (x, z) cells and y mm from its
+ * middle. */
+INLINE vf plate_plane(const wood_surface *m, vu column, vi number, vf x, vf y, vf z, vf tilt[3]) {
+  vf size = splat(1.0f / m->crack_frequency[0]);
+  vu h = hash_mix((vu)number * splatu(HASH_Z) + column);
+  for (int c = 0; c < 3; c++) tilt[c] = plate_slope(h >> (10 * c));
+  return tilt[0] * x * size + tilt[1] * y + tilt[2] * z * size;
+}
+
+/* The same of the plate over the column's nearest edge, there. */
+INLINE vf plate_beside(const wood_surface *m, const crack_cell *cell, vf y) {
+  vf tilt[3];
+  crack_spot q = crack_across(y, m->crack_frequency[1], cell->beside, 1.0f, 2.0f, 256);
+  vf square = vmax(cell->ex * cell->ex + cell->ez * cell->ez, splat(0.1f));
+  vf way = cell->edge * splat(m->crack_frequency[0]) / square;
+  vf x = cell->bx - way * cell->ex, z = cell->bz - way * cell->ez;
+  return plate_plane(m, cell->beside, q.number, x, q.from, z, tilt);
 }
 
 /* The shape of a crack over its depth, x from its middle in its half widths: 9/20 of one parabola
@@ -193,6 +237,24 @@ INLINE vf crack_average(vf x, vf e, vf *slope) {
   return sel(wide, mean, height);
 }
 
+#define CRACK_CORE                                                                                 \
+  0.117f /* half widths from the middle: within, light comes past the core's shoulder */
+
+/* How steeply a crack rises to its other side, from a point so deep: by the tangent to the outer
+ * parabola's shoulder, which is as high as the plate there; within the core, to both parabolas'
+ * own, one added to the other, and less what that is too much (to 4 %). */
+INLINE vf crack_rise(const crack_side *v, vf depth) {
+  vf one = splat(1.0f), zero = splat(0.0f), four = splat(4.0f), x = v->across;
+  vm within = lt(x, splat(CRACK_CORE));
+  vf core = one - four * x, inner = one - splat(2.0f) * vsqrt(vmin(x, splat(0.25f)));
+  vf high = vmax(splat(0.45f) + v->other, splat(0.1f)), way = one + x;
+  vf up = v->other + depth - sel(within, splat(0.55f) * core * core, zero);
+  vf before = way - vsqrt(vmax(way * way - vmax(up, zero) / high, zero));
+  vf rise = (high + high) * vmin(before, one);
+  vf both = (rise + splat(4.4f) * inner * inner) * (one - splat(1.5f) * x);
+  return sel(within, both, rise);
+}
+
 /* How much of the slopes' square such an average leaves: exact where e is small and where it is
  * large, and at most 0.02 off between. Cracks are narrower by 1.5 on the whole. */
 INLINE vf crack_left(const wood_surface *m, vf e) {
@@ -200,8 +262,9 @@ INLINE vf crack_left(const wood_surface *m, vf e) {
   return one / (one + x * (splat(6.7f) + splat(50.0f) * x));
 }
 
-/* widen: mm that the footprint takes at least. */
-INLINE crack_place cracks_at(const wood_constants *w, vu own, vf px, vf py, vf pz, vf widen) {
+/* widen: mm that the footprint takes at least. view: filled in if it is given. */
+INLINE crack_place cracks_at(const wood_constants *w, vu own, vf px, vf py, vf pz, vf widen,
+                             crack_view *view) {
   const wood_surface *m = &w->surface;
   vf zero = splat(0.0f), one = splat(1.0f);
   vu seed = wood_seed(w, own, SEED_CRACKS);
@@ -228,15 +291,13 @@ INLINE crack_place cracks_at(const wood_constants *w, vu own, vf px, vf py, vf p
   p.dark = share * core;
   slope = slope * half;
   vm on_edge = and_(along, not_(hair));
-  vf rise = sel(hair, fine.slope, part.slope);
-  vf g[3] = {sel(on_edge, slope * cell.ex, zero), sel(on_edge, zero, slope * rise),
-             sel(on_edge, slope * cell.ez, zero)};
+  vf away[3] = {sel(on_edge, cell.ex, zero), sel(on_edge, zero, sel(hair, fine.slope, part.slope)),
+                sel(on_edge, cell.ez, zero)};
+  vf g[3] = {slope * away[0], slope * away[1], slope * away[2]};
 
   /* the plate's own plane, which its rims end */
-  vf size = splat(1.0f / m->crack_frequency[0]);
-  vu h = part.plate;
-  vf tilt[3] = {plate_slope(h), plate_slope(h >> 10), plate_slope(h >> 20)};
-  vf plane = tilt[0] * cell.x * size + tilt[1] * part.from + tilt[2] * cell.z * size;
+  vf tilt[3];
+  vf plane = plate_plane(m, cell.column, part.number, cell.x, part.from, cell.z, tilt);
   vf over = vmax(one - rim * inverse, zero), level = one - over * over;
   vf fall = splat(2.0f) * over * inverse * plane;
   vf edges[3] = {sel(along, fall * cell.ex, zero), sel(along, zero, fall * part.slope),
@@ -247,6 +308,17 @@ INLINE crack_place cracks_at(const wood_constants *w, vu own, vf px, vf py, vf p
   p.x = g[0] * q.back[0][0] + g[1] * q.back[1][0] + g[2] * q.back[2][0];
   p.y = g[0] * q.back[0][1] + g[1] * q.back[1][1] + g[2] * q.back[2][1];
   p.z = g[0] * q.back[0][2] + g[1] * q.back[1][2] + g[2] * q.back[2][2];
+  if (!view) return p;
+  vf ahead = sel(hair, fine.slope, part.slope) * half, ex = cell.ex * half, ez = cell.ez * half;
+  for (int i = 0; i < 3; i++) {
+    view->side[0].away[i] = ex * q.back[0][i] + ez * q.back[2][i];
+    view->side[1].away[i] = ahead * q.back[1][i];
+  }
+  view->side[0].across = cell.edge * half;
+  view->side[1].across = sel(hair, fine.d, part.d) * half;
+  view->side[0].other = splat(m->plate_tilt) * plate_beside(m, &cell, q.y);
+  vf beyond = plate_plane(m, cell.column, part.beyond, cell.x, part.there, cell.z, tilt);
+  view->side[1].other = splat(m->plate_tilt) * sel(hair, plane, beyond);
   return p;
 }
 

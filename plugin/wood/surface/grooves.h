@@ -14,7 +14,7 @@
 INLINE trough_sum grooves_pores(const wood_constants *w, vu own, vf x, vf z, const disc *d) {
   pore_cells p = pores_near(w, w->bands.on, own, x, z, d);
   vf zero = splat(0.0f), unit = splat(PORE_UNIT), one = splat(1.0f), unused;
-  trough_sum g = {zero, zero, zero, zero};
+  trough_sum g = {zero, zero, zero, zero, zero};
   for (int i = 0; i < 4; i++) {
     int a = i & 1, b = i >> 1;
     vu base = hash_upper(p.hash + splatu((uint32_t)a * HASH_X + (uint32_t)b * HASH_Z));
@@ -42,7 +42,7 @@ INLINE trough_sum grooves_pores(const wood_constants *w, vu own, vf x, vf z, con
 INLINE trough_sum grooves_rows(const wood_constants *w, const row_place *p, vf rho, vf da, vf dr,
                                const disc *d) {
   vf zero = splat(0.0f), one = splat(1.0f), unused;
-  trough_sum g = {zero, zero, zero, zero};
+  trough_sum g = {zero, zero, zero, zero, zero};
   for (int m = 0; m < w->rows; m++) {
     row_spot q = row_spot_of(w, p, m, rho, da, dr);
     for (int a = 0; a < 2; a++) {
@@ -54,6 +54,7 @@ INLINE trough_sum grooves_rows(const wood_constants *w, const row_place *p, vf r
   g.depth = sel(p->near, g.depth, zero);
   g.x = sel(p->near, g.x, zero);
   g.z = sel(p->near, g.z, zero);
+  g.fall = sel(p->near, g.fall, zero);
   return g;
 }
 

@@ -15,12 +15,19 @@
 #define SOZAI_WOOD_SURFACE_MARKS_H
 
 #include "../stem.h"
+#include "shade.h"
 
 /* Height, mm; its slopes along a and b; and those slopes' mean products that the footprint
  * averages out. */
 typedef struct {
   vf height, a, b, lost_aa, lost_ab, lost_bb;
 } marks_relief;
+
+/* Where light is, along a and b, and what it has to come past; NULL: not asked. */
+typedef struct {
+  vf a, b;
+  surface_shade *past;
+} marks_light;
 
 #define MARK_STRAY 30.0f /* mm along a mark in which its depth changes */
 #define MARK_MEAN 0.6f   /* of the deepest, the mean; and how far it strays */
@@ -41,8 +48,24 @@ INLINE vf mark_number(vi mark, vf b, vu seed, vf *slope) {
   return n * splat(1.0f / HASH_ONE);
 }
 
+/* How far a groove q^2 of depth and pitch 1 rises to its crest, seen from x of its width before
+ * that: a tangent's slope, to 1 %, and past the steepest place its own. */
+INLINE vf marks_rise(vf x) {
+  vf one = splat(1.0f), near = splat(32.0f) * x * (one - x) * (x + x - one);
+  vf far = x * x * (splat(15.8f) - splat(14.0f) * x);
+  return sel(lt(x, splat(0.78f)), far, near);
+}
+
+/* The shadow of a mark whose place within is f, of that slope over the phase and so much phase to a
+ * mm on the way to the light. */
+INLINE void marks_shade(surface_shade *s, vf rise, vf ahead, vf e) {
+  vf phase = vabs(ahead);
+  shade_steeper(&s->large, rise * phase, splat(3.0f) * rise * phase * phase * e);
+}
+
 /* A noise's layer at (x, y), added. */
-INLINE void marks_noise(const surface_noise *q, vu seed, vf x, vf y, vf e, marks_relief *r) {
+INLINE void marks_noise(const surface_noise *q, vu seed, vf x, vf y, vf e, const marks_light *l,
+                        marks_relief *r) {
   if (q->height == 0.0f) return;
   vf keep = splat(1.0f) - smooth_step(splat(0.25f * q->size), splat(q->size), e);
   vf gone = splat(1.0f) - keep * keep;
@@ -52,9 +75,14 @@ INLINE void marks_noise(const surface_noise *q, vu seed, vf x, vf y, vf e, marks
   noise_axis ax = noise_split_cubic(x * splat(q->frequency[0]), HASH_X);
   noise_axis ay = noise_split_cubic(y * splat(q->frequency[1]), HASH_Y);
   vf dx, dy, k = keep * splat(q->height);
-  r->height = r->height + k * noise_value2(&ax, &ay, seed, &dx, &dy);
-  r->a = r->a + k * dx * splat(q->frequency[0]);
-  r->b = r->b + k * dy * splat(q->frequency[1]);
+  vf n = noise_value2(&ax, &ay, seed, &dx, &dy);
+  vf a = k * dx * splat(q->frequency[0]), b = k * dy * splat(q->frequency[1]);
+  r->height = r->height + k * n;
+  r->a = r->a + a;
+  r->b = r->b + b;
+  if (!l->past || q->rank == 0.0f) return;
+  vf variance = splat(q->slope2[0]) * l->a * l->a + splat(q->slope2[1]) * l->b * l->b;
+  shade_noise(l->past, keep * keep * variance, keep * n * splat(q->rank), a * l->a + b * l->b);
 }
 
 /* How teeth are set and fed unevenly: a shift of the travel t, and one
@@ -70,7 +98,7 @@ INLINE vf marks_uneven(const wood_surface *m, vu seed, vf t, vf *ta) {
 /* Grooves at every pitch of the travel, whose gradient is (1, tb): teeth are
  * set and fed unevenly, which shifts them along it. */
 INLINE void marks_grooves(const wood_surface *m, vu seed, float depth, vf travel, vf tb, vf b, vf e,
-                          marks_relief *r) {
+                          const marks_light *l, marks_relief *r) {
   vf one = splat(1.0f), zero = splat(0.0f), ta, t = travel + marks_uneven(m, seed, travel, &ta);
   vf u = t * splat(m->inverse_pitch), keep = marks_keep(e * vsqrt(one + tb * tb), m->inverse_pitch);
   tb = tb * ta;
@@ -88,10 +116,15 @@ INLINE void marks_grooves(const wood_surface *m, vu seed, float depth, vf travel
   vf slope = k * d * splat(8.0f * m->inverse_pitch) * q * (one - f - f);
   r->a = r->a - slope * ta;
   r->b = r->b - slope * tb - k * g * splat(MARK_VARIES) * change;
+  if (!l->past) return;
+  vf ahead = (ta * l->a + tb * l->b) * splat(m->inverse_pitch);
+  vf rise = k * d * marks_rise(sel(lt(ahead, zero), one - f, f));
+  marks_shade(l->past, rise, ahead, e);
 }
 
 /* A planer's cuts. */
-INLINE void marks_knives(const wood_surface *m, vu seed, vf a, vf b, vf e, marks_relief *r) {
+INLINE void marks_knives(const wood_surface *m, vu seed, vf a, vf b, vf e, const marks_light *l,
+                         marks_relief *r) {
   vf one = splat(1.0f), u = a * splat(m->inverse_pitch), k = splat(m->depth), change;
   vf keep = marks_keep(e, m->inverse_pitch);
   r->lost_aa = r->lost_aa + (one - keep * keep) * (k * k * splat(m->slope2));
@@ -105,6 +138,10 @@ INLINE void marks_knives(const wood_surface *m, vu seed, vf a, vf b, vf e, marks
   r->height = r->height - k * (q + d * g - splat(2.0f / 3.0f));
   r->a = r->a - k * splat(m->inverse_pitch) * (one - f - f) * (splat(4.0f) + splat(8.0f) * d * q);
   r->b = r->b - k * splat(0.35f) * change * g;
+  if (!l->past) return;
+  vf ahead = l->a * splat(m->inverse_pitch);
+  vf past = sel(lt(ahead, splat(0.0f)), one - f, f);
+  marks_shade(l->past, splat(4.0f) * k * past, ahead, e);
 }
 
 /* A hand plane's strokes: troughs along a, at irregular distances in b; what
@@ -143,7 +180,9 @@ INLINE void marks_strokes(const wood_surface *m, vu seed, vf a, vf b, vf e, mark
   r->a = r->a + k * (best_a + slope * sway_a);
 }
 
-INLINE marks_relief marks_at(const wood_surface *m, vu seed, vf a0, vf b0, vf e) {
+/* to: where light is, along a0 and b0. */
+INLINE marks_relief marks_at(const wood_surface *m, vu seed, vf a0, vf b0, vf e, const vf to[2],
+                             surface_shade *past) {
   vf zero = splat(0.0f);
   marks_relief r = {zero, zero, zero, zero, zero, zero};
   vf c = splat(m->turn_c), s = splat(m->turn_s);
@@ -151,27 +190,28 @@ INLINE marks_relief marks_at(const wood_surface *m, vu seed, vf a0, vf b0, vf e)
   vu h = hash_mix(seed);
   vf shift = to_float((vi)(h >> 8)) * splat(977.0f / 16777216.0f);
   vf a = c * a0 + s * b0 + shift, b = c * b0 - s * a0;
+  const marks_light l = {c * to[0] + s * to[1], c * to[1] - s * to[0], past};
   if (m->marks == MARKS_BAND) {
     noise_axis ab = noise_split_cubic(b * splat(1.0f / 70.0f), HASH_Z);
     vf n, wander = splat(0.9f / HASH_ONE) * noise_value1(&ab, seed, &n);
     vf tb = n * splat(0.9f / (70.0f * HASH_ONE));
-    marks_grooves(m, seed, m->depth, a + wander, tb, b, e, &r);
+    marks_grooves(m, seed, m->depth, a + wander, tb, b, e, &l, &r);
   } else if (m->marks == MARKS_CIRCULAR) {
     vf middle = splat(m->radius) *
                 (splat(0.2f) + to_float((vi)(h & splatu(1023u))) * splat(0.35f / 1023.0f));
     vf most = splat(0.95f * m->radius), x = b + middle, q = clamp(x, zero - most, most);
     vf root = vsqrt(splat(m->radius * m->radius) - q * q);
     vf tilt = sel(eq(x, q), q / root, zero), arc = splat(m->radius) - root;
-    marks_grooves(m, seed, m->depth, a - arc, zero - tilt, b, e, &r);
-    marks_grooves(m, seed + splatu(HASH_X), m->depth * m->second, a + arc, tilt, b, e, &r);
+    marks_grooves(m, seed, m->depth, a - arc, zero - tilt, b, e, &l, &r);
+    marks_grooves(m, seed + splatu(HASH_X), m->depth * m->second, a + arc, tilt, b, e, &l, &r);
   } else if (m->marks == MARKS_KNIVES) {
-    marks_knives(m, seed, a, b, e, &r);
+    marks_knives(m, seed, a, b, e, &l, &r);
   } else if (m->marks == MARKS_STROKES) {
     marks_strokes(m, seed, a, b, e, &r);
   }
-  marks_noise(&m->washboard, seed + splatu(HASH_Y), a, b, e, &r);
+  marks_noise(&m->washboard, seed + splatu(HASH_Y), a, b, e, &l, &r);
   for (int o = 0; o < SURFACE_OCTAVES; o++) {
-    marks_noise(&m->scratch[o], seed + splatu(HASH_Z + (uint32_t)o), a, b, e, &r);
+    marks_noise(&m->scratch[o], seed + splatu(HASH_Z + (uint32_t)o), a, b, e, &l, &r);
   }
   vf ga = r.a, aa = r.lost_aa, ab = r.lost_ab, bb = r.lost_bb, two = splat(2.0f);
   r.a = c * ga - s * r.b;

@@ -80,14 +80,20 @@ INLINE vf slopes_upright(vf v) {
 }
 
 /* Some of the face more that is steep: `share` of it, of which the footprint has lost `lost`,
- * within which slopes have a mean square of `square`. Where they do not overlap. */
-INLINE void slopes_steep(lost_slopes *l, vf share, vf lost, vf square) {
+ * within which slopes have a mean square of `square`. Where they do not overlap. taken: of the
+ * face's light, what falls there. */
+INLINE void slopes_steep_taking(lost_slopes *l, vf share, vf taken, vf lost, vf square) {
   vf one = splat(1.0f);
   lost = clamp01(lost);
   share = vmin(share, one) * lost * lost;
   l->steep = l->steep + share * vmin(square, one);
   l->share = l->share + share * (one - l->share);
-  l->upright = l->upright * mix(one, slopes_upright(square), share);
+  l->upright = l->upright * mix(one, slopes_upright(square), vmin(taken, one) * lost * lost);
+}
+
+/* The same of what is cut into the face, so that no more falls on it. */
+INLINE void slopes_steep(lost_slopes *l, vf share, vf lost, vf square) {
+  slopes_steep_taking(l, share, share, lost, square);
 }
 
 /* Mean square slope within the steep part. */
@@ -95,14 +101,10 @@ INLINE vf slopes_within(const lost_slopes *l) {
   return vmin(l->steep / vmax(l->share, splat(1e-6f)), splat(1.0f));
 }
 
-/* What of the light at that cosine to the face falls on the slopes, over the cosine. Of the steep
- * ones some are turned away: the mean of what is above 0 of a normal distribution, for which half
- * of c + sqrt(c^2 + 2/pi s^2) is taken (5 % too much at worst). */
-INLINE vf slopes_lit(const lost_slopes *l, vf cosine) {
-  vf one = splat(1.0f), half = splat(0.5f), c = vmax(cosine, splat(0.05f));
-  vf s2 = splat(0.6366198f) * half * slopes_within(l) * vmax(one - c * c, splat(0.0f));
-  vf turned = half * (c + vsqrt(c * c + s2)) / c;
-  return l->upright * slopes_upright(slopes_sum(&l->gentle)) * mix(one, turned, l->share);
+/* What of the light on the face falls on the slopes: as much, over a larger area. Some are turned
+ * away from it or lie in shadow, and others get that light (shade.h). */
+INLINE vf slopes_lit(const lost_slopes *l) {
+  return l->upright * slopes_upright(slopes_sum(&l->gentle));
 }
 
 #endif

@@ -9,6 +9,7 @@
  *   grooves.h  vessels cut open, and checks: log space
  *   cracks.h   the cells of charred wood: log space
  *   splits.h   checks of end grain: the reference section
+ *   shade.h    what of the light comes past it
  *   relief.h   all of them together, for ../stages/surface.h
  */
 #ifndef SOZAI_WOOD_SURFACE_SURFACE_H
@@ -30,6 +31,7 @@ typedef struct {
   float frequency[2]; /* 1/mm, along each axis */
   float size;         /* mm, across the finer */
   float slope2[2];    /* mean square slope along each axis */
+  float rank;         /* of HASH_ONE, in sd; less where there are others, by what slopes it has */
 } surface_noise;
 
 /* Paraboloid troughs in a lattice of tubes along the fibre. */
