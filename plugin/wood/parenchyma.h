@@ -6,8 +6,7 @@
  *
  * A band is where a phase is near a whole number, as those of vessels are (vessels_bands.h). Its
  * mean over a footprint is a difference of two values of its integral, exact for a box along the
- * phase's slope; the square's own corners are left out. Edges are ragged by single fibres, which
- * belong to it or not: without that a cut along the rings shows flat patches.
+ * phase's slope; the square's own corners are left out.
  */
 #ifndef SOZAI_WOOD_PARENCHYMA_H
 #define SOZAI_WOOD_PARENCHYMA_H
@@ -15,7 +14,8 @@
 #include "footprint_parts.h"
 #include "vessels_bands.h"
 
-#define SOFT_EDGE 0.05f /* turns: no band's edge is sharper */
+#define SOFT_EDGE 0.05f   /* turns: no band's edge is sharper */
+#define SOFT_WIDEST 1e10f /* square of turns: what no footprint needs to go beyond */
 
 /* The integral from 0 to t of pulses that begin at whole numbers and last `share`. */
 INLINE vf pulses_to(vf t, vf share) {
@@ -41,11 +41,11 @@ INLINE vf pulses_mean(vf t, phase_width wide, vf share) {
   return (pulses_to(low + wide.turns, share) - pulses_to(low, share)) * wide.inverse;
 }
 
-/* Square of turns: how far a footprint over (arc, rho) reaches along a phase of slopes (x, z). */
+/* Square of turns: how far a footprint over (arc, rho) reaches along a phase of slopes (x, z). By
+ * rounding, it may be a little below 0. */
 INLINE vf phase_extent2(vf x, vf z, vf c, vf s, const footprint2 *f) {
   vf arc = z * c - x * s, rho = x * c + z * s;
-  vf e2 = (f->aa * arc + splat(2.0f) * f->ab * rho) * arc + f->bb * rho * rho;
-  return vmax(e2, splat(0.0f));
+  return (f->aa * arc + splat(2.0f) * f->ab * rho) * arc + f->bb * rho * rho;
 }
 
 /* Where bands are asked for: a point, or a place in its footprint with the part of that about it.
@@ -53,7 +53,6 @@ INLINE vf phase_extent2(vf x, vf z, vf c, vf s, const footprint2 *f) {
 typedef struct {
   vessel_place at;
   fibre_bundle bundle; /* the bundles' noise there, as much as the footprint leaves of it */
-  vf ragged;           /* turns: what edges stray by, by single fibres */
   vf pores;            /* what they cover */
 } soft_place;
 
@@ -70,11 +69,11 @@ INLINE vf soft_bands(const wood_constants *w, const soft_place *q, const soft_lo
   const fibre_bundle *b = &q->bundle;
   const vessel_place *at = &q->at;
   vf one = splat(1.0f), inverse = at->ring.inverse_width, stray = splat(m->bands_stray);
-  vf count = vmax(whole_nearest(splat(m->bands_often) / inverse), one), rate = count * inverse;
-  vf phase = at->ring.phase * count - splat(0.5f) + stray * b->at + q->ragged;
+  vf count = bands_to_ring(m->bands_often, inverse), rate = count * inverse;
+  vf phase = at->ring.phase * count - splat(0.5f) + stray * b->at;
   vf x = rate * at->c + stray * b->x, z = rate * at->s + stray * b->z;
   vf wide2 = phase_extent2(x, z, at->c, at->s, &at->f);
-  if (part) wide2 = wide2 + splat(m->bands_lost) * part->lost;
+  if (part) wide2 = vmin(wide2 + splat(m->bands_lost) * part->lost, splat(SOFT_WIDEST));
   vf share = splat(m->bands_share) * (one + splat(m->bands_uneven) * b->at);
   return pulses_mean(phase, phase_width_of(wide2), share);
 }
@@ -85,16 +84,16 @@ INLINE vf soft_between(const wood_constants *w, const soft_place *q, const vesse
                        const soft_long *part) {
   const wood_parenchyma *m = &w->parenchyma;
   vf one = splat(1.0f), zero = splat(0.0f), two = splat(2.0f), half = splat(m->between_half);
-  vf phase = v->phase + q->ragged, share;
+  vf share;
   vf wide2 = phase_extent2(v->x, v->z, q->at.c, q->at.s, &q->at.f);
-  if (part) wide2 = wide2 + splat(m->between_lost) * part->lost;
+  if (part) wide2 = vmin(wide2 + splat(m->between_lost) * part->lost, splat(SOFT_WIDEST));
   phase_width wide = phase_width_of(wide2);
   if (w->bands.fork > 0.0f) {
     half = half - v->half;
-    share = pulses_mean(phase, wide, two * (v->fork + half)) -
-            pulses_mean(phase, wide, two * vmax(v->fork - half, zero));
+    share = pulses_mean(v->phase, wide, two * (v->fork + half)) -
+            pulses_mean(v->phase, wide, two * vmax(v->fork - half, zero));
   } else {
-    share = pulses_mean(phase, wide, two * half);
+    share = pulses_mean(v->phase, wide, two * half);
   }
   share = splat(m->between) * share;
   if (!part) return share; /* short of a band */

@@ -23,10 +23,14 @@ INLINE vf whole_nearest(vf x) {
   return (x + large) - large;
 }
 
+/* How many bands a ring has, of so many to a mm: a whole number, near what its width asks for. */
+INLINE vf bands_to_ring(float often, vf inverse_width) {
+  return vmax(whole_nearest(splat(often) / inverse_width), splat(1.0f));
+}
+
 /* Bands that follow one another along the radius. */
 INLINE void bands_out(const wood_constants *w, const vessel_place *p, vessel_bands *b) {
-  vf one = splat(1.0f), inverse = p->ring.inverse_width;
-  vf count = vmax(whole_nearest(splat(w->bands.often) / inverse), one);
+  vf inverse = p->ring.inverse_width, count = bands_to_ring(w->bands.often, inverse);
   vf rate = count * inverse;
   b->phase = p->ring.phase * count - splat(0.5f);
   b->x = rate * p->c;

@@ -143,7 +143,6 @@ typedef struct {
   float bands_often, bands_share;    /* 1/mm of radius; of the wood. 0: none */
   float bands_stray, bands_uneven;   /* turns, and of the share, over the bundles' noise */
   float bands_lost;                  /* twelve times the variance of that, turns^2 */
-  float ragged;                      /* turns, over the brightness that fibres have */
   float between_lost;                /* of what bands of vessels stray, likewise */
   float part;                        /* mm: a footprint that swallows little of either */
   float between_denser;              /* how many more vessels stand in a band than in the mean */

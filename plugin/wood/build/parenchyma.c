@@ -15,7 +15,6 @@
 /* How far the noise takes a band's width, of it; and the most of their spacing that bands take. */
 #define UNEVEN 0.9
 #define BANDS_MOST 0.9
-#define RAGGED 0.1       /* of their spacing: how far single fibres stray from a band's edge */
 #define SHEATH_ROOM 0.42 /* of a cell: the longest semi-axis of a vessel of the mean radius */
 #define SOFT_PART 0.4    /* of the bundles' size */
 #define SHEATH_CLEAR 0.6 /* of a cell, as parts of footprints may reach */
@@ -147,8 +146,6 @@ void wood_build_parenchyma(wood_constants *w, const settings *s, const float (*c
   build_margin(w, s);
   build_bands(w, s);
   build_between(w, s);
-  double bright = number_at(s, P_FIBRE_BRIGHTNESS);
-  if (bright > 0.0) m->ragged = (float)(RAGGED / bright);
   m->on = m->sheaths || m->margin > 0.0f || m->bands_often > 0.0f || m->between > 0.0f;
   m->part = (float)(SOFT_PART * WOOD_BUNDLE * number_at(s, P_FIBRE_WIDTH));
   w->has_strays = w->bands.stray > 0.0f || m->bands_stray > 0.0f;

@@ -52,7 +52,8 @@ INLINE void stage_parenchyma(const wood_constants *w, int boards, const wood_io 
     left = left - left * k->margin;
   }
   k->rest = k->rest * left;
-  k->soft = vmax(one - k->cover - k->rest, splat(0.0f));
+  k->soft = one - k->cover - k->rest;
+  if (m->sheaths) k->soft = vmax(k->soft, splat(0.0f)); /* which they round otherwise */
   store_lanes(io, WOOD_PARENCHYMA, k, k->soft);
 }
 

@@ -27,11 +27,10 @@ INLINE vessel_bands bands_of(const wood_constants *w, int boards, const block *k
 
 /* What parenchyma is told of the point. */
 INLINE soft_place soft_place_of(const wood_constants *w, int boards, const block *k) {
-  vf one = splat(1.0f), zero = splat(0.0f);
+  vf zero = splat(0.0f);
   soft_place here = {.at = vessel_place_of(boards, k), .bundle = k->strays};
   if (!place_has_turn(w)) here.at.turn = zero;
   if (!w->has_strays) here.bundle = (fibre_bundle){zero, zero, zero};
-  here.ragged = splat(w->parenchyma.ragged) * (k->bundle.shift - one);
   here.pores = k->vessels.pores;
   return here;
 }
