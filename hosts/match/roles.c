@@ -18,6 +18,10 @@ const match_material match_materials[] = {
       * unless given */
      .board = {{"cut", "flat"},
                {"ray_density", "0"},
+               {"marginal_parenchyma", "0"},
+               {"paratracheal_parenchyma", "0"},
+               {"parenchyma_band_width", "0"},
+               {"vessel_band_parenchyma", "0"},
                {"streak_share", "0"},
                {"pigment", "0"},
                {"canal_density", "0"},

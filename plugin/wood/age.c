@@ -20,7 +20,7 @@ void age_build(wood_constants *w, const settings *s, const float (*colours)[3]) 
   if (years <= 0.0) return;
   double done = 1.0 - scalar_exp(-years / number_at(s, P_AGEING_YEARS));
   float *heart[] = {w->late, w->vessel, w->ray, w->streak, w->pigment, w->parenchyma.colour},
-        *sap[] = {w->sap_early, w->sap_late};
+        *sap[] = {w->sap_early, w->sap_late, w->parenchyma.sap};
   for (int c = 0; c < 3; c++) {
     double from = within((double)w->early[c]), to = within((double)colours[P_AGED_COLOUR][c]);
     double end = scalar_log(to) / scalar_log(from);
@@ -30,7 +30,7 @@ void age_build(wood_constants *w, const settings *s, const float (*colours)[3]) 
     for (int i = 0; i < 6; i++) {
       heart[i][c] = (float)scalar_exp(p * scalar_log(within((double)heart[i][c])));
     }
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < 3; i++) {
       sap[i][c] = (float)scalar_exp(pale * scalar_log(within((double)sap[i][c])));
     }
     w->early[c] = (float)scalar_exp(p * scalar_log(from));

@@ -564,8 +564,14 @@ static const sozai_parameter soft_band_stray = {
 static const sozai_parameter soft_colour = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
    .id = "parenchyma_colour", .label = "Parenchyma colour", .group = "parenchyma", .unit = "",
-   .doc = "Of that tissue in heartwood; in sapwood as much paler as earlywood is there.",
+   .doc = "Of that tissue in heartwood.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.86, 0.74, 0.56}, .default_text = "sRGB"};
+
+static const sozai_parameter sap_soft = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "sapwood_parenchyma_colour", .label = "Sapwood parenchyma colour", .group = "parenchyma", .unit = "",
+   .doc = "Of that tissue beyond the heartwood.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.92, 0.83, 0.67}, .default_text = "sRGB"};
 
 static const sozai_parameter ray_density = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -1339,6 +1345,7 @@ const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_SOFT_BAND_SPACING] = &soft_band_spacing,
    [P_SOFT_BAND_STRAY] = &soft_band_stray,
    [P_SOFT_COLOUR] = &soft_colour,
+   [P_SAP_SOFT] = &sap_soft,
    [P_RAY_DENSITY] = &ray_density,
    [P_RAY_HEIGHT] = &ray_height,
    [P_RAY_WIDTH] = &ray_width,

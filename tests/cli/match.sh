@@ -8,15 +8,16 @@ readonly shipped=$4
 command -v oiiotool >/dev/null || { echo "skipped: no oiiotool"; exit 77; }
 cd "$scratch" || exit 1
 
-# photograph NAME [option...]: the albedo of a board of 120 x 80 mm, without rays, of as many samples
+# photograph NAME [option...]: the albedo of a board of 120 x 80 mm, without rays and parenchyma, of as many samples
 # to a pixel as the filter's own error allows. Of 4, each under 0.1 mm, vessels have a ninth too
 # much variance; of 64 it is what a camera integrates.
 samples=4
+readonly bare=(-p marginal_parenchyma=0 -p paratracheal_parenchyma=0 -p parenchyma_band_width=0 -p vessel_band_parenchyma=0)
 photograph() {
   local name=$1
   shift
   "$sozai" render wood --cut flat --shape plane --size 120x80 --camera front --res 600x400 --spp "$samples" \
-    --sky 0 -p ray_density=0 -p pigment=0 --channels albedo -o layers.exr "$@" || failed "no picture $name"
+    --sky 0 -p ray_density=0 -p pigment=0 "${bare[@]}" --channels albedo -o layers.exr "$@" || failed "no picture $name"
   oiiotool layers.exr --ch albedo.R,albedo.G,albedo.B --chnames R,G,B -o "$name"
 }
 

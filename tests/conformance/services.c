@@ -340,6 +340,8 @@ static void the_hosts_own(void **state) {
                                        "pigment_colour",
                                        "aged_colour",
                                        "canal_colour",
+                                       "parenchyma_colour",
+                                       "sapwood_parenchyma_colour",
                                        "knot_colour",
                                        "knot_bark_colour",
                                        "glue_colour"};
@@ -354,7 +356,7 @@ static void the_hosts_own(void **state) {
   sozai_texture *t;
   calls = 0;
   assert_int_equal(l.textures->create(&host, "wood", NULL, values, PLAIN + OTHERS, &t), SOZAI_OK);
-  assert_int_equal(calls, 16); /* fifteen colours, and the hue of one */
+  assert_int_equal(calls, 18); /* seventeen colours, and the hue of one */
   const float p[3] = {40, 50, 3};
   float rgb[3], *const channels[3] = {&rgb[0], &rgb[1], &rgb[2]};
   sozai_batch b = {.size = sizeof b,
@@ -363,7 +365,7 @@ static void the_hosts_own(void **state) {
                    .out = channels,
                    .out_count = 3};
   assert_int_equal(l.textures->evaluate(t, &b), SOZAI_OK);
-  assert_int_equal(calls, 16); /* none for a point */
+  assert_int_equal(calls, 18); /* none for a point */
   assert_true(fabs((double)rgb[0] - 0.75) < 1e-6 && fabs((double)rgb[2] - 0.5) < 1e-6);
   l.textures->destroy(t);
   float unused[3];

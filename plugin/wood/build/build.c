@@ -77,7 +77,6 @@ int32_t wood_build(wood_constants *w, const sozai_host *host, const settings *s,
   w->ray_shade = (float)number_at(s, P_RAY_SHADE);
   w->has_ends = w->shade > 0.0f || w->ray_shade > 0.0f;
   surface_build_colour(w, s, colours);
-  wood_build_parenchyma_sap(w);
   wood_build_canals(w, s, colours);
   wood_build_cells(w, s);
   wood_build_spalt(w, s);

@@ -150,14 +150,5 @@ void wood_build_parenchyma(wood_constants *w, const settings *s, const float (*c
   m->part = (float)(SOFT_PART * WOOD_BUNDLE * number_at(s, P_FIBRE_WIDTH));
   w->has_strays = w->bands.stray > 0.0f || m->bands_stray > 0.0f;
   memcpy(m->colour, colours[P_SOFT_COLOUR], sizeof m->colour);
-}
-
-void wood_build_parenchyma_sap(wood_constants *w) {
-  wood_parenchyma *m = &w->parenchyma;
-  for (int c = 0; c < 3; c++) {
-    double early = (double)w->early[c], sap = (double)w->sap_early[c];
-    double own = (double)m->colour[c] * (early > 1e-3 ? sap / early : 1.0);
-    /* no paler than white wood is, unless the sapwood is */
-    m->sap[c] = (float)scalar_least(own, scalar_least(1.0, 0.5 * (1.0 + sap)));
-  }
+  memcpy(m->sap, colours[P_SAP_SOFT], sizeof m->sap);
 }

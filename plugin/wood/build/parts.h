@@ -38,12 +38,10 @@ void wood_build_rows(wood_constants *w, const settings *s);
 double wood_bands_denser(const wood_bands *m, double half);
 
 /* parenchyma.c: whether vessels have sheaths; those, once vessels are known, square being the mean
- * of their radii's square over that of the mean; the rest, with its colour in heartwood; and in
- * sapwood, once both are what age and finish make of them. */
+ * of their radii's square over that of the mean; and the rest. */
 int wood_has_sheaths(const wood_constants *w, const settings *s);
 void wood_build_sheaths(wood_constants *w, const settings *s, double square);
 void wood_build_parenchyma(wood_constants *w, const settings *s, const float (*colours)[3]);
-void wood_build_parenchyma_sap(wood_constants *w);
 /* Mean share of the section that ellipses of semi-axes a and b cover, two to each cell, as much
  * larger or smaller as vessels are; mm. */
 double wood_paired_cover(const wood_vessels *v, double a, double b, double cell);

@@ -84,9 +84,9 @@ SPECIES_ALL(DECLARE)
 #define VESSEL_BANDS(arrangement, share, spacing, waviness)                                        \
   CHOICE("vessel_arrangement", arrangement), NUMBER("vessel_bands", share),                        \
       NUMBER("vessel_band_spacing", spacing), NUMBER("vessel_band_waviness", waviness)
-/* Axial parenchyma, by features 79 to 89 of that list: about vessels, um, and how much farther round
- * the stem; in bands of their own, um, every so many mm; between the vessels of bands; at a ring's
- * end, um. */
+/* Axial parenchyma, by features 79 to 89 of that list: about vessels, um, and how much farther
+ * round the stem; in bands of their own, um, every so many mm; between the vessels of bands; at a
+ * ring's end, um. */
 #define SHEATHS(thickness, wings)                                                                  \
   NUMBER("paratracheal_parenchyma", thickness), NUMBER("paratracheal_wings", wings)
 #define SOFT_BANDS(width, spacing, waviness)                                                       \

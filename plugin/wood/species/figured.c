@@ -69,6 +69,7 @@ static const sozai_value values_pommele_sapele[] = {
     SHEATHS(30.0, 1.5),
     SRGB("parenchyma_colour", 164, 112, 81),
     SRGB("sapwood_earlywood_colour", 214, 182, 152),
+    SRGB("sapwood_parenchyma_colour", 220, 189, 157),
     SRGB("sapwood_latewood_colour", 194, 158, 128),
     NUMBER("heartwood_years", 140.0),
     NUMBER("specular", 0.26),

@@ -40,6 +40,7 @@ static const sozai_value values_lauan_plywood[] = {
     SHEATHS(20.0, 1.3),
     SRGB("parenchyma_colour", 207, 164, 132),
     SRGB("sapwood_earlywood_colour", 214, 186, 154),
+    SRGB("sapwood_parenchyma_colour", 220, 195, 162),
     SRGB("sapwood_latewood_colour", 196, 164, 132),
     NUMBER("heartwood_years", 150.0),
     NUMBER("heartwood_edge", INDISTINCT),

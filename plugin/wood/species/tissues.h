@@ -43,6 +43,7 @@
     SOFT_BANDS(25.0, 0.22, 0.5), \
     SRGB("parenchyma_colour", 169, 141, 109), \
     SRGB("sapwood_earlywood_colour", 206, 188, 158), \
+    SRGB("sapwood_parenchyma_colour", 213, 196, 165), \
     SRGB("sapwood_latewood_colour", 184, 162, 130), \
     NUMBER("heartwood_years", 100.0), \
     NUMBER("heartwood_edge", FAIRLY_DISTINCT), \

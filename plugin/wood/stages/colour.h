@@ -69,7 +69,7 @@ INLINE void season_colours(const wood_constants *w, const block *k, vf heart, vf
   }
 }
 
-#define PIGMENT_SOFT 0.6f /* how much of the tissue's pigment lies in its parenchyma */
+#define PIGMENT_SOFT 0.8f /* how much of the tissue's pigment lies in its parenchyma */
 
 /* Parenchyma's, likewise. */
 INLINE void tissue_soft(const wood_constants *w, const block *k, vf heart, vf tissue[3]) {
