@@ -93,7 +93,7 @@ static const sozai_value values_mizunara[] = {
     SOFT_BANDS(20.0, 0.18, 0.6),
     SRGB("parenchyma_colour", 197, 165, 122),
     SRGB("sapwood_earlywood_colour", 220, 199, 162),
-    SRGB("sapwood_parenchyma_colour", 219, 198, 162),
+    SRGB("sapwood_parenchyma_colour", 212, 189, 150),
     SRGB("sapwood_latewood_colour", 200, 176, 136),
     NUMBER("heartwood_years", 150.0),
     NUMBER("specular", 0.06),
