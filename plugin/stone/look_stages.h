@@ -185,9 +185,10 @@ STAGE void looks_find(const stone_cells *c, cells_look *looks, int count) {
   }
 }
 
+#define ZONED 5.0f /* what zones differ by, of what lamellae do */
+
 /* That go through the stages of adding side by side: each is one long wait. Of points alone there
  * is mostly one. */
-#define ZONED 5.0f /* what zones differ by, of what lamellae do */
 #define ADD_LOOKS (LANES == 1 ? 1 : 8)
 
 /* What a look adds, on its way: of the nearest two cells, of crystals three, and of kinds 0 and 2

@@ -7,6 +7,7 @@
 #ifndef SOZAI_STONE_SURFACE_H
 #define SOZAI_STONE_SURFACE_H
 
+#include "../core/smith.h"
 #include "bodies_height.h"
 #include "laid.h"
 #include "moss.h"
@@ -209,24 +210,17 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
 
 /* ---- light ------------------------------------------------------------- */
 
-/* In Walter et al.'s fit a light whose elevation's tangent is as many times the slopes' sd, and the
- * root of two times that, is past all of them. */
-#define SMITH_STEEPER 1.6f
-
-/* Whether the light may be less steep than that in some lane; steep2: the variance. */
+/* Whether the light may be less steep than what Smith's Lambda has in some lane; steep2: the
+ * variance of the slopes. */
 INLINE int surface_grazed(vf steep2, vf t) {
   const float much = 2.01f * SMITH_STEEPER * SMITH_STEEPER; /* a little more: rounding */
   return any(lt(t * t, splat(much) * vmax(steep2, splat(1e-8f))));
 }
 
 /* Smith's Lambda for slopes of sd `steep` under a light whose elevation has the
- * tangent t: Walter et al. 2007's fit. */
+ * tangent t. */
 INLINE vf surface_lambda(vf steep, vf t) {
-  vf a = t / vmax(steep * splat(1.41421356f), splat(1e-4f)), one = splat(1.0f);
-  vf low = vmax(a, splat(1e-3f));
-  vf l = (one - low * (splat(1.259f) - splat(0.396f) * low)) /
-         (low * (splat(3.535f) + splat(2.181f) * low));
-  return sel(lt(a, splat(SMITH_STEEPER)), vmax(l, splat(0.0f)), splat(0.0f));
+  return smith_lambda(t / vmax(steep * splat(1.41421356f), splat(1e-4f)));
 }
 
 /* Share of the light that reaches the place: past the relief about it, by where

@@ -69,17 +69,6 @@ INLINE void grain_noise_alone(const wood_constants *w, vu own, vf y, const noise
   p->g_filtered = p->g_filtered + slope[0] + slope[1];
 }
 
-INLINE void bundle_alone(const wood_constants *w, vu own, const fibre_eye *near,
-                         fibre_bundle *bundle) {
-  float often = w->fibre_frequency[FIBRE_BUNDLE];
-  noise_axis x = noise_split_cubic(near->x * often, HASH_X);
-  noise_axis z = noise_split_cubic(near->z * often, HASH_Z);
-  vu seed = wood_seed(w, own, SEED_FIBRE + FIBRE_BUNDLE);
-  bundle->at = noise_value2(&x, &z, seed, &bundle->x, &bundle->z);
-  bundle->x = bundle->x * often;
-  bundle->z = bundle->z * often;
-}
-
 /* fibre_add of all octaves. */
 INLINE fibre_sum fibre_alone(const wood_constants *w, vu own, const fibre_eye *near,
                              const fibre_eye *far, fibre_bundle *bundle) {
@@ -104,7 +93,10 @@ INLINE fibre_sum fibre_alone(const wood_constants *w, vu own, const fibre_eye *n
     sum.lost = sum.lost + lost[0] + lost[1] + lost[2];
     sum.front = sum.front + front[0] + front[1] + front[2];
   }
-  if (w->has_strays) bundle_alone(w, own, near, bundle);
+  if (w->has_strays) {
+    fibre_octave octave = fibre_octave_of(w, FIBRE_BUNDLE);
+    fibre_bundle_at(&octave, own, near->x, near->z, bundle);
+  }
   return sum;
 }
 

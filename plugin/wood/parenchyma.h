@@ -41,13 +41,6 @@ INLINE vf pulses_mean(vf t, phase_width wide, vf share) {
   return (pulses_to(low + wide.turns, share) - pulses_to(low, share)) * wide.inverse;
 }
 
-/* Square of turns: how far a footprint over (arc, rho) reaches along a phase of slopes (x, z). By
- * rounding, it may be a little below 0. */
-INLINE vf phase_extent2(vf x, vf z, vf c, vf s, const footprint2 *f) {
-  vf arc = z * c - x * s, rho = x * c + z * s;
-  return (f->aa * arc + splat(2.0f) * f->ab * rho) * arc + f->bb * rho * rho;
-}
-
 /* Where bands are asked for: a point, or a place in its footprint with the part of that about it.
  */
 typedef struct {

@@ -113,13 +113,19 @@ INLINE vm bands_hold(const wood_bands *m, const vessel_bands *b, vu hash, vf dx,
   return held;
 }
 
+/* Square of turns: how far a footprint over (arc, rho) reaches along a phase of slopes (x, z). By
+ * rounding, it may be a little below 0. */
+INLINE vf phase_extent2(vf x, vf z, vf c, vf s, const footprint2 *f) {
+  vf arc = z * c - x * s, rho = x * c + z * s;
+  return (f->aa * arc + splat(2.0f) * f->ab * rho) * arc + f->bb * rho * rho;
+}
+
 /* The density's mean over a footprint wider than single pores, over its mean: its first harmonic,
  * as much as the footprint leaves of it. */
 INLINE vf bands_mean(const wood_constants *w, const vessel_bands *b, vf c, vf s,
                      const footprint2 *f) {
   const wood_bands *m = &w->bands;
-  vf arc = b->z * c - b->x * s, rho = b->x * c + b->z * s;
-  vf e2 = (f->aa * arc + splat(2.0f) * f->ab * rho) * arc + f->bb * rho * rho;
+  vf e2 = phase_extent2(b->x, b->z, c, s, f);
   vf keep = filter_wave(vsqrt(vmax(e2, splat(0.0f))), 1.0f);
   vf across = vsqrt(f->aa + f->bb);
   if (m->stray > 0.0f) keep = keep * filter_keep(across, m->stray_size);

@@ -7,9 +7,9 @@
 
 #include "vessels_sheaths.h"
 
-/* Pores under footprints longer than what one tap answers are answered by up to 4; past the
- * part of those the expected coverage fades in. The lanes that are not cut are whole, in
- * one tap, as they would be alone. */
+/* Pores under footprints longer than what one tap answers are answered by up to 4, or 8 with their
+ * sheaths; past the part of those the expected coverage fades in. The lanes that are not cut are
+ * whole, in one tap, as they would be alone. */
 INLINE vm pores_cut(const wood_constants *w, const footprint2 *f) {
   return gt(f->aa + f->bb, splat(w->pores.part * w->pores.part));
 }

@@ -12,7 +12,6 @@
 #define BAND_FORKED 0.25  /* of the spacing: how far a flame's arms part over a ring */
 #define BAND_OBLIQUE 0.84 /* the tangent of diagonal files' angle to the rays, 40 degrees */
 #define BAND_CELL 2.0     /* radii of the largest pore to a cell, at least */
-#define NOISE_BOUND 2147483648.0
 
 enum { SAMPLES = 128 }; /* over a band, and over a ring */
 

@@ -6,16 +6,12 @@
 
 #include "../parameters.h"
 
-/* The fibres' noise's variance over its bound's square: a third from each corner, and
- * 26/35 of that is left between them along each axis. */
-#define FIBRE_VARIANCE 0.1839
-
 #define DRIFT_RADIAL 2.5 /* times as far along the stem as along its radius */
 
 static void build_drift(wood_constants *w, const settings *s) {
   const double sd = 0.42885; /* of the noise, over its bound: the root of FIBRE_VARIANCE */
   double length = number_at(s, P_DRIFT_LENGTH);
-  w->drift = (float)(number_at(s, P_DRIFT) / sd / 2147483648.0);
+  w->drift = (float)(number_at(s, P_DRIFT) / sd / NOISE_BOUND);
   w->drift_length = (float)length;
   w->drift_frequency = (float)(1.0 / length);
   w->drift_frequency_radial = (float)(DRIFT_RADIAL / length);
@@ -32,11 +28,11 @@ void wood_build_fibres(wood_constants *w, const settings *s) {
   w->has_front = stray > 0.0;
   for (int o = 0; o < WOOD_FIBRE_OCTAVES; o++) {
     double l = number_at(s, P_FIBRE_WIDTH) * size[o];
-    w->fibre_scale[o] = (float)(number_at(s, P_FIBRE_BRIGHTNESS) * weight[o] / 2147483648.0);
+    w->fibre_scale[o] = (float)(number_at(s, P_FIBRE_BRIGHTNESS) * weight[o] / NOISE_BOUND);
     w->fibre_frequency[o] = (float)(1.0 / l);
     w->fibre_blur[o] = (float)(0.125 / (l * l));
     double front = stray * bundle[o];
-    w->fibre_front[o] = (float)(front / 2147483648.0);
+    w->fibre_front[o] = (float)(front / NOISE_BOUND);
     w->fibre_variance[o] = (float)(front * front * FIBRE_VARIANCE);
   }
 }

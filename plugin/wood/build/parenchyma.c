@@ -10,8 +10,6 @@
 #include "../parameters.h"
 #include "late.h"
 
-#define NOISE_BOUND 2147483648.0
-
 /* How far the noise takes a band's width, of it; and the most of their spacing that bands take. */
 #define UNEVEN 0.9
 #define BANDS_MOST 0.9
@@ -20,22 +18,35 @@
 #define SHEATH_CLEAR 0.6 /* of a cell, as parts of footprints may reach */
 #define SOFT_BETWEEN 0.5 /* of a band of vessels' spacing: the pale tissue's width */
 
-#define FIBRE_VARIANCE 0.1839 /* of the fibres' noise, over its bound's square; see fibres.c */
-
 enum { ANGLES = 3, PLACES = 5, RINGS = 4, ROUND = 12 };
+
+/* Places all over a disc of radius 1, in rings of equal area: how far out, and which way. */
+typedef struct {
+  double out[RINGS], cosine[ROUND], sine[ROUND];
+} disc_places;
+
+static disc_places all_over_a_disc(void) {
+  disc_places q;
+  for (int i = 0; i < RINGS; i++) q.out[i] = __builtin_sqrt((i + 0.5) / RINGS);
+  for (int i = 0; i < ROUND; i++) {
+    q.cosine[i] = scalar_cos(TWO_PI * i / ROUND);
+    q.sine[i] = scalar_sin(TWO_PI * i / ROUND);
+  }
+  return q;
+}
 
 /* Shares of an ellipse about a place in the middle one of 3 x 3 cells that lie in each, of their
  * area; the mean over vessels of all sizes. Lengths in cells. */
-static void shares_of_cells(const wood_vessels *v, double a, double b, double turn,
-                            const double at[2], double share[9]) {
+static void shares_of_cells(const wood_vessels *v, const disc_places *q, double a, double b,
+                            double turn, const double at[2], double share[9]) {
   double c = scalar_cos(turn), s = scalar_sin(turn);
   for (int i = 0; i < 9; i++) share[i] = 0.0;
   for (int n = 0; n < WOOD_RADII; n++) {
     double size = 1.0 / __builtin_sqrt((double)v->inverse_square[n]);
     double part = 0.5 * TWO_PI * a * b * size * size / (WOOD_RADII * RINGS * ROUND);
     for (int k = 0; k < RINGS * ROUND; k++) {
-      double out = size * __builtin_sqrt((k / ROUND + 0.5) / RINGS), t = TWO_PI * k / ROUND;
-      double x = out * a * scalar_cos(t), y = out * b * scalar_sin(t);
+      double out = size * q->out[k / ROUND];
+      double x = out * a * q->cosine[k % ROUND], y = out * b * q->sine[k % ROUND];
       double px = at[0] + c * x - s * y, py = at[1] + s * x + c * y;
       int ix = px < 0.0 ? 0 : px < 1.0 ? 1 : 2, iy = py < 0.0 ? 0 : py < 1.0 ? 1 : 2;
       share[3 * iy + ix] += part;
@@ -44,11 +55,12 @@ static void shares_of_cells(const wood_vessels *v, double a, double b, double tu
 }
 
 double wood_paired_cover(const wood_vessels *v, double a, double b, double cell) {
+  const disc_places q = all_over_a_disc();
   double bare = 0.0;
   for (int k = 0; k < ANGLES * PLACES * PLACES; k++) {
     double turn = TWO_PI / 8.0 * (k / (PLACES * PLACES)) / (ANGLES - 1), share[9], left = 1.0;
     double at[2] = {(k % PLACES + 0.5) / PLACES, (k / PLACES % PLACES + 0.5) / PLACES};
-    shares_of_cells(v, a / cell, b / cell, turn, at, share);
+    shares_of_cells(v, &q, a / cell, b / cell, turn, at, share);
     for (int i = 0; i < 9; i++) {
       double out = limited(1.0 - share[i], 0.0, 1.0);
       left *= out * out;

@@ -10,6 +10,11 @@
 #include "../build.h"
 
 #define TWO_PI 6.28318530717958647692
+#define NOISE_BOUND 2147483648.0 /* of the kernels' noises, which are of whole numbers */
+
+/* The fibres' noise's variance over its bound's square: a third from each corner, and
+ * 26/35 of that is left between them along each axis. */
+#define FIBRE_VARIANCE 0.1839
 
 /* cut.c: from the object to the log. */
 int32_t wood_build_cut(wood_constants *w, const settings *s);
@@ -33,10 +38,6 @@ int32_t wood_build_figure(wood_constants *w, const settings *s);
 void wood_build_vessels(wood_constants *w, const settings *s);
 void wood_build_rows(wood_constants *w, const settings *s);
 
-/* How many times as dense as on average vessels are within `half` of the spacing from a band's
- * middle. */
-double wood_bands_denser(const wood_bands *m, double half);
-
 /* parenchyma.c: whether vessels have sheaths; those, once vessels are known, square being the mean
  * of their radii's square over that of the mean; and the rest. */
 int wood_has_sheaths(const wood_constants *w, const settings *s);
@@ -51,6 +52,9 @@ void wood_build_bands(wood_constants *w, const settings *s, double largest);
 /* Mean share of an area that is covered by pores in bands, whose areas over it sum to c. radius,
  * cell: mm, of a pore and of its cell. */
 double wood_banded_cover(const wood_bands *m, double c, double radius, double cell);
+/* How many times as dense as on average vessels are within `half` of the spacing from a band's
+ * middle. */
+double wood_bands_denser(const wood_bands *m, double half);
 
 /* rays.c, fibres.c */
 void wood_build_rays(wood_constants *w, const settings *s);

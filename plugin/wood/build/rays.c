@@ -33,7 +33,7 @@ static double build_thickness(wood_constants *w, double half, double arc, double
  * radius they are nearly straight. */
 static void build_sway(wood_constants *w, double height, double broad) {
   double along = (0.4 + 0.7 * broad) * height, slope = 0.05 + 0.02 * broad;
-  w->ray_stray = (float)(slope * along / 2147483648.0);
+  w->ray_stray = (float)(slope * along / NOISE_BOUND);
   w->ray_wave_radial = (float)(1.0 / (8.0 + 3.5 * height));
   w->ray_wave_along = (float)(1.0 / along);
 }

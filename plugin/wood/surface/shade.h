@@ -23,7 +23,7 @@
 #ifndef SOZAI_WOOD_SURFACE_SHADE_H
 #define SOZAI_WOOD_SURFACE_SHADE_H
 
-#include "../../core/maths.h"
+#include "../../core/smith.h"
 
 /* How steeply something rises towards the light, and over how much steeper or less its shadow's
  * edge goes. */
@@ -91,17 +91,11 @@ INLINE vf shade_past(const shade_rise *r, vf tangent) {
   return clamp01(splat(0.5f) + (t - r->slope) / soft);
 }
 
-#define SHADE_STEEPER 1.6f /* from there on light is past all that Walter's fit has */
-
-/* log2 of Smith's expectation for a point in noise: Walter et al.'s fit (2007) of Lambda, times
- * that of the share of heights below, the normal distribution's by a logistic one. */
+/* log2 of Smith's expectation for a point in noise: Lambda times that of the share of heights
+ * below, the normal distribution's by a logistic one. */
 INLINE vf shade_smith(vf variance, vf rank, vf tangent) {
   vf one = splat(1.0f), zero = splat(0.0f);
-  vf a = tangent * inverse_root(vmax(variance + variance, splat(1e-8f)));
-  vf low = clamp(a, splat(1e-3f), splat(SHADE_STEEPER));
-  vf lambda = (one - low * (splat(1.259f) - splat(0.396f) * low)) /
-              (low * (splat(3.535f) + splat(2.181f) * low));
-  lambda = sel(lt(a, splat(SHADE_STEEPER)), vmax(lambda, zero), zero);
+  vf lambda = smith_lambda(tangent * inverse_root(vmax(variance + variance, splat(1e-8f))));
   vf below = log2_(one + exp2_(splat(-2.4555f) * clamp(rank, splat(-6.0f), splat(6.0f))));
   return zero - lambda * below;
 }
@@ -111,7 +105,7 @@ INLINE vf shade_lit(const surface_shade *q, const vf slope[3]) {
   vf zero = splat(0.0f), lit = shade_past(&q->large, q->tangent);
   vf over = q->tangent - (dot3(slope, q->to) - q->fine);
   if (any(gt(q->small.slope, zero))) lit = lit * shade_past(&q->small, over);
-  const float much = 2.01f * SHADE_STEEPER * SHADE_STEEPER; /* a little more: rounding */
+  const float much = 2.01f * SMITH_STEEPER * SMITH_STEEPER; /* a little more: rounding */
   vf least = splat(much) * vmax(q->variance, splat(5e-9f));
   if (any(or_(lt(over, zero), lt(over * over, least)))) {
     lit = lit * exp2_(shade_smith(q->variance, q->rank, over));
