@@ -25,6 +25,7 @@ static void install(int number) {
 void cancel_install(void) {
   install(SIGINT);
   install(SIGTERM);
+  install(SIGHUP);
 }
 
 bool cancel_requested(void) { return atomic_load(&requested) != 0; }

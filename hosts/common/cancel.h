@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0
- * Ctrl-C (SIGINT) and SIGTERM ask for a clean end; a second one kills. */
+ * Ctrl-C (SIGINT), SIGTERM and SIGHUP ask for a clean end; a second one kills. */
 #ifndef SOZAI_HOSTS_CANCEL_H
 #define SOZAI_HOSTS_CANCEL_H
 

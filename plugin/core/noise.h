@@ -95,6 +95,36 @@ INLINE vf noise_value2(const noise_axis *x, const noise_axis *z, vu seed, vf *dx
   return p + q * z->w;
 }
 
+#ifdef SPREADS
+/* noise_value2 of lanes that share a cell: see noise_axial3_shared. right, up: the hash terms from
+ * one corner to the next along x and z. */
+INLINE vf noise_value2_shared(vu base, uint32_t right, uint32_t up, const noise_axis *x,
+                              const noise_axis *z, vf *dx, vf *dz) {
+  const vu corner = {0, right, up, right + up};
+  vf a = hash_signed(base + corner), b = next_lane(a) - a;
+  spread value = spread_of(a), along = spread_of(b);
+  vf low = splat(along.of[0]), high = splat(along.of[2]);
+  vf p = splat(value.of[0]) + low * x->w, q = splat(value.of[2]) + high * x->w - p;
+  *dx = mix(low, high, z->w) * x->dw;
+  *dz = q * z->dw;
+  return p + q * z->w;
+}
+#endif
+
+/* noise_value2 of a lattice so wide that neighbours mostly share a cell. right, up: what x and z
+ * were split by. */
+INLINE vf noise_value2_near(const noise_axis *x, uint32_t right, const noise_axis *z, uint32_t up,
+                            vu seed, vf *dx, vf *dz) {
+#ifdef SPREADS
+  vu base = x->low + z->low + seed;
+  if (alike((vi)base)) return noise_value2_shared(base, right, up, x, z, dx, dz);
+#else
+  (void)right;
+  (void)up;
+#endif
+  return noise_value2(x, z, seed, dx, dz);
+}
+
 /* Axial noise in y alone: gradients are numbers within +-1. */
 INLINE vf noise_axial1(const noise_stem *y, vu seed, vf *dy) {
   vf g0 = hash_signed(y->low + seed), g1 = hash_signed(y->high + seed);

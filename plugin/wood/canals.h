@@ -48,8 +48,8 @@ INLINE canal_cover canals_at(const wood_constants *w, const vessel_place *p) {
 
   vf turn = p->turn + splat(0.5f), k24 = splat(1.0f / 16777216.0f);
   vi n = to_int(count);
-  vf twelfth = splat(1.0f / 12.0f), radius2 = splat(w->canal.radius * w->canal.radius);
-  matrix2 m = {p->f.aa * twelfth, p->f.ab * twelfth, p->f.bb * twelfth};
+  vf radius2 = splat(w->canal.radius * w->canal.radius);
+  matrix2 m = {p->f.aa, p->f.ab, p->f.bb};
   disc whole = disc_blurred(radius2, m), core = disc_blurred(radius2 * splat(CANAL_CORE), m);
   /* all of it within its ring */
   vf margin = splat(CANAL_MARGIN * w->canal.radius) * ring->inverse_width;

@@ -70,7 +70,8 @@ INLINE vf coat_facets_over(const slope_matrix *slopes, const coat_half *h, const
   m.uv = clamp(two * slopes->uv, splat(0.0f) - most, most);
   const slope_matrix inverted = {m.vv, splat(0.0f) - m.uv, m.uu};
   vf det = m.uu * m.vv - m.uv * m.uv;
-  vf d = coat_square(&inverted, &p[0]) / det + h->nh * h->nh;
+  /* of a whole direction it is half at least; light from behind what is seen leaves none */
+  vf d = vmax(coat_square(&inverted, &p[0]) / det + h->nh * h->nh, splat(0.5f));
   vf ca = vmax(ci, tiny), cb = vmax(cr, tiny);
   vf smith =
       ca * vsqrt(cb * cb + coat_square(&m, &p[2])) + cb * vsqrt(ca * ca + coat_square(&m, &p[1]));

@@ -45,6 +45,7 @@ INLINE vf pulses_mean(vf t, phase_width wide, vf share) {
  */
 typedef struct {
   vessel_place at;
+  matrix2 seen;        /* the footprint over (x, z) */
   fibre_bundle bundle; /* the bundles' noise there, as much as the footprint leaves of it */
   vf pores;            /* what they cover */
 } soft_place;
@@ -65,7 +66,7 @@ INLINE vf soft_bands(const wood_constants *w, const soft_place *q, const soft_lo
   vf count = bands_to_ring(m->bands_often, inverse), rate = count * inverse;
   vf phase = at->ring.phase * count - splat(0.5f) + stray * b->at;
   vf x = rate * at->c + stray * b->x, z = rate * at->s + stray * b->z;
-  vf wide2 = phase_extent2(x, z, at->c, at->s, &at->f);
+  vf wide2 = phase_across2(x, z, &q->seen);
   if (part) wide2 = vmin(wide2 + splat(m->bands_lost) * part->lost, splat(SOFT_WIDEST));
   vf share = splat(m->bands_share) * (one + splat(m->bands_uneven) * b->at);
   return pulses_mean(phase, phase_width_of(wide2), share);
@@ -77,8 +78,7 @@ INLINE vf soft_between(const wood_constants *w, const soft_place *q, const vesse
                        const soft_long *part) {
   const wood_parenchyma *m = &w->parenchyma;
   vf one = splat(1.0f), zero = splat(0.0f), two = splat(2.0f), half = splat(m->between_half);
-  vf share;
-  vf wide2 = phase_extent2(v->x, v->z, q->at.c, q->at.s, &q->at.f);
+  vf share, wide2 = phase_across2(v->x, v->z, &q->seen);
   if (part) wide2 = vmin(wide2 + splat(m->between_lost) * part->lost, splat(SOFT_WIDEST));
   phase_width wide = phase_width_of(wide2);
   if (w->bands.fork > 0.0f) {
@@ -130,6 +130,7 @@ INLINE vf soft_leave_parts(const wood_constants *w, const soft_place *from) {
   fibre_sum under;
   soft_place q = *from;
   q.at.f = (footprint2){part.aa, part.ab, part.bb};
+  q.seen = to_section(part.aa, part.ab, part.bb, p->c, p->s);
   fibre_under(&q.at.f, &under);
   vf one = splat(1.0f), keep = sel(cut, fibre_keep(&octave, &under), one);
   soft_long has = {cut, one - keep * keep};

@@ -91,7 +91,7 @@ INLINE void tubes_tap(const wood_tubes *m, vu seed, vf x, vf y, vf z, const disc
  */
 INLINE trough_sum tubes_over(const wood_tubes *m, vu seed, const vessel_place *v, vf y, vf *left,
                              disc *d) {
-  vf zero = splat(0.0f), one = splat(1.0f), twelfth = splat(1.0f / 12.0f);
+  vf zero = splat(0.0f), one = splat(1.0f);
   vm cut = gt(v->f.aa + v->f.bb, splat(m->reach * m->reach));
   footprint_axes l = footprint_split(&v->f);
   footprint_parts part = footprint_cut(&v->f, &l, cut, m->reach, 0.0f, 8);
@@ -100,7 +100,7 @@ INLINE trough_sum tubes_over(const wood_tubes *m, vu seed, const vessel_place *v
   *left = zero;
   *d = (disc){zero, zero, zero, zero, zero, zero, NULL};
   if (!any(gt(keep, zero))) return sum;
-  matrix2 c = to_section(part.aa * twelfth, part.ab * twelfth, part.bb * twelfth, v->c, v->s);
+  matrix2 c = to_section(part.aa, part.ab, part.bb, v->c, v->s);
   *d = disc_blurred(splat(m->radius * m->radius), c);
   for (int i = 0; i < part.taps; i++) {
     footprint_part q = footprint_part_of(&l, &part, cut, i);

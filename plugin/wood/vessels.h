@@ -75,8 +75,11 @@ INLINE disc disc_within(vf xx, vf xz, vf zz, vf det, vf area) {
   return d;
 }
 
+/* c: the footprint, 12 times its covariance. */
+#define DISC_BLUR (1.0f / (12.0f * 0.2552f))
+
 INLINE disc disc_blurred(vf radius2, matrix2 c) {
-  vf k = splat(1.0f / 0.2552f);
+  vf k = splat(DISC_BLUR);
   vf xx = radius2 + k * c.xx, zz = radius2 + k * c.zz, xz = k * c.xz;
   vf det = vmax(xx * zz - xz * xz, radius2 * radius2);
   return disc_within(xx, xz, zz, det, radius2);
@@ -84,7 +87,7 @@ INLINE disc disc_blurred(vf radius2, matrix2 c) {
 
 /* The same of an ellipse, of whose own matrix the determinant is area2. */
 INLINE disc ellipse_blurred(matrix2 own, vf area2, matrix2 c) {
-  vf k = splat(1.0f / 0.2552f);
+  vf k = splat(DISC_BLUR);
   vf xx = own.xx + k * c.xx, zz = own.zz + k * c.zz, xz = own.xz + k * c.xz;
   return disc_within(xx, xz, zz, vmax(xx * zz - xz * xz, area2), vsqrt(area2));
 }

@@ -120,6 +120,11 @@ INLINE vf phase_extent2(vf x, vf z, vf c, vf s, const footprint2 *f) {
   return (f->aa * arc + splat(2.0f) * f->ab * rho) * arc + f->bb * rho * rho;
 }
 
+/* The same of a footprint over (x, z). */
+INLINE vf phase_across2(vf x, vf z, const matrix2 *f) {
+  return (f->xx * x + (f->xz + f->xz) * z) * x + f->zz * z * z;
+}
+
 /* The density's mean over a footprint wider than single pores, over its mean: its first harmonic,
  * as much as the footprint leaves of it. */
 INLINE vf bands_mean(const wood_constants *w, const vessel_bands *b, vf c, vf s,

@@ -24,8 +24,9 @@ INLINE void pores_in_parts(const wood_constants *w, const vessel_place *p, vm cu
   v->pores_faded = sel(part.most, fade_beyond(part.aa + part.bb, w->pores.part), zero);
   vm left = lt(v->pores_faded, splat(1.0f));
   if (!any(left)) return;
-  disc d = pores_disc(w, p, part.aa, part.ab, part.bb), sheath;
-  if (sheaths) sheath = sheaths_disc(w, p, part.aa, part.ab, part.bb);
+  matrix2 f = to_section(part.aa, part.ab, part.bb, p->c, p->s);
+  disc d = pores_disc(w, p, &f), sheath;
+  if (sheaths) sheath = sheaths_disc(w, p, &f);
   vessel_bands bands;
   int taps = part.taps;
   while (taps > 1 && !any(and_(left, footprint_has_part(&part, taps - 1)))) taps--;

@@ -119,16 +119,14 @@ INLINE vf pores_cover(const wood_constants *w, int banded, vu own, vf x, vf z, c
   return vessel_overlap(d, w->pores.overlap, sum);
 }
 
-/* A pore at its mean radius under a footprint of (aa, ab, bb). */
-INLINE disc pores_disc(const wood_constants *w, const vessel_place *p, vf aa, vf ab, vf bb) {
-  vf twelfth = splat(1.0f / 12.0f);
-  matrix2 m = to_section(aa * twelfth, ab * twelfth, bb * twelfth, p->c, p->s);
+/* A pore at its mean radius under a footprint over (x, z). */
+INLINE disc pores_disc(const wood_constants *w, const vessel_place *p, const matrix2 *f) {
   vf radius2 = splat(w->pores.radius * w->pores.radius);
   if (w->pore_growth != 0.0f) {
     vf size = splat(w->pore_early) + splat(w->pore_growth) * p->ring.phase;
     radius2 = radius2 * size * size;
   }
-  disc d = disc_blurred(radius2, m);
+  disc d = disc_blurred(radius2, *f);
   d.bands = p->bands;
   return d;
 }

@@ -96,9 +96,7 @@ INLINE vf rows_cover(const wood_constants *w, const row_place *p, vf rho, vf da,
 
 /* An earlywood vessel at its mean radius under such a footprint. */
 INLINE disc rows_disc(const wood_constants *w, vf aa, vf ab, vf bb) {
-  vf twelfth = splat(1.0f / 12.0f);
-  matrix2 m = {aa * twelfth, ab * twelfth, bb * twelfth};
-  return disc_blurred(splat(w->row.radius * w->row.radius), m);
+  return disc_blurred(splat(w->row.radius * w->row.radius), (matrix2){aa, ab, bb});
 }
 
 INLINE row_place row_of(const wood_constants *w, const vessel_place *p) {

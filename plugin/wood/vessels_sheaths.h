@@ -14,17 +14,15 @@
 
 #include "vessels_pores.h"
 
-/* A pore of the mean radius with its sheath, under a footprint of (aa, ab, bb). */
-INLINE disc sheaths_disc(const wood_constants *w, const vessel_place *p, vf aa, vf ab, vf bb) {
-  vf twelfth = splat(1.0f / 12.0f), arc = splat(w->parenchyma.sheath_arc2),
-     radial = splat(w->parenchyma.sheath_radial2);
-  matrix2 blur = to_section(aa * twelfth, ab * twelfth, bb * twelfth, p->c, p->s);
+/* A pore of the mean radius with its sheath, under a footprint over (x, z). */
+INLINE disc sheaths_disc(const wood_constants *w, const vessel_place *p, const matrix2 *f) {
+  vf arc = splat(w->parenchyma.sheath_arc2), radial = splat(w->parenchyma.sheath_radial2);
   if (w->pore_growth != 0.0f) {
     vf size = splat(w->pore_early) + splat(w->pore_growth) * p->ring.phase;
     arc = arc * size * size;
     radial = radial * size * size;
   }
-  return ellipse_blurred(to_section(arc, splat(0.0f), radial, p->c, p->s), arc * radial, blur);
+  return ellipse_blurred(to_section(arc, splat(0.0f), radial, p->c, p->s), arc * radial, *f);
 }
 
 /* Adds the cover of one pore, at (x, z) from it, and takes that of its sheath from what is left. */

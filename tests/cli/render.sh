@@ -173,7 +173,7 @@ begin() { # what SIGINT is to it: default or ignore
     sleep 0.1
   done
 }
-for signal in INT TERM; do
+for signal in INT TERM HUP; do
   begin default
   kill -"$signal" "$pid"
   wait "$pid"

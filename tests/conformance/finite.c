@@ -216,6 +216,37 @@ static void wood_functions(void **unused) {
   p.textures->destroy(t);
 }
 
+/* Seen against the light along the surface, as a coat on a relief hardly is: half way between the
+ * two there is no direction. */
+static void seen_against_the_light(void **unused) {
+  (void)unused;
+  const sozai_value values[] = {{.id = "finish", .kind = SOZAI_KIND_CHOICE, .text = "lacquered"},
+                                {.id = "surface", .kind = SOZAI_KIND_CHOICE, .text = "planed"}};
+  sozai_texture *t = NULL;
+  assert_int_equal(p.textures->create(NULL, "wood", NULL, values, 2, &t), SOZAI_OK);
+  for (uint32_t round = 0; round < 64; round++) {
+    batch_make(&b, info, BATCH_MAX);
+    for (uint32_t i = 0; i < BATCH_MAX; i++) {
+      float aside = nasty[i % NASTY], turned = i & 1 ? -1e-30f : 0.0f;
+      float off = ldexpf(1.0f, -(int)(i / NASTY % 80u));
+      const float normal[3] = {1.0f, off < 1e-3f ? 0.0f : off, turned};
+      const float light[3] = {round & 1 ? aside : off, 0.0f, 1.0f};
+      for (int c = 0; c < 3; c++) {
+        b.in[3 + c][i] = normal[c];
+        b.in[6 + c][i] = light[c];
+        b.in[12 + c][i] = c == 2 ? -1.0f : 0.0f;
+      }
+    }
+    assert_int_equal(p.textures->evaluate(t, &b.batch), SOZAI_OK);
+    assert_int_equal(batch_unfit(&b, BATCH_MAX), 0);
+    for (uint32_t i = 0; i < BATCH_MAX; i++) {
+      float most = b.out[3][i] / fmaxf(b.in[9][i], 1e-3f); /* radiance under the light's colour */
+      if (most > 1e4f) fail_msg("radiance %g at point %u", (double)most, i);
+    }
+  }
+  p.textures->destroy(t);
+}
+
 static int start(void **unused) {
   (void)unused;
   if (plugin_start(&p, SOZAI_TEST_PLUGIN)) return -1;
@@ -230,8 +261,8 @@ static int stop(void **unused) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(always_finite),
-                                     cmocka_unit_test(as_the_header_says),
-                                     cmocka_unit_test(wood_functions)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(always_finite), cmocka_unit_test(as_the_header_says),
+      cmocka_unit_test(wood_functions), cmocka_unit_test(seen_against_the_light)};
   return cmocka_run_group_tests(tests, start, stop);
 }

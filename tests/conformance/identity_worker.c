@@ -166,6 +166,16 @@ static uint64_t answer(const span *s) {
   return sum;
 }
 
+/* Every eighth point is seen almost squarely, as by a camera that faces it: from 2^-20 to 2^-8 off
+ * the normal. */
+static void look_squarely(uint64_t block, float (*in)[BLOCK]) {
+  for (uint32_t i = 0; i < BLOCK; i += 8) {
+    float aside = ldexpf(1.0f, -8 - (int)(mix64(block * BLOCK + i) % 13u));
+    for (int c = 0; c < 3; c++)
+      in[IN_VIEW + c][i] = in[IN_NORMAL + c][i] + aside * in[IN_NORMAL + (c + 1) % 3][i];
+  }
+}
+
 /* ---- the threads, each taking random pieces of the blocks -------------- */
 
 static uint32_t cut(uint64_t block, uint32_t piece) {
@@ -191,7 +201,10 @@ static void *thread(void *one) {
   for (;;) {
     uint64_t piece = atomic_fetch_add(&next_piece, 1), block = piece / pieces;
     if (block >= blocks || atomic_load(&failed)) break;
-    if (block != made) points_make(made = block, w->in);
+    if (block != made) {
+      points_make(made = block, w->in);
+      look_squarely(block, w->in);
+    }
     uint32_t k = (uint32_t)(piece % pieces);
     uint32_t from = alone ? 0 : cut(block, k), to = alone ? BLOCK : cut(block, k + 1);
     for (uint32_t i = from; i < to; i += batch_size) {

@@ -58,7 +58,39 @@ static void near_is_far(void **state) {
         worst, vessels, most);
 }
 
+/* Bands of vessels leave those as wide as a ring no room. */
+static void vessels_as_wide_as_rings(void **state) {
+  (void)state;
+  static const char *const values[] = {
+      "surface=sanded; ring_width=0.2; vessel_diameter=400",
+      "surface=sanded; ring_width=0.2; vessel_diameter=400; vessel_arrangement=diagonal",
+      "surface=sanded; ring_width=0.2; vessel_diameter=250; vessel_arrangement=radial",
+      "surface=sanded; ring_width=0.4; vessel_diameter=500; vessel_arrangement=dendritic"};
+  static const char *const species[] = {NULL,  "mizunara", "kuri",    "oak",
+                                        "elm", "holly",    "red_oak", "jarrah"};
+  unsigned odd = 0, all = 0;
+  for (unsigned s = 0; s < sizeof species / sizeof *species; s++) {
+    for (unsigned k = 0; k < sizeof values / sizeof *values; k++) {
+      sozai_texture *t = wood_make(species[s], values[k]);
+      points p = {0};
+      uniform_seed(9);
+      for (int i = 0; i < 300; i++)
+        points_add(&p, 60 * uniform(), 60 * uniform(), 0, i % 3 ? 3 * uniform() : 0);
+      points_ask(&p, t);
+      for (unsigned i = 0; i < p.count; i++, all++) {
+        double v = points_value(&p, VESSEL, i), a = points_value(&p, ALBEDO, i);
+        odd += !isfinite(points_value(&p, HEIGHT, i)) || !(v >= 0 && v <= 1) || !(a > 0 && a < 1);
+      }
+      points_free(&p);
+      textures->destroy(t);
+    }
+  }
+  CHECK(!odd, "%u of %u places have a height, a share of vessels or an albedo that cannot be\n",
+        odd, all);
+}
+
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(near_is_far)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(near_is_far),
+                                     cmocka_unit_test(vessels_as_wide_as_rings)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

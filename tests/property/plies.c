@@ -6,6 +6,7 @@
  */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "cmocka_all.h"
@@ -399,6 +400,31 @@ static void floors_may_be_of_plies(void **state) {
   textures->destroy(t);
 }
 
+/* A normal's component is the same whether the others are asked for or not. */
+static void components_by_themselves(void **state) {
+  (void)state;
+  static const double slant[3] = {0.6, 0, 0.8};
+  sozai_texture *t = wood_make("birch_plywood", "sheets=100");
+  points p = {0};
+  uniform_seed(10);
+  for (int i = 0; i < 3000; i++)
+    add(&p, 900 * uniform(), 900 * uniform(), -1500 * uniform(), slant, 4 * uniform());
+  points_ask(&p, t);
+  float *whole = malloc(3 * p.count * sizeof *whole);
+  assert_non_null(whole);
+  for (unsigned c = 0; c < 3; c++)
+    memcpy(whole + c * p.count, p.out[NORMAL + c], p.count * sizeof *whole);
+  unsigned other = 0;
+  for (unsigned c = 0; c < 3; c++) {
+    points_ask_only(&p, t, ONLY(NORMAL + c));
+    for (unsigned i = 0; i < p.count; i++) other += p.out[NORMAL + c][i] != whole[c * p.count + i];
+  }
+  CHECK(!other, "%u of 9000 components of a normal are others by themselves\n", other);
+  free(whole);
+  points_free(&p);
+  textures->destroy(t);
+}
+
 static void what_cannot_be_is_refused(void **state) {
   (void)state;
   static const struct {
@@ -442,6 +468,7 @@ int main(void) {
       cmocka_unit_test(glue_stands_above),           cmocka_unit_test(floors_may_be_of_plies),
       cmocka_unit_test(no_place_has_no_answer),      cmocka_unit_test(what_cannot_be_is_refused),
       cmocka_unit_test(averages_what_lies_under_it), cmocka_unit_test(faces_average_too),
-      cmocka_unit_test(a_walk_stays_on_its_fibre),   cmocka_unit_test(rings_are_not_asked_for)};
+      cmocka_unit_test(a_walk_stays_on_its_fibre),   cmocka_unit_test(rings_are_not_asked_for),
+      cmocka_unit_test(components_by_themselves)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

@@ -431,13 +431,16 @@ static double quantile(double alignment, double t) {
   return 0.5 * PI * t * (1.0 - alignment + alignment * 0.18 * a * a);
 }
 
-static void build_directions(fibertex_constants *w, const settings *s) {
-  double alignment = number_at(s, P_ALIGNMENT);
+static void build_directions(fibertex_constants *w, double alignment) {
   for (int i = 0; i < FIBERTEX_DIRECTIONS; i++) {
     double a = quantile(alignment, (2.0 * i + 1.0) / FIBERTEX_DIRECTIONS - 1.0);
     w->turn[0][i] = (float)scalar_cos(a);
     w->turn[1][i] = (float)scalar_sin(a);
   }
+}
+
+/* Of an aggregate, as it is seen from afar; its layers are known. */
+static void look_at_hull(fibertex_constants *w, double alignment) {
   w->looks = HULL_LOOKS;
   const fibertex_layer *bulk = &w->layer[w->layers - (FIBERTEX_HULL - 1)];
   for (int m = 0; m < HULL_LOOKS; m++) {
@@ -511,7 +514,7 @@ int32_t fibertex_build(fibertex_constants *w, const sozai_host *host, const sett
   w->structure = choice_at(s, P_STRUCTURE);
   w->solid = 1.0f;
   build_bundles(w, s);
-  build_directions(w, s); /* for what is measured */
+  build_directions(w, number_at(s, P_ALIGNMENT));
   if (w->structure == STRUCTURE_WOVEN) build_yarns(w, s);
   double depth = build_shell(w, s, kernel);
   w->scatter = (float)angle2((double)w->layer[w->layers - 1].slope2);
@@ -522,7 +525,7 @@ int32_t fibertex_build(fibertex_constants *w, const sozai_host *host, const sett
     set_footprints(w);
     look_at_yarns(w, kernel, number_at(s, P_TWIST) * RADIANS);
   } else {
-    build_directions(w, s);
+    look_at_hull(w, number_at(s, P_ALIGNMENT));
   }
   int32_t r = fibertex_build_light(w, host, s, depth);
   if (r == SOZAI_OK) level_looks(w, kernel);

@@ -19,7 +19,7 @@ typedef struct {
 static const sozai_texture_info *describe(void) {
   static sozai_texture_info info = {
       .size = sizeof(sozai_texture_info),
-      .revision = 16,
+      .revision = 17,
       .id = "fiber",
       .label = "Fibre",
       .doc = "Aggregates of fibres as a surface shows them: every strand near, and from afar a "

@@ -58,9 +58,12 @@ INLINE void stage_view(const kernel_io *io, block *k) {
   /* squarely it is exactly that, so that what slants need can be left out */
   vm level = and_(and_(eq(v[0], f->n[0]), eq(v[1], f->n[1])), eq(v[2], f->n[2]));
   into_frame(f, v, f->view);
-  for (int c = 0; c < 3; c++) f->view[c] = sel(level, c == 2 ? one : zero, f->view[c]);
   /* at the horizon nothing is seen but the hull's edge: no further than this */
   vf slant = one / vmin(vmax(f->view[2], splat(0.18f)), one);
+  /* and within some 3e-4 of it, where the cosine is 1: eye_level asks for that alone */
+  level = or_(level, eq(slant, one));
+  slant = sel(level, one, slant);
+  for (int c = 0; c < 3; c++) f->view[c] = sel(level, c == 2 ? one : zero, f->view[c]);
   for (int c = 0; c < 3; c++) f->step[c] = sel(level, zero, (v[c] - f->n[c] * f->view[2]) * slant);
   for (int c = 0; c < 2; c++) f->lean2[c] = f->view[c] * slant;
   k->inverse[1] = slant;

@@ -4,6 +4,8 @@
  */
 #include "parts.h"
 
+#include <string.h>
+
 #include "../../core/scalar.h"
 #include "../parameters.h"
 
@@ -12,6 +14,8 @@
 #define BAND_FORKED 0.25  /* of the spacing: how far a flame's arms part over a ring */
 #define BAND_OBLIQUE 0.84 /* the tangent of diagonal files' angle to the rays, 40 degrees */
 #define BAND_CELL 2.0     /* radii of the largest pore to a cell, at least */
+#define BAND_ROOM                                                                                  \
+  0.25 /* of the rings: where less is far enough from their ends, pores stand evenly */
 
 enum { SAMPLES = 128 }; /* over a band, and over a ring */
 
@@ -139,8 +143,13 @@ void wood_build_bands(wood_constants *w, const settings *s, double largest) {
   m->margin = (float)(m->along_arc ? largest : 0.0);
   m->stray = (float)(number_at(s, P_BAND_STRAY) / NOISE_BOUND);
   m->stray_size = (float)(number_at(s, P_FIBRE_WIDTH) * WOOD_BUNDLE);
+  double room = within_margins(w, (double)m->margin);
+  if (room < BAND_ROOM) {
+    memset(m, 0, sizeof *m);
+    return;
+  }
   band_shares shares = shares_of(in_bands, number_at(s, P_PORE_DENSITY) * cell * cell);
   build_within(m, &shares);
-  m->share = (float)(mean_over_ring(m, 0.0) * within_margins(w, (double)m->margin));
+  m->share = (float)(mean_over_ring(m, 0.0) * room);
   build_swing(m);
 }

@@ -36,6 +36,7 @@ typedef struct {
   float in[IN_COLUMNS][TAPS_ROOM], footprint[TAPS_ROOM];
   float told[TAP_COLUMNS][TAPS_ROOM];
   float out[WOOD_COMPONENTS][TAPS_ROOM];
+  float normal[3]; /* what has been added up of the last point's */
 } ply_queue;
 
 /* Not averaged: directions and numbers. */
@@ -44,10 +45,31 @@ static int taps_of_own(int c) {
          c == WOOD_REFERENCE + 1 || (c >= WOOD_BOARD_ID && c <= WOOD_BOARD_EDGE);
 }
 
+static int taps_normal(int c) { return c >= WOOD_NORMAL && c < WOOD_NORMAL + 3; }
+
+/* Its length is that of all three, whichever are asked for. */
+static void taps_store_normals(const kernel_io *io, ply_queue *q) {
+  for (uint32_t k = 0; k < q->count; k++) {
+    float square = 0.0f, length = 1.0f;
+    for (int c = 0; c < 3; c++) {
+      float x = q->weight[k] * q->out[WOOD_NORMAL + c][k];
+      q->normal[c] = q->flags[k] & OF_FIRST ? x : q->normal[c] + x;
+    }
+    if (!(q->flags[k] & OF_LAST)) continue;
+    square =
+        q->normal[0] * q->normal[0] + q->normal[1] * q->normal[1] + q->normal[2] * q->normal[2];
+    if (!(q->flags[k] & OF_FIRST) && !(square < 1e-12f)) length = __builtin_sqrtf(square);
+    for (int c = 0; c < 3; c++) {
+      float *out = io->out[WOOD_NORMAL + c];
+      if (out) out[q->point[k]] = q->normal[c] / length;
+    }
+  }
+}
+
 static void taps_store(const kernel_io *io, const ply_queue *q) {
   for (int c = 0; c < WOOD_COMPONENTS; c++) {
     float *out = io->out[c];
-    if (!out) continue;
+    if (!out || taps_normal(c)) continue;
     int of_own = taps_of_own(c);
     for (uint32_t k = 0; k < q->count; k++) {
       float x = q->out[c][k], *to = &out[q->point[k]];
@@ -59,16 +81,6 @@ static void taps_store(const kernel_io *io, const ply_queue *q) {
         *to += q->weight[k] * x;
       }
     }
-  }
-  const float *const *n = (const float *const *)&io->out[WOOD_NORMAL];
-  if (!n[0] || !n[1] || !n[2]) return;
-  for (uint32_t k = 0; k < q->count; k++) {
-    if (!(q->flags[k] & OF_LAST) || q->flags[k] & OF_FIRST) continue;
-    uint32_t i = q->point[k];
-    float square = n[0][i] * n[0][i] + n[1][i] * n[1][i] + n[2][i] * n[2][i];
-    if (square < 1e-12f) continue;
-    float length = __builtin_sqrtf(square);
-    for (int c = 0; c < 3; c++) io->out[WOOD_NORMAL + c][i] = n[c][i] / length;
   }
 }
 
@@ -96,15 +108,23 @@ static void taps_ask(const wood_constants *w, const kernel_io *io, const wood_wa
     in.view[c] = taps_given(q, in.view[c], q->in[IN_VIEW + c]);
     in.light_colour[c] = taps_given(q, in.light_colour[c], q->in[IN_COLOUR + c]);
   }
+  int normals = io->out[WOOD_NORMAL] || io->out[WOOD_NORMAL + 1] || io->out[WOOD_NORMAL + 2];
   for (int c = 0; c < WOOD_COMPONENTS; c++) {
-    out[c] = !io->out[c] ? NULL : q->alone ? io->out[c] + q->point[0] : q->out[c];
+    if (q->alone) {
+      out[c] = io->out[c] ? io->out[c] + q->point[0] : NULL;
+    } else {
+      out[c] = io->out[c] || (normals && taps_normal(c)) ? q->out[c] : NULL;
+    }
   }
   for (int c = 0; c < TAP_COLUMNS; c++) told.column[c] = q->told[c];
   wood_wants asked = *want;
   asked.taps = &told;
   kernel_io part = {&in, out, io->wanted};
   evaluate_points(w, &part, &asked, 1, 0, q->count);
-  if (!q->alone) taps_store(io, q);
+  if (!q->alone) {
+    taps_store(io, q);
+    if (normals) taps_store_normals(io, q);
+  }
   q->count = 0;
 }
 

@@ -76,6 +76,7 @@ typedef struct {
   vf reach;              /* mm: rings_extent */
   vessel_bands bands;
   disc pore;
+  matrix2 seen; /* the footprint over (x, z) there */
   vessel_cover_t vessels;
   int pores_parted, rows_parted; /* these have been looked up in parts */
   fibre_sum bundle;

@@ -28,7 +28,7 @@ INLINE vessel_bands bands_of(const wood_constants *w, int boards, const block *k
 /* What parenchyma is told of the point. */
 INLINE soft_place soft_place_of(const wood_constants *w, int boards, const block *k) {
   vf zero = splat(0.0f);
-  soft_place here = {.at = vessel_place_of(boards, k), .bundle = k->strays};
+  soft_place here = {.at = vessel_place_of(boards, k), .seen = k->seen, .bundle = k->strays};
   if (!place_has_turn(w)) here.at.turn = zero;
   if (!w->has_strays) here.bundle = (fibre_bundle){zero, zero, zero};
   here.pores = k->vessels.pores;
@@ -64,9 +64,12 @@ INLINE void stage_vessel_parts(const wood_constants *w, int boards, block *k) {
 INLINE void stage_turns(block *k) { k->turn = place_turn(grown_at(k)->c, grown_at(k)->s); }
 
 INLINE void stage_disc(const wood_constants *w, int boards, block *k) {
-  if (k->pores_parted || !w->has_pores) return;
+  int single = w->has_pores && !k->pores_parted;
+  if (!single && !w->parenchyma.on) return;
   vessel_place place = vessel_place_of(boards, k);
-  k->pore = pores_disc(w, &place, place.f.aa, place.f.ab, place.f.bb);
+  k->seen = to_section(place.f.aa, place.f.ab, place.f.bb, place.c, place.s);
+  if (!single) return;
+  k->pore = pores_disc(w, &place, &k->seen);
 }
 
 INLINE void stage_pores(const wood_constants *w, int boards, block *k) {
@@ -95,7 +98,7 @@ INLINE void stage_sheathed_pores(const wood_constants *w, int boards, int banded
   if (k->pores_parted) return;
   vessel_place place = vessel_place_of(boards, k);
   vessel_bands bands;
-  disc d = k->pore, sheath = sheaths_disc(w, &place, place.f.aa, place.f.ab, place.f.bb);
+  disc d = k->pore, sheath = sheaths_disc(w, &place, &k->seen);
   if (banded) {
     bands = bands_of(w, boards, k);
     d.bands = &bands;

@@ -159,7 +159,8 @@ INLINE void relief_vessels(const wood_constants *w, const surface_place *p, surf
     vf left = zero;
     r->height = r->height - splat(m->pores.mean) * faded;
     if (any(lt(faded, one))) {
-      disc d = pores_disc(w, v, v->f.aa, v->f.ab, v->f.bb);
+      matrix2 f = to_section(v->f.aa, v->f.ab, v->f.bb, v->c, v->s);
+      disc d = pores_disc(w, v, &f);
       trough_sum g = grooves_pores(w, v->own, v->x, v->z, &d);
       r->height = r->height - k * g.depth;
       relief_add(r, zero - k * g.x, q->along_x);
@@ -176,9 +177,7 @@ INLINE void relief_vessels(const wood_constants *w, const surface_place *p, surf
   if (m->rows.depth > 0.0f) {
     row_place row = row_of(w, v);
     vf faded = fade_beyond(e2, w->row.reach), k = splat(m->rows.depth) * (one - faded);
-    vf twelfth = splat(1.0f / 12.0f);
-    matrix2 c = {v->f.aa * twelfth, v->f.ab * twelfth, v->f.bb * twelfth};
-    disc d = disc_blurred(splat(w->row.radius * w->row.radius), c);
+    disc d = rows_disc(w, v->f.aa, v->f.ab, v->f.bb);
     vf left = trough_left(&d) * (one - faded) * (one - faded);
     r->height = r->height - splat(m->rows.mean) * faded;
     if (any(and_(lt(faded, one), row.near))) {
