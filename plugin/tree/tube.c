@@ -5,6 +5,7 @@
  * axis and is narrower than the parent: the joint is inside.
  */
 #include "../core/hash1.h"
+#include "bark.h"
 #include "mesh.h"
 #include "parameters.h"
 #include "turn.h"
@@ -41,12 +42,13 @@ void tube_size(const tube_shape *s, uint64_t *points, uint64_t *triangles) {
 }
 
 typedef struct {
-  float p[3], r;
+  float p[3], r, age; /* age: of its bark */
 } ring;
 
 static void between(const ring *a, const ring *b, float share, float wider, ring *out) {
   for (int c = 0; c < 3; c++) out->p[c] = a->p[c] + share * (b->p[c] - a->p[c]);
   out->r = wider * (a->r + share * (b->r - a->r));
+  out->age = a->age + share * (b->age - a->age);
 }
 
 static float apart(const ring *a, const ring *b) {
@@ -95,10 +97,13 @@ static uint32_t add_collar(ring *rings, uint32_t n, float parent, float radius) 
 /* The rings' middles and radii. */
 static uint32_t lay_rings(const tree *t, const tree_branch *b, const tube_shape *s, ring *out) {
   const tree_node *nodes = &t->nodes[b->first];
+  float ages[RINGS_MOST];
   uint32_t n = 0;
+  bark_ages(t, b, ages);
   for (uint32_t i = 0; i < b->nodes;
        i = i + 1 < b->nodes && i + s->stride >= b->nodes ? b->nodes - 1 : i + s->stride) {
     for (int c = 0; c < 3; c++) out[n].p[c] = nodes[i].p[c];
+    out[n].age = ages[i];
     out[n++].r = nodes[i].r;
   }
   return s->collar ? add_collar(out, n, parent_radius(t, b), b->radius) : n;
@@ -158,6 +163,7 @@ void tube_write(mesh_pen *pen, const tree *t, uint32_t branch, const tube_shape 
       carry(level, along);
     }
     cross(along, level, side);
+    bark_colour(&t->plan, rings[i].age, pen->colour);
     if (i == 0) {
       for (int c = 0; c < 3; c++) back[c] = -along[c];
       base = pen_point(pen, rings[0].p, back, 0.5f, 0.0f, branch);
