@@ -150,6 +150,30 @@ static float lobed(const tree *t, const tree_branch *b, float height, const floa
   return 1.0f + near_ground * near_ground * (0.16f * five + 0.1f * three + 0.1f);
 }
 
+#define UPRIGHT 0.7f /* a stem that leans further is no foot but a trunk along the ground */
+
+/* A stem's foot lies flat on the ground, however it leans; its rings come round to it by and by. */
+static void stand(const tree_branch *b, float height, float along[3]) {
+  float share = height / (3.0f * b->radius), sum = 0.0f;
+  if (b->order || share >= 1.0f || !(along[1] > UPRIGHT)) return;
+  for (int c = 0; c < 3; c++) {
+    along[c] = c == 1 ? 1.0f + share * (along[1] - 1.0f) : share * along[c];
+    sum += along[c] * along[c];
+  }
+  sum = 1.0f / __builtin_sqrtf(sum);
+  for (int c = 0; c < 3; c++) along[c] *= sum;
+}
+
+/* Where a tube ends: of a dead branch, whose tip has broken off, in a splinter. */
+#define SPLINTER 1.2f /* radii long */
+
+static void end_point(const tree_branch *b, const ring *last, const float along[3], float out[3]) {
+  for (int c = 0; c < 3; c++) {
+    out[c] = last->p[c];
+    if (b->death >= 0.0f) out[c] += SPLINTER * last->r * along[c];
+  }
+}
+
 void tube_write(mesh_pen *pen, const tree *t, uint32_t branch, const tube_shape *s) {
   const tree_branch *b = &t->branches[branch];
   ring rings[RINGS_MOST];
@@ -157,6 +181,7 @@ void tube_write(mesh_pen *pen, const tree *t, uint32_t branch, const tube_shape 
   float along[3], level[3], side[3], v = 0.0f, back[3];
   for (uint32_t i = 0; i < count; i++) {
     direction(rings, count, i, along);
+    stand(b, rings[i].p[1], along);
     if (i == 0) {
       turn_level(along, level);
     } else {
@@ -180,7 +205,8 @@ void tube_write(mesh_pen *pen, const tree *t, uint32_t branch, const tube_shape 
       pen_point(pen, p, n, (float)k / (float)s->sides, v, branch);
     }
   }
-  uint32_t tip = pen_point(pen, rings[count - 1].p, along, 0.5f, v, branch);
+  end_point(b, &rings[count - 1], along, back);
+  uint32_t tip = pen_point(pen, back, along, 0.5f, v, branch);
   uint32_t last = base + 1 + (count - 1) * across;
   for (uint32_t k = 0; k < s->sides; k++) {
     pen_triangle(pen, base, base + 2 + k, base + 1 + k);

@@ -172,8 +172,62 @@ static void joints_inside(void **unused) {
   }
 }
 
+static double apart(const float *a, const float *b) {
+  double sum = 0;
+  for (int c = 0; c < 3; c++) sum += ((double)a[c] - (double)b[c]) * ((double)a[c] - (double)b[c]);
+  return sqrt(sum);
+}
+
+/* Nothing of the stem below the ground, and a whole ring upon it, however it leans. */
+static void feet_are_level(void **unused) {
+  (void)unused;
+  static const char *const kinds[] = {"akamatsu", "kuromatsu", "momiji"};
+  for (int s = 0; s < 3; s++) {
+    sozai_geometry *g = grow(kinds[s], "age=60 orders=1", NULL);
+    for (uint32_t level = 0; level <= 8; level += 2) {
+      const sozai_mesh *m = mesh_of(g, level);
+      uint64_t grounded = 0;
+      for (uint64_t i = 0; i < m->point_count && !m->owner[i]; i++) {
+        assert_true(m->points[3 * i + 1] >= 0);
+        grounded += m->points[3 * i + 1] == 0;
+      }
+      assert_true(grounded >= 5); /* its middle, and three sides and the seam at least */
+      geometry()->release_mesh(m);
+    }
+    geometry()->release(g);
+  }
+}
+
+/* A dead branch, which has broken off, ends beyond its axis, and a live one on it. */
+static void dead_ones_splinter(void **unused) {
+  (void)unused;
+  sozai_geometry *g = grow("akamatsu", "age=40 orders=1", NULL);
+  const sozai_curves *c = curves_of(g, 0);
+  const sozai_mesh *m = mesh_of(g, 0);
+  sozai_table b = table_of(g, "branches");
+  int dead = 0, live = 0;
+  for (uint64_t k = 1, at = 0; k < c->curve_count; k++) {
+    while (at + 1 < m->point_count && m->owner[at + 1] <= c->ids[k]) at++;
+    uint64_t end = c->first[k + 1] - 1;
+    double over = apart(m->points + 3 * at, c->points + 3 * end) / (double)c->radii[end];
+    if (cell(&b, c->ids[k], "death") < 0) {
+      assert_true(over < 1e-3);
+      live++;
+    } else {
+      assert_true(over > 1 && over < 1.5);
+      dead++;
+    }
+  }
+  print_message("%d dead branches end in a splinter, %d live ones do not\n", dead, live);
+  assert_true(dead > 10 && live > 10);
+  geometry()->release_mesh(m);
+  geometry()->release_curves(c);
+  geometry()->release(g);
+}
+
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(every_species),
-                                     cmocka_unit_test(joints_inside)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(every_species), cmocka_unit_test(joints_inside),
+      cmocka_unit_test(feet_are_level), cmocka_unit_test(dead_ones_splinter)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
