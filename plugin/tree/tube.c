@@ -10,14 +10,18 @@
 #include "parameters.h"
 #include "turn.h"
 
-#define SIDES_MOST 24u
-
 static uint32_t sides_of(float r, uint32_t level) {
   uint32_t n = r < 1.5f ? 3 : r < 6.0f ? 4 : r < 20.0f ? 6 : r < 60.0f ? 9 : r < 150.0f ? 14 : 22;
   n -= level * n / 5 < n ? level * n / 5 : n;
   if (level > 0 && n == 4) n = 3;
   return n < 3 ? 3 : n;
 }
+
+/* Stems of some size stand on roots: lobes, gone a diameter or two up, on more sides. */
+#define LOBED_FROM 40.0f                        /* mm of radius */
+static const uint32_t lobed_sides[] = {36, 26}; /* by level; from 2 on as any tube */
+
+static int stands_on_roots(const tree_branch *b) { return !b->order && b->radius >= LOBED_FROM; }
 
 int tube_shape_of(const tree *t, uint32_t branch, uint32_t level, tube_shape *out) {
   const tree_branch *b = &t->branches[branch];
@@ -31,6 +35,7 @@ int tube_shape_of(const tree *t, uint32_t branch, uint32_t level, tube_shape *ou
   out->stride = level < 2 ? 1 : level < 4 ? 2 : 4;
   if (branch == 0 && level == 1) out->stride = 2;
   out->sides = sides_of(b->radius, level);
+  if (level < 2 && stands_on_roots(b)) out->sides = lobed_sides[level];
   out->collar = level < 2 && b->order == 1 && b->radius > 1.0f;
   out->rings = (b->nodes - 2) / out->stride + 2 + (out->collar ? 2u : 0u);
   return 1;
@@ -136,9 +141,9 @@ static void cross(const float a[3], const float b[3], float out[3]) {
   out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/* Stems of some size stand on roots: lobes, gone a diameter or two up. */
+/* The radius at the foot, as a share. */
 static float lobed(const tree *t, const tree_branch *b, float height, const float round[2]) {
-  if (b->order || b->radius < 40.0f) return 1.0f;
+  if (!stands_on_roots(b)) return 1.0f;
   float near_ground = 1.0f - height / (3.0f * b->radius);
   if (near_ground <= 0.0f) return 1.0f;
   uint32_t h = hash1(t->plan.seed ^ 0x0badcafeu);
@@ -148,6 +153,25 @@ static float lobed(const tree *t, const tree_branch *b, float height, const floa
   float c2 = c * c, five = c * (16.0f * c2 * c2 - 20.0f * c2 + 5.0f),
         three = d * (3.0f - 4.0f * d * d);
   return 1.0f + near_ground * near_ground * (0.16f * five + 0.1f * three + 0.1f);
+}
+
+/* The k-th side's place on the ring, from the axis, and its normal. */
+static float lobe(const tree *t, const tree_branch *b, float height, uint32_t k, uint32_t sides,
+                  float out[2]) {
+  const float *round[3] = {NULL, t->plan.round[k % sides * 1024u / sides], NULL};
+  float r[3];
+  out[0] = round[1][0], out[1] = round[1][1];
+  if (!stands_on_roots(b)) return 1.0f;
+  for (uint32_t i = 0; i < 3; i++) {
+    round[i] = t->plan.round[(k + sides - 1 + i) % sides * 1024u / sides];
+    r[i] = lobed(t, b, height, round[i]);
+  }
+  if (r[0] == r[2]) return r[1];
+  /* square to the line from the side before to the one behind */
+  float x = r[2] * round[2][0] - r[0] * round[0][0], y = r[2] * round[2][1] - r[0] * round[0][1];
+  float s = 1.0f / __builtin_sqrtf(x * x + y * y);
+  out[0] = s * y, out[1] = -s * x;
+  return r[1];
 }
 
 #define UPRIGHT 0.7f /* a stem that leans further is no foot but a trunk along the ground */
@@ -197,10 +221,10 @@ void tube_write(mesh_pen *pen, const tree *t, uint32_t branch, const tube_shape 
     }
     for (uint32_t k = 0; k <= s->sides; k++) {
       const float *round = t->plan.round[k % s->sides * 1024u / s->sides];
-      float n[3], p[3], r = rings[i].r * lobed(t, b, rings[i].p[1], round);
+      float n[3], p[3], out[2], r = rings[i].r * lobe(t, b, rings[i].p[1], k, s->sides, out);
       for (int c = 0; c < 3; c++) {
-        n[c] = round[0] * level[c] + round[1] * side[c];
-        p[c] = rings[i].p[c] + r * n[c];
+        n[c] = out[0] * level[c] + out[1] * side[c];
+        p[c] = rings[i].p[c] + r * (round[0] * level[c] + round[1] * side[c]);
       }
       pen_point(pen, p, n, (float)k / (float)s->sides, v, branch);
     }

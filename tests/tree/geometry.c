@@ -198,6 +198,38 @@ static void feet_are_level(void **unused) {
   }
 }
 
+/* Between roots a stem's foot is lit as it lies: normals turn with its faces, seen from above. */
+static void roots_have_normals(void **unused) {
+  (void)unused;
+  sozai_geometry *g = grow("buna", "age=80 orders=1", NULL);
+  const sozai_mesh *m = mesh_of(g, 0);
+  double worst = 1, radial = 1;
+  for (uint64_t i = 0; i < m->parts[0].count && !m->owner[m->indices[3 * i]]; i++) {
+    const float *p[3];
+    double a[3], b[3], lowest = 1e9, highest = 0;
+    for (uint64_t c = 0; c < 3; c++) {
+      p[c] = m->points + 3 * m->indices[3 * i + c];
+      lowest = fmin(lowest, (double)p[c][1]), highest = fmax(highest, (double)p[c][1]);
+    }
+    if (lowest > 0 || highest < 1) continue; /* from the foot to the next ring */
+    for (int c = 0; c < 3; c++)
+      a[c] = (double)p[1][c] - (double)p[0][c], b[c] = (double)p[2][c] - (double)p[0][c];
+    double x = a[1] * b[2] - a[2] * b[1], z = a[0] * b[1] - a[1] * b[0], l = sqrt(x * x + z * z);
+    for (uint64_t c = 0; c < 3; c++) {
+      const float *n = m->normals + 3 * m->indices[3 * i + c];
+      double out = sqrt((double)p[c][0] * (double)p[c][0] + (double)p[c][2] * (double)p[c][2]);
+      if (p[c][1] > 0) continue;
+      worst = fmin(worst, ((double)n[0] * x + (double)n[2] * z) / l);
+      radial = fmin(radial, ((double)p[c][0] * x + (double)p[c][2] * z) / l / out);
+    }
+  }
+  print_message("normals and faces: cosine %.3f at least; of normals from the axis %.3f\n", worst,
+                radial);
+  assert_true(radial < 0.8 && worst > 0.92);
+  geometry()->release_mesh(m);
+  geometry()->release(g);
+}
+
 /* A dead branch, which has broken off, ends beyond its axis, and a live one on it. */
 static void dead_ones_splinter(void **unused) {
   (void)unused;
@@ -228,6 +260,7 @@ static void dead_ones_splinter(void **unused) {
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(every_species), cmocka_unit_test(joints_inside),
-      cmocka_unit_test(feet_are_level), cmocka_unit_test(dead_ones_splinter)};
+      cmocka_unit_test(feet_are_level), cmocka_unit_test(roots_have_normals),
+      cmocka_unit_test(dead_ones_splinter)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
