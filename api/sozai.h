@@ -50,7 +50,7 @@ extern "C" {
 #endif
 
 #define SOZAI_ABI_MAJOR 1u /* another major: not compatible */
-#define SOZAI_ABI_MINOR 3u /* a higher minor only adds ids and struct members */
+#define SOZAI_ABI_MINOR 4u /* a higher minor only adds ids and struct members */
 
 /* ---- results ---------------------------------------------------------- */
 
@@ -419,6 +419,8 @@ typedef struct sozai_mesh {
   const uint32_t *owner;   /* of each point: what it belongs to, as in sozai_curves.ids */
   const uint32_t *indices; /* three to a triangle, counter-clockwise seen from outside */
   const sozai_part *parts; /* of triangles, in order, without gaps */
+  const float *colours;    /* r g b each, as sozai_part.colour, of each point: bark by its age.
+                              NULL: as the parts are. A plugin of ABI 1.3 gives a `size` without */
 } sozai_mesh;
 
 /* Polylines with a radius at each point. Owned by the plugin until
@@ -433,6 +435,7 @@ typedef struct sozai_curves {
   const uint64_t *first;   /* curve_count + 1: curve i has points first[i] up to first[i + 1] */
   const uint32_t *ids;     /* of each curve: the branch's (a leaf's: its shoot's); the strand's */
   const sozai_part *parts; /* of curves, in order, without gaps */
+  const float *colours;    /* r g b each, of each point: as in sozai_mesh */
 } sozai_curves;
 
 /* Rows of numbers, row by row: fit to be handed on as a SOZAI_BUFFER_TABLE.

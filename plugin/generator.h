@@ -14,7 +14,7 @@ typedef struct mesh_block {
   sozai_mesh out; /* what the host sees; first, so that it leads back here */
   sozai_host host;
   size_t bytes;
-  float *points, *normals, *uv;
+  float *points, *normals, *uv, *colours;
   uint32_t *owner, *indices;
   sozai_part parts[PARTS_MAX];
 } mesh_block;
@@ -23,15 +23,18 @@ typedef struct curves_block {
   sozai_curves out;
   sozai_host host;
   size_t bytes;
-  float *points, *radii;
+  float *points, *radii, *colours;
   uint64_t *first;
   uint32_t *ids;
   sozai_part parts[PARTS_MAX];
 } curves_block;
 
-/* Zeroed, with the counts set; NULL with the message set. */
-mesh_block *mesh_block_make(const sozai_host *host, uint64_t points, uint64_t triangles);
-curves_block *curves_block_make(const sozai_host *host, uint64_t curves, uint64_t points);
+/* Zeroed, with the counts set; NULL with the message set. coloured: points have colours of
+ * their own. */
+mesh_block *mesh_block_make(const sozai_host *host, uint64_t points, uint64_t triangles,
+                            int coloured);
+curves_block *curves_block_make(const sozai_host *host, uint64_t curves, uint64_t points,
+                                int coloured);
 
 typedef struct generator {
   const sozai_generator_info *(*describe)(void); /* filled when first asked, at init */

@@ -256,7 +256,8 @@ static void *take_block(const sozai_host *host, size_t size) {
   return NULL;
 }
 
-mesh_block *mesh_block_make(const sozai_host *host, uint64_t points, uint64_t triangles) {
+mesh_block *mesh_block_make(const sozai_host *host, uint64_t points, uint64_t triangles,
+                            int coloured) {
   if (points >> 32 || triangles > (1ull << 33)) {
     fail(SOZAI_ERROR_UNSUPPORTED, "mesh: %llu points do not fit into one mesh",
          (unsigned long long)points);
@@ -264,7 +265,7 @@ mesh_block *mesh_block_make(const sozai_host *host, uint64_t points, uint64_t tr
   }
   size_t head = rounded(sizeof(mesh_block)), p3 = rounded(points * 12), p2 = rounded(points * 8),
          p1 = rounded(points * 4), t3 = rounded(triangles * 12);
-  size_t size = head + 2 * p3 + p2 + p1 + t3;
+  size_t size = head + (coloured ? 3 : 2) * p3 + p2 + p1 + t3;
   mesh_block *m = take_block(host, size);
   if (!m) return NULL;
   char *at = (char *)m + head;
@@ -274,7 +275,8 @@ mesh_block *mesh_block_make(const sozai_host *host, uint64_t points, uint64_t tr
   m->normals = (float *)(void *)(at += p3);
   m->uv = (float *)(void *)(at += p3);
   m->owner = (uint32_t *)(void *)(at += p2);
-  m->indices = (uint32_t *)(void *)(at + p1);
+  m->indices = (uint32_t *)(void *)(at += p1);
+  m->colours = coloured ? (float *)(void *)(at + t3) : NULL;
   m->out = (sozai_mesh){.size = sizeof(sozai_mesh),
                         .point_count = points,
                         .triangle_count = triangles,
@@ -283,14 +285,16 @@ mesh_block *mesh_block_make(const sozai_host *host, uint64_t points, uint64_t tr
                         .uv = m->uv,
                         .owner = m->owner,
                         .indices = m->indices,
-                        .parts = m->parts};
+                        .parts = m->parts,
+                        .colours = m->colours};
   return m;
 }
 
-curves_block *curves_block_make(const sozai_host *host, uint64_t curve_count, uint64_t points) {
+curves_block *curves_block_make(const sozai_host *host, uint64_t curve_count, uint64_t points,
+                                int coloured) {
   size_t head = rounded(sizeof(curves_block)), p3 = rounded(points * 12), p1 = rounded(points * 4),
          c8 = rounded((curve_count + 1) * 8), c4 = rounded(curve_count * 4);
-  size_t size = head + p3 + p1 + c8 + c4;
+  size_t size = head + (coloured ? 2 : 1) * p3 + p1 + c8 + c4;
   curves_block *c = take_block(host, size);
   if (!c) return NULL;
   char *at = (char *)c + head;
@@ -299,7 +303,8 @@ curves_block *curves_block_make(const sozai_host *host, uint64_t curve_count, ui
   c->points = (float *)(void *)at;
   c->radii = (float *)(void *)(at += p3);
   c->first = (uint64_t *)(void *)(at += p1);
-  c->ids = (uint32_t *)(void *)(at + c8);
+  c->ids = (uint32_t *)(void *)(at += c8);
+  c->colours = coloured ? (float *)(void *)(at + c4) : NULL;
   c->out = (sozai_curves){.size = sizeof(sozai_curves),
                           .curve_count = curve_count,
                           .point_count = points,
@@ -307,7 +312,8 @@ curves_block *curves_block_make(const sozai_host *host, uint64_t curve_count, ui
                           .radii = c->radii,
                           .first = c->first,
                           .ids = c->ids,
-                          .parts = c->parts};
+                          .parts = c->parts,
+                          .colours = c->colours};
   return c;
 }
 

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "growth.h"
 #include "job_options.h"
 #include "samples.h"
 #include "scene.h"
@@ -19,6 +20,7 @@ typedef struct view {
   studio studio;
   vec albedo[VIEW_PARTS];
   bool sheet[VIEW_PARTS];
+  float *colours; /* of the points of what is no sheet, or NULL: as the parts are */
 } view;
 
 static uint32_t part_of(const sozai_mesh *m, uint32_t triangle) {
@@ -27,10 +29,22 @@ static uint32_t part_of(const sozai_mesh *m, uint32_t triangle) {
   return i;
 }
 
+/* Of bark: between the triangle's corners. */
+static vec between(const view *w, const hit *h) {
+  const uint32_t *t = w->mesh->indices + 3 * (size_t)h->triangle;
+  const float share[3] = {1 - h->u - h->v, h->u, h->v};
+  vec sum = {0, 0, 0};
+  for (int k = 0; k < 3; k++) {
+    const float *c = w->colours + 3 * (size_t)t[k];
+    sum = vec_add(sum, vec_scale(share[k], (vec){c[0], c[1], c[2]}));
+  }
+  return sum;
+}
+
 /* Leaves and shoots differ a little from one to another, as they do. */
 static vec varied(const view *w, const hit *h, uint32_t part) {
   vec a = w->albedo[part];
-  if (!w->sheet[part]) return a;
+  if (!w->sheet[part]) return w->colours ? between(w, h) : a;
   const sozai_mesh *m = w->mesh;
   uint32_t owner = m->owner[m->indices[3 * (size_t)h->triangle]];
   float own = (float)(sample_hash(owner * 2654435761u) >> 8) / 16777216.0f;
@@ -65,6 +79,24 @@ static vec look(const void *context, const view_ray *r, bool *hit_any) {
   return studio_backdrop(&w->studio, w->scene, r->direction);
 }
 
+/* The points of parts that are no sheets, up to the last: sheets, which vary by themselves here,
+ * have most of a tree's points and keep their part's colour. */
+static bool take_colours(view *w, const session *s, failure *why) {
+  const sozai_mesh *m = w->mesh;
+  const float *colours = growth_mesh_colours(m);
+  uint64_t count = 0;
+  for (uint64_t i = 0; colours && i < m->triangle_count; i++) {
+    if (w->sheet[part_of(m, (uint32_t)i)]) continue;
+    for (uint64_t k = 0; k < 3; k++)
+      if (m->indices[3 * i + k] >= count) count = m->indices[3 * i + k] + 1ull;
+  }
+  if (!count) return true;
+  w->colours = malloc((size_t)count * 3 * sizeof *w->colours);
+  if (!w->colours) return fail(why, EXIT_FAILURE, "out of memory");
+  memcpy(w->colours, colours, (size_t)count * 3 * sizeof *colours);
+  return view_working(w->colours, count, "bark", s, why);
+}
+
 static bool draw(view *w, const render_job *job, const session *s, film *out, failure *why) {
   camera from;
   camera_place(&from, job, w->scene, out->width, out->height);
@@ -73,6 +105,7 @@ static bool draw(view *w, const render_job *job, const session *s, film *out, fa
   if (!view_colours(parts, w->mesh->part_count, s, w->albedo, why)) return false;
   for (uint32_t i = 0; i < w->mesh->part_count && i < VIEW_PARTS; i++)
     w->sheet[i] = strcmp(parts[i].id, "bark") != 0 && strcmp(parts[i].id, "shoot") != 0;
+  if (!take_colours(w, s, why)) return false;
   const view_picture picture = {job, &from, out, look, w};
   return view_draw(&picture, why);
 }
@@ -104,6 +137,7 @@ bool tree_view_render(const tree_view *v, const sozai_mesh *m, session *s, film 
   bool ok =
       film_allocate(out, v->size[0], v->size[1], NULL, NULL, 0, why) && draw(&w, &job, s, out, why);
   scene_close(&sc);
+  free(w.colours);
   if (!ok) film_free(out);
   return ok;
 }

@@ -2,6 +2,7 @@
 #include "view.h"
 
 #include <stdatomic.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include "cancel.h"
 #include "ending.h"
@@ -55,19 +56,22 @@ bool view_draw(const view_picture *p, failure *why) {
   return !cancel_requested() || fail(why, EXIT_FAILURE, "cancelled");
 }
 
+bool view_working(float *rgb, uint64_t count, const char *whose, const session *s, failure *why) {
+  const sozai_colour_1 *c = s->colour.service;
+  for (uint64_t i = 0; !c && i < 3 * count; i++) rgb[i] = (float)srgb_to_linear((double)rgb[i]);
+  char text[256] = "";
+  return !c || c->to_working(c->self, "sRGB", rgb, count, text, sizeof text) == SOZAI_OK ||
+         fail(why, EXIT_FAILURE, "colour of %s: %s", whose, text);
+}
+
 bool view_colours(const sozai_part *parts, uint32_t count, const session *s, vec *out,
                   failure *why) {
-  const sozai_colour_1 *c = s->colour.service;
   for (uint32_t i = 0; i < count && i < VIEW_PARTS; i++) {
     const sozai_part *p = &parts[i];
     float rgb[3] = {p->colour[0], p->colour[1], p->colour[2]};
-    if (!c) {
-      for (int k = 0; k < 3; k++) rgb[k] = (float)srgb_to_linear((double)rgb[k]);
-    } else {
-      char text[256] = "";
-      if (c->to_working(c->self, "sRGB", rgb, 1, text, sizeof text) != SOZAI_OK)
-        return fail(why, EXIT_FAILURE, "colour of part %s: %s", p->id, text);
-    }
+    char whose[128];
+    snprintf(whose, sizeof whose, "part %s", p->id);
+    if (!view_working(rgb, 1, whose, s, why)) return false;
     out[i] = (vec){rgb[0], rgb[1], rgb[2]};
   }
   return true;

@@ -33,6 +33,9 @@ bool view_draw(const view_picture *p, failure *why);
 bool view_colours(const sozai_part *parts, uint32_t count, const session *s, vec *out,
                   failure *why);
 
+/* Colours that are sRGB, r g b each, in the working space, in place; whose: for a message. */
+bool view_working(float *rgb, uint64_t count, const char *whose, const session *s, failure *why);
+
 /* By the path's ending: .png through the display, .exr. */
 bool view_write(const film *f, const session *s, const char *path, failure *why);
 

@@ -202,6 +202,8 @@ hit scene_trace(const scene *s, vec origin, vec direction) {
     refine_sphere(s, &h);
   else {
     h.triangle = r.hit.primID;
+    h.u = r.hit.u;
+    h.v = r.hit.v;
     refine_triangle(s, r.hit.primID, r.hit.u, r.hit.v, &h);
   }
   h.geometric = facing(h.geometric, direction);

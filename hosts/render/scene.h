@@ -31,6 +31,7 @@ typedef struct hit {
   vec normal;        /* unit, towards the ray's origin */
   vec geometric;     /* likewise, of the flat triangle */
   uint32_t triangle; /* of the mesh */
+  float u, v;        /* where on it: shares of its second and third corner */
 } hit;
 
 bool scene_open(scene *s, const render_job *job, failure *why);

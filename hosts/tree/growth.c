@@ -4,6 +4,7 @@
 
 #include <errno.h>
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -101,4 +102,25 @@ double growth_number(const sozai_table *t, uint64_t row, const char *column) {
     if (strcmp(info->columns[i].id, column) == 0)
       return (double)t->data[row * info->column_count + i];
   return NAN;
+}
+
+/* A struct of another time is read as far as it goes. */
+#define REACHES(s, type, member)                                                                   \
+  ((s)->size >= offsetof(type, member) + sizeof((const type *)0)->member)
+
+const float *growth_mesh_colours(const sozai_mesh *m) {
+  return REACHES(m, sozai_mesh, colours) ? m->colours : NULL;
+}
+
+const float *growth_curves_colours(const sozai_curves *c) {
+  return REACHES(c, sozai_curves, colours) ? c->colours : NULL;
+}
+
+bool growth_part_varies(const sozai_mesh *m, uint32_t part) {
+  const float *colours = growth_mesh_colours(m);
+  const sozai_part *p = &m->parts[part];
+  for (uint64_t i = 3 * p->first; colours && i < 3 * (p->first + p->count); i++)
+    for (uint64_t c = 0; c < 3; c++)
+      if (fabsf(colours[3 * (uint64_t)m->indices[i] + c] - p->colour[c]) > 1e-6f) return true;
+  return false;
 }

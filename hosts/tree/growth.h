@@ -38,6 +38,12 @@ bool growth_rows(const sozai_geometry_1 *table, const sozai_geometry *g, const c
 /* The number in a row's column of that id. NAN: there is no such column. */
 double growth_number(const sozai_table *t, uint64_t row, const char *column);
 
+/* Of its points, r g b each, sRGB. NULL: as the parts are, or an older plugin's. */
+const float *growth_mesh_colours(const sozai_mesh *m);
+const float *growth_curves_colours(const sozai_curves *c);
+/* Whether a part's points differ from the part's colour. */
+bool growth_part_varies(const sozai_mesh *m, uint32_t part);
+
 /* ---- writers, one file each ------------------------------------------- */
 
 /* Each writes to `path`, in mm unless its format says otherwise. */

@@ -53,21 +53,24 @@ static double linear(float code) {
   return y * y * root;
 }
 
-static void put_colours(text_file *t, const sozai_part *parts, uint32_t count, uint64_t total,
-                        const char *interpolation) {
+static void put_colour(text_file *t, const float *colour, bool first) {
+  text_put(t, first ? "(" : ", (");
+  for (int c = 0; c < 3; c++) {
+    if (c) text_put(t, ", ");
+    text_number(t, linear(colour[c]));
+  }
+  text_put(t, ")");
+}
+
+/* colours: of each point; NULL: each face, or curve, has its part's. */
+static void put_colours(text_file *t, const sozai_part *parts, uint32_t count, const float *colours,
+                        uint64_t points) {
   text_put(t, "        color3f[] primvars:displayColor = [");
-  for (uint32_t k = 0; k < count; k++)
-    for (uint64_t i = 0; i < parts[k].count; i++) {
-      text_put(t, k || i ? ", (" : "(");
-      for (int c = 0; c < 3; c++) {
-        if (c) text_put(t, ", ");
-        text_number(t, linear(parts[k].colour[c]));
-      }
-      text_put(t, ")");
-    }
-  (void)total;
+  for (uint64_t i = 0; colours && i < points; i++) put_colour(t, &colours[3 * i], i == 0);
+  for (uint32_t k = 0; !colours && k < count; k++)
+    for (uint64_t i = 0; i < parts[k].count; i++) put_colour(t, parts[k].colour, !k && !i);
   text_put(t, "] (\n            interpolation = \"");
-  text_put(t, interpolation);
+  text_put(t, colours ? "vertex" : "uniform");
   text_put(t, "\"\n        )\n");
 }
 
@@ -91,7 +94,7 @@ static void put_mesh(text_file *t, const sozai_mesh *m) {
   text_put(t, "        texCoord2f[] primvars:st = ");
   put_points(t, m->uv, m->point_count, 2, true);
   text_put(t, " (\n            interpolation = \"vertex\"\n        )\n");
-  put_colours(t, m->parts, m->part_count, m->triangle_count, "uniform");
+  put_colours(t, m->parts, m->part_count, growth_mesh_colours(m), m->point_count);
   for (uint32_t k = 0; k < m->part_count; k++) {
     const sozai_part *part = &m->parts[k];
     text_put(t, "\n        def GeomSubset \"");
@@ -129,7 +132,7 @@ static void put_curves(text_file *t, const sozai_curves *c) {
     text_number(t, 2 * (double)c->radii[i]);
   }
   text_put(t, "] (\n            interpolation = \"vertex\"\n        )\n");
-  put_colours(t, c->parts, c->part_count, c->curve_count, "uniform");
+  put_colours(t, c->parts, c->part_count, growth_curves_colours(c), c->point_count);
   text_put(t, "    }\n");
 }
 

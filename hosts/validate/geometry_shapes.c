@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
  * Meshes, curves and tables of what is grown, and their levels of detail. */
 #include <math.h>
+#include <stddef.h>
 
 #include "geometry.h"
 
@@ -37,13 +38,28 @@ static bool all_finite(const char *id, const char *what, const float *x, uint64_
   return true;
 }
 
+/* What a struct with colours has to reach; one of ABI 1.3 ends before them. */
+static uint32_t least_size(const subject *s, size_t before, size_t whole) {
+  return (uint32_t)(s->entry->abi_minor < 4 ? before : whole);
+}
+
+/* "r g b each, as sozai_part.colour, of each point" */
+static void colours_of(const char *id, const char *what, const float *colours, uint64_t points) {
+  if (!colours || !all_finite(id, what, colours, 3 * points)) return;
+  uint64_t off = 0;
+  for (uint64_t i = 0; i < 3 * points; i++) off += !(colours[i] >= 0 && colours[i] <= 1);
+  EXPECT(!off, "%s: %llu numbers of its %s are not of 0 to 1", id, (unsigned long long)off, what);
+}
+
 static void mesh_of(subject *s, const sozai_generator_info *info, grown *g) {
   const sozai_mesh *m = POISON;
   doing("mesh of %s", info->id);
   int32_t r = s->geometry->mesh(g->geometry, NULL, &m);
   if (!EXPECT(r == SOZAI_OK && m && m != POISON, "%s: mesh gave %s", info->id, result_name(r)))
     return;
-  EXPECT(m->size >= sizeof *m, "%s: the mesh has size %u", info->id, m->size);
+  EXPECT(m->size >= least_size(s, offsetof(sozai_mesh, colours), sizeof *m),
+         "%s: the mesh has size %u", info->id, m->size);
+  if (m->size >= sizeof *m) colours_of(info->id, "mesh's colours", m->colours, m->point_count);
   EXPECT(m->point_count < 1ull << 32, "%s: %llu points", info->id,
          (unsigned long long)m->point_count);
   all_finite(info->id, "mesh's points", m->points, 3 * m->point_count);
@@ -79,7 +95,9 @@ static void curves_of(subject *s, const sozai_generator_info *info, grown *g) {
   int32_t r = s->geometry->curves(g->geometry, NULL, &c);
   if (!EXPECT(r == SOZAI_OK && c && c != POISON, "%s: curves gave %s", info->id, result_name(r)))
     return;
-  EXPECT(c->size >= sizeof *c, "%s: the curves have size %u", info->id, c->size);
+  EXPECT(c->size >= least_size(s, offsetof(sozai_curves, colours), sizeof *c),
+         "%s: the curves have size %u", info->id, c->size);
+  if (c->size >= sizeof *c) colours_of(info->id, "curves' colours", c->colours, c->point_count);
   all_finite(info->id, "curves' points", c->points, 3 * c->point_count);
   if (all_finite(info->id, "curves' radii", c->radii, c->point_count)) {
     uint64_t negative = 0;

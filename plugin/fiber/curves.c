@@ -76,7 +76,7 @@ int32_t fiber_curves(const fiber *f, const sozai_host *host, uint32_t level, cur
   if (r) return r;
   selection s = select_strands(f, level);
   uint64_t curves = s.counts[0] + s.counts[1], at = 0;
-  curves_block *c = curves_block_make(host, curves, curves * s.sieve.points);
+  curves_block *c = curves_block_make(host, curves, curves * s.sieve.points, 0);
   if (!c) return SOZAI_ERROR_MEMORY;
   for (int k = 0; !r && k < 2; k++) {
     if (!s.counts[k]) continue;
@@ -194,7 +194,7 @@ int32_t fiber_mesh(const fiber *f, const sozai_host *host, uint32_t level, mesh_
   }
   uint64_t strands = s.counts[0] + s.counts[1];
   uint64_t each = 2ull * t.sides * (s.sieve.points - 1) + 2ull * (t.sides - 2);
-  t.m = mesh_block_make(host, strands * s.sieve.points * t.sides, strands * each);
+  t.m = mesh_block_make(host, strands * s.sieve.points * t.sides, strands * each, 0);
   if (!t.m)
     return strands * s.sieve.points * t.sides >> 32 ? SOZAI_ERROR_UNSUPPORTED : SOZAI_ERROR_MEMORY;
   uint64_t done = 0;

@@ -3,6 +3,7 @@
 
 #include "../core/hash1.h"
 #include "../core/status.h"
+#include "bark.h"
 #include "parameters.h"
 
 #define REPORT_EACH 0x40000u /* branches, leaves */
@@ -14,6 +15,7 @@ uint32_t pen_point(mesh_pen *pen, const float p[3], const float n[3], float u, f
   for (int c = 0; c < 3; c++) {
     m->points[3 * i + (uint64_t)c] = p[c];
     m->normals[3 * i + (uint64_t)c] = n[c];
+    m->colours[3 * i + (uint64_t)c] = pen->colour[c];
   }
   m->uv[2 * i] = u;
   m->uv[2 * i + 1] = v;
@@ -35,7 +37,7 @@ static void name_part(sozai_part *part, const tree *t, int which, uint64_t first
                        .first = first,
                        .count = count,
                        .flags = closed ? SOZAI_PART_CLOSED : 0u};
-  for (int c = 0; c < 3; c++) part->colour[c] = t->plan.colours[which][c];
+  for (int c = 0; c < 3; c++) part->colour[c] = t->plan.colours[which][c]; /* COLOUR_ likewise */
 }
 
 /* Parts without a triangle, or curve, are left out. */
@@ -82,7 +84,7 @@ int32_t tree_mesh(const tree *t, const sozai_host *host, uint32_t level, mesh_bl
   leaf_shape_of(t, level, &leaf);
   uint64_t leaves = leaves_of(t, leaf.stride), work = t->branch_count + leaves, done = 0;
   mesh_block *m =
-      mesh_block_make(host, points + leaves * leaf.points, triangles + leaves * leaf.triangles);
+      mesh_block_make(host, points + leaves * leaf.points, triangles + leaves * leaf.triangles, 1);
   if (!m) return points >> 32 ? SOZAI_ERROR_UNSUPPORTED : SOZAI_ERROR_MEMORY;
   mesh_pen pen = {.mesh = m};
   uint64_t ends[3] = {0, 0, 0};
@@ -93,6 +95,7 @@ int32_t tree_mesh(const tree *t, const sozai_host *host, uint32_t level, mesh_bl
       r = host_progress(host, (double)done / (double)work, "making the mesh");
   }
   ends[1] = pen.triangle;
+  for (int c = 0; c < 3; c++) pen.colour[c] = t->plan.colours[COLOUR_LEAF][c];
   for (uint64_t i = 0; !r && i < leaves; i++) {
     leaf_write(&pen, leaf_of(t, i, leaf.stride), &leaf);
     if (++done % REPORT_EACH == 0)
@@ -111,14 +114,19 @@ int32_t tree_mesh(const tree *t, const sozai_host *host, uint32_t level, mesh_bl
 
 /* ---- curves ------------------------------------------------------------ */
 
-static void write_curve(curves_block *c, uint64_t curve, uint64_t *point, const tree_branch *b,
-                        const tree_node *nodes, uint32_t stride, uint32_t id) {
+static void write_curve(curves_block *c, uint64_t curve, uint64_t *point, const tree *t,
+                        uint32_t stride, uint32_t id) {
+  const tree_branch *b = &t->branches[id];
+  const tree_node *nodes = &t->nodes[b->first];
+  float ages[RINGS_MOST];
+  bark_ages(t, b, ages);
   c->first[curve] = *point;
   c->ids[curve] = id;
   for (uint32_t i = 0; i < b->nodes;
        i = i + 1 < b->nodes && i + stride >= b->nodes ? b->nodes - 1 : i + stride) {
-    for (int k = 0; k < 3; k++) c->points[3 * *point + (uint64_t)k] = nodes[b->first + i].p[k];
-    c->radii[(*point)++] = nodes[b->first + i].r;
+    for (int k = 0; k < 3; k++) c->points[3 * *point + (uint64_t)k] = nodes[i].p[k];
+    bark_colour(&t->plan, ages[i], &c->colours[3 * *point]);
+    c->radii[(*point)++] = nodes[i].r;
   }
 }
 
@@ -137,12 +145,12 @@ int32_t tree_curves(const tree *t, const sozai_host *host, uint32_t level, curve
   }
   leaf_shape_of(t, level, &leaf);
   uint64_t leaves = t->plan.leaf == LEAF_NEEDLE ? leaves_of(t, leaf.stride) : 0;
-  curves_block *c = curves_block_make(host, curves + leaves, points + 2 * leaves);
+  curves_block *c = curves_block_make(host, curves + leaves, points + 2 * leaves, 1);
   if (!c) return SOZAI_ERROR_MEMORY;
   uint64_t curve = 0, point = 0, ends[3] = {0, 0, 0};
   for (uint32_t i = 0; i < t->branch_count; i++) {
     if (tube_shape_of(t, i, level, &tube)) {
-      write_curve(c, curve++, &point, &t->branches[i], t->nodes, tube.stride, i);
+      write_curve(c, curve++, &point, t, tube.stride, i);
     }
     if (i + 1 == t->stems) ends[0] = curve;
   }
@@ -156,6 +164,8 @@ int32_t tree_curves(const tree *t, const sozai_host *host, uint32_t level, curve
     for (int k = 0; k < 3; k++) {
       c->points[3 * point + (uint64_t)k] = o->base[k];
       c->points[3 * point + 3 + (uint64_t)k] = o->base[k] + leaf.longer * o->axis[k];
+      for (uint64_t n = 0; n < 2; n++)
+        c->colours[3 * (point + n) + (uint64_t)k] = t->plan.colours[COLOUR_LEAF][k];
     }
     c->radii[point] = half * leaf.wider;
     c->radii[point + 1] = 0.1f * half * leaf.wider;

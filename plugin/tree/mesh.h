@@ -21,6 +21,7 @@ int32_t tree_curves(const tree *t, const sozai_host *host, uint32_t level, curve
 typedef struct {
   mesh_block *mesh;
   uint64_t point, triangle;
+  float colour[3]; /* of the points to come */
 } mesh_pen;
 
 uint32_t pen_point(mesh_pen *pen, const float p[3], const float n[3], float u, float v,

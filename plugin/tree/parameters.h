@@ -90,9 +90,13 @@
  N(LEAF_STALK, "leaf_stalk", "Leaf stalk", "leaves", "mm", 0, 200, 0, 50, 0, "From the shoot to the blade.") \
  I(LEAF_FROM, "leaf_from", "Lowest order with leaves", "leaves", "", 1, 3, 1, 3, 2, "Shoots of this order and above bear leaves.") \
  N(LEAF_ZONE, "leaf_zone", "Leaf zone", "leaves", "mm", 0, 10000, 0, 1000, 0, "Only so far from the shoot's tip; 0: everywhere.") \
- X3(BARK_COLOUR, "bark_colour", "Bark", "colour", 0.36, 0.27, 0.22, "Display-referred sRGB, 0 to 1.") \
- X3(SHOOT_COLOUR, "shoot_colour", "Shoots", "colour", 0.33, 0.31, 0.18, "Likewise.") \
- X3(LEAF_COLOUR, "leaf_colour", "Leaves", "colour", 0.22, 0.34, 0.15, "Likewise.")
+ X3(BARK_COLOUR, "bark_colour", "Bark", "colour", 0.40, 0.27, 0.21, "Of bark that is periderm, from periderm_age on. Display-referred sRGB, 0 to 1, as the others.") \
+ X3(SHOOT_COLOUR, "shoot_colour", "Shoots", "colour", 0.33, 0.31, 0.18, "Of the year's shoots; what grows older turns to bark_colour.") \
+ X3(LEAF_COLOUR, "leaf_colour", "Leaves", "colour", 0.22, 0.34, 0.15, "Of leaves and needles.") \
+ X3(RHYTIDOME_COLOUR, "rhytidome_colour", "Old bark", "colour", 0.38, 0.31, 0.27, "Of bark that is rhytidome, dead outer bark, from rhytidome_age on: of an old stem's foot.") \
+ N(PERIDERM_AGE, "periderm_age", "Age of periderm", "colour", "years", 0, 100, 1, 20, 5, "Years until a shoot's skin has given way to periderm and bark has bark_colour.") \
+ N(RHYTIDOME_FROM, "rhytidome_from", "Onset of rhytidome", "colour", "years", 0, 1000, 1, 100, 12, "Years until bark begins to turn from bark_colour to rhytidome_colour.") \
+ N(RHYTIDOME_AGE, "rhytidome_age", "Age of rhytidome", "colour", "years", 0, 1000, 1, 200, 45, "Years until it has; before rhytidome_from: it turns all at once.")
 /* clang-format on */
 
 enum {

@@ -109,11 +109,14 @@ void plan_make(tree_plan *p, const settings *s) {
   p->side[0] = leaves_at(s);
   p->side[2] = side_at(s, T_SPACING_2);
   p->side[3] = side_at(s, T_SPACING_3);
-  for (int c = 0; c < 3; c++) {
+  for (int c = 0; c < COLOURS; c++) {
     for (int i = 0; i < 3; i++) {
       p->colours[c][i] = (float)s->list[T_BARK_COLOUR + c].number[i];
     }
   }
+  p->periderm_age = (float)number_at(s, T_PERIDERM_AGE);
+  p->rhytidome_from = (float)number_at(s, T_RHYTIDOME_FROM);
+  p->rhytidome_age = (float)number_at(s, T_RHYTIDOME_AGE);
   for (int i = 0; i < 1024; i++) {
     double a = (i + 0.5) * (360.0 / 1024.0) * RADIANS;
     p->round[i][0] = (float)scalar_cos(a);

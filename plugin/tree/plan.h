@@ -15,6 +15,13 @@ typedef struct {
   int arrangement; /* ROUND_* */
 } tree_side;
 
+/* Of plan.colours; the first three are those of parts, in mesh.h. */
+#define COLOUR_BARK 0
+#define COLOUR_SHOOT 1
+#define COLOUR_LEAF 2
+#define COLOUR_RHYTIDOME 3
+#define COLOURS 4
+
 typedef struct {
   uint32_t seed;
   double age;
@@ -33,7 +40,8 @@ typedef struct {
   double droop, droop_length, upturn, wander, slender, thickest;
   tree_side side[4]; /* [2], [3]: of shoots; [0]: of leaves */
   float leaf_width, leaf_stalk;
-  float colours[3][3];  /* bark, shoots, leaves */
+  float colours[COLOURS][3];
+  float periderm_age, rhytidome_from, rhytidome_age;
   float round[1024][2]; /* cosine and sine all round, for random angles */
 } tree_plan;
 

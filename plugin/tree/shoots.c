@@ -3,6 +3,7 @@
 
 #include "../core/hash1.h"
 #include "axis.h"
+#include "bark.h"
 #include "parameters.h"
 
 #define LEAST_SHOOT 4.0f  /* mm: what is shorter is not grown */
@@ -17,6 +18,7 @@ typedef struct {
   uint32_t key;
   int order;
   float length;
+  float birth; /* years of the tree's age */
 } stalk;
 
 /* ---- where things stand round an axis --------------------------------- */
@@ -238,7 +240,6 @@ static void write_shoot(shoot_pen *pen, const tree_side *side, stalk *child, con
     for (int c = 0; c < 3; c++) d[c] *= length;
   }
   uint64_t index = pen->at.branches + pen->used.branches;
-  const tree_branch *parent = &t->branches[child->branch]; /* still the parent's */
   child->nodes = nodes;
   tree_branch *b = &t->branches[index];
   *b = (tree_branch){.first = node,
@@ -249,7 +250,7 @@ static void write_shoot(shoot_pen *pen, const tree_side *side, stalk *child, con
                      .at = at,
                      .length = child->length,
                      .radius = nodes[0].r,
-                     .birth = parent->birth,
+                     .birth = child->birth,
                      .death = TREE_ALIVE,
                      .shed = TREE_ALIVE};
   child->branch = (uint32_t)index;
@@ -268,7 +269,11 @@ static void shoots_of(shoot_pen *pen, const stalk *parent) {
     longest = side->share * parent->length;
   }
   axis_walk w = {0};
-  if (pen->writing && n) axis_begin(&w, parent->nodes, parent->count);
+  bark_growth growth;
+  if (pen->writing && n) {
+    axis_begin(&w, parent->nodes, parent->count);
+    bark_growth_of(&growth, pen->tree, &pen->tree->branches[parent->branch]);
+  }
   for (uint32_t i = 0; i < n; i++) {
     float at = from + (float)(i / pair + 1) * side->spacing;
     uint32_t key = hash1(parent->key + 0x9e3779b9u * (i + 1) + (uint32_t)order);
@@ -294,6 +299,7 @@ static void shoots_of(shoot_pen *pen, const stalk *parent) {
       float most = (float)p->thickest * thick;
       beta_of(p, side, i, h, beta);
       turn_side(w.along, w.level, side->cosine, side->sine, beta[0], beta[1], direction);
+      child.birth = bark_year(&growth, at);
       write_shoot(pen, side, &child, point, direction, radius < most ? radius : most, at);
     }
     pen->used.branches++;

@@ -52,6 +52,7 @@ static void grow_stem(tree *t) {
                                  .elevation = 90.0f,
                                  .death = TREE_ALIVE,
                                  .shed = TREE_ALIVE};
+  t->by_years = 1;
   t->branch_count = 1;
   t->node_count = n;
 }

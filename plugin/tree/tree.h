@@ -35,7 +35,8 @@ typedef struct {
   float radius;             /* at its base, mm */
   float azimuth;            /* degrees, at its base */
   float elevation;          /* degrees above the horizontal, at its base */
-  float birth, death, shed; /* years of the tree's age, or TREE_ALIVE */
+  float birth, death, shed; /* years of the tree's age, or TREE_ALIVE; of a shoot when the
+                               parent bore its place */
 } tree_branch;
 
 /* A leaf, a needle, or a shoot clothed in needles drawn as one. */
@@ -63,6 +64,7 @@ typedef struct {
   uint64_t order_counts[5]; /* branches of each order; 4: leaves and needles */
   int sprigs;               /* organs are clothed shoots */
   tree_rows tables[TREE_TABLES];
+  int by_years;   /* stem and first order follow the plan's curves of growth */
   int measured;   /* the highest order that a field table gave; 0: none */
   uint32_t stems; /* branches that were not grown as shoots: stem and first order,
                      or all that was measured; they come first */

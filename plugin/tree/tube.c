@@ -5,11 +5,10 @@
  * axis and is narrower than the parent: the joint is inside.
  */
 #include "../core/hash1.h"
+#include "bark.h"
 #include "mesh.h"
 #include "parameters.h"
 #include "turn.h"
-
-#define SIDES_MOST 24u
 
 static uint32_t sides_of(float r, uint32_t level) {
   uint32_t n = r < 1.5f ? 3 : r < 6.0f ? 4 : r < 20.0f ? 6 : r < 60.0f ? 9 : r < 150.0f ? 14 : 22;
@@ -17,6 +16,12 @@ static uint32_t sides_of(float r, uint32_t level) {
   if (level > 0 && n == 4) n = 3;
   return n < 3 ? 3 : n;
 }
+
+/* Stems of some size stand on roots: lobes, gone a diameter or two up, on more sides. */
+#define LOBED_FROM 40.0f                        /* mm of radius */
+static const uint32_t lobed_sides[] = {36, 26}; /* by level; from 2 on as any tube */
+
+static int stands_on_roots(const tree_branch *b) { return !b->order && b->radius >= LOBED_FROM; }
 
 int tube_shape_of(const tree *t, uint32_t branch, uint32_t level, tube_shape *out) {
   const tree_branch *b = &t->branches[branch];
@@ -30,6 +35,7 @@ int tube_shape_of(const tree *t, uint32_t branch, uint32_t level, tube_shape *ou
   out->stride = level < 2 ? 1 : level < 4 ? 2 : 4;
   if (branch == 0 && level == 1) out->stride = 2;
   out->sides = sides_of(b->radius, level);
+  if (level < 2 && stands_on_roots(b)) out->sides = lobed_sides[level];
   out->collar = level < 2 && b->order == 1 && b->radius > 1.0f;
   out->rings = (b->nodes - 2) / out->stride + 2 + (out->collar ? 2u : 0u);
   return 1;
@@ -41,12 +47,13 @@ void tube_size(const tube_shape *s, uint64_t *points, uint64_t *triangles) {
 }
 
 typedef struct {
-  float p[3], r;
+  float p[3], r, age; /* age: of its bark */
 } ring;
 
 static void between(const ring *a, const ring *b, float share, float wider, ring *out) {
   for (int c = 0; c < 3; c++) out->p[c] = a->p[c] + share * (b->p[c] - a->p[c]);
   out->r = wider * (a->r + share * (b->r - a->r));
+  out->age = a->age + share * (b->age - a->age);
 }
 
 static float apart(const ring *a, const ring *b) {
@@ -95,10 +102,13 @@ static uint32_t add_collar(ring *rings, uint32_t n, float parent, float radius) 
 /* The rings' middles and radii. */
 static uint32_t lay_rings(const tree *t, const tree_branch *b, const tube_shape *s, ring *out) {
   const tree_node *nodes = &t->nodes[b->first];
+  float ages[RINGS_MOST];
   uint32_t n = 0;
+  bark_ages(t, b, ages);
   for (uint32_t i = 0; i < b->nodes;
        i = i + 1 < b->nodes && i + s->stride >= b->nodes ? b->nodes - 1 : i + s->stride) {
     for (int c = 0; c < 3; c++) out[n].p[c] = nodes[i].p[c];
+    out[n].age = ages[i];
     out[n++].r = nodes[i].r;
   }
   return s->collar ? add_collar(out, n, parent_radius(t, b), b->radius) : n;
@@ -131,9 +141,9 @@ static void cross(const float a[3], const float b[3], float out[3]) {
   out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/* Stems of some size stand on roots: lobes, gone a diameter or two up. */
+/* The radius at the foot, as a share. */
 static float lobed(const tree *t, const tree_branch *b, float height, const float round[2]) {
-  if (b->order || b->radius < 40.0f) return 1.0f;
+  if (!stands_on_roots(b)) return 1.0f;
   float near_ground = 1.0f - height / (3.0f * b->radius);
   if (near_ground <= 0.0f) return 1.0f;
   uint32_t h = hash1(t->plan.seed ^ 0x0badcafeu);
@@ -145,6 +155,49 @@ static float lobed(const tree *t, const tree_branch *b, float height, const floa
   return 1.0f + near_ground * near_ground * (0.16f * five + 0.1f * three + 0.1f);
 }
 
+/* The k-th side's place on the ring, from the axis, and its normal. */
+static float lobe(const tree *t, const tree_branch *b, float height, uint32_t k, uint32_t sides,
+                  float out[2]) {
+  const float *round[3] = {NULL, t->plan.round[k % sides * 1024u / sides], NULL};
+  float r[3];
+  out[0] = round[1][0], out[1] = round[1][1];
+  if (!stands_on_roots(b)) return 1.0f;
+  for (uint32_t i = 0; i < 3; i++) {
+    round[i] = t->plan.round[(k + sides - 1 + i) % sides * 1024u / sides];
+    r[i] = lobed(t, b, height, round[i]);
+  }
+  if (r[0] == r[2]) return r[1];
+  /* square to the line from the side before to the one behind */
+  float x = r[2] * round[2][0] - r[0] * round[0][0], y = r[2] * round[2][1] - r[0] * round[0][1];
+  float s = 1.0f / __builtin_sqrtf(x * x + y * y);
+  out[0] = s * y, out[1] = -s * x;
+  return r[1];
+}
+
+#define UPRIGHT 0.7f /* a stem that leans further is no foot but a trunk along the ground */
+
+/* A stem's foot lies flat on the ground, however it leans; its rings come round to it by and by. */
+static void stand(const tree_branch *b, float height, float along[3]) {
+  float share = height / (3.0f * b->radius), sum = 0.0f;
+  if (b->order || share >= 1.0f || !(along[1] > UPRIGHT)) return;
+  for (int c = 0; c < 3; c++) {
+    along[c] = c == 1 ? 1.0f + share * (along[1] - 1.0f) : share * along[c];
+    sum += along[c] * along[c];
+  }
+  sum = 1.0f / __builtin_sqrtf(sum);
+  for (int c = 0; c < 3; c++) along[c] *= sum;
+}
+
+/* Where a tube ends: of a dead branch, whose tip has broken off, in a splinter. */
+#define SPLINTER 1.2f /* radii long */
+
+static void end_point(const tree_branch *b, const ring *last, const float along[3], float out[3]) {
+  for (int c = 0; c < 3; c++) {
+    out[c] = last->p[c];
+    if (b->death >= 0.0f) out[c] += SPLINTER * last->r * along[c];
+  }
+}
+
 void tube_write(mesh_pen *pen, const tree *t, uint32_t branch, const tube_shape *s) {
   const tree_branch *b = &t->branches[branch];
   ring rings[RINGS_MOST];
@@ -152,12 +205,14 @@ void tube_write(mesh_pen *pen, const tree *t, uint32_t branch, const tube_shape 
   float along[3], level[3], side[3], v = 0.0f, back[3];
   for (uint32_t i = 0; i < count; i++) {
     direction(rings, count, i, along);
+    stand(b, rings[i].p[1], along);
     if (i == 0) {
       turn_level(along, level);
     } else {
       carry(level, along);
     }
     cross(along, level, side);
+    bark_colour(&t->plan, rings[i].age, pen->colour);
     if (i == 0) {
       for (int c = 0; c < 3; c++) back[c] = -along[c];
       base = pen_point(pen, rings[0].p, back, 0.5f, 0.0f, branch);
@@ -166,15 +221,16 @@ void tube_write(mesh_pen *pen, const tree *t, uint32_t branch, const tube_shape 
     }
     for (uint32_t k = 0; k <= s->sides; k++) {
       const float *round = t->plan.round[k % s->sides * 1024u / s->sides];
-      float n[3], p[3], r = rings[i].r * lobed(t, b, rings[i].p[1], round);
+      float n[3], p[3], out[2], r = rings[i].r * lobe(t, b, rings[i].p[1], k, s->sides, out);
       for (int c = 0; c < 3; c++) {
-        n[c] = round[0] * level[c] + round[1] * side[c];
-        p[c] = rings[i].p[c] + r * n[c];
+        n[c] = out[0] * level[c] + out[1] * side[c];
+        p[c] = rings[i].p[c] + r * (round[0] * level[c] + round[1] * side[c]);
       }
       pen_point(pen, p, n, (float)k / (float)s->sides, v, branch);
     }
   }
-  uint32_t tip = pen_point(pen, rings[count - 1].p, along, 0.5f, v, branch);
+  end_point(b, &rings[count - 1], along, back);
+  uint32_t tip = pen_point(pen, back, along, 0.5f, v, branch);
   uint32_t last = base + 1 + (count - 1) * across;
   for (uint32_t k = 0; k < s->sides; k++) {
     pen_triangle(pen, base, base + 2 + k, base + 1 + k);

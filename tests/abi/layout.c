@@ -168,7 +168,7 @@ SIZE(sozai_detail, 8);
 AT(sozai_detail, size, 0);
 AT(sozai_detail, level, 4);
 
-SIZE(sozai_mesh, 72);
+SIZE(sozai_mesh, 80);
 AT(sozai_mesh, size, 0);
 AT(sozai_mesh, part_count, 4);
 AT(sozai_mesh, point_count, 8);
@@ -179,8 +179,9 @@ AT(sozai_mesh, uv, 40);
 AT(sozai_mesh, owner, 48);
 AT(sozai_mesh, indices, 56);
 AT(sozai_mesh, parts, 64);
+AT(sozai_mesh, colours, 72);
 
-SIZE(sozai_curves, 64);
+SIZE(sozai_curves, 72);
 AT(sozai_curves, size, 0);
 AT(sozai_curves, part_count, 4);
 AT(sozai_curves, curve_count, 8);
@@ -190,6 +191,7 @@ AT(sozai_curves, radii, 32);
 AT(sozai_curves, first, 40);
 AT(sozai_curves, ids, 48);
 AT(sozai_curves, parts, 56);
+AT(sozai_curves, colours, 64);
 
 SIZE(sozai_table, 32);
 AT(sozai_table, size, 0);

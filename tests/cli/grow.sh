@@ -23,6 +23,18 @@ check "list says what is grown" grep -q '^tree  .*sozai grow tree' out
 check "and what is not" grep -qx 'wood  Wood' out
 refuses 2 "unknown material 'oak'|wood --preset oak" render oak -o gone.png
 
+# ---- a view shows bark by its age, and not its part's colour -------------------------------
+if command -v oiiotool >/dev/null; then
+  works grow tree -o bark.exr --age 30 -p orders=0 -p bark_colour=0,0,1 -p rhytidome_colour=1,0,0 \
+    -p rhytidome_from=0 -p rhytidome_age=10 --res 40x60 --spp 4 --zoom 8 --target 0,1500,0
+  # the stem's, in the middle: red is all of it
+  oiiotool bark.exr --cut 4x4+18+28 -o middle.exr
+  oiiotool --stats middle.exr >stats
+  # shellcheck disable=SC2016 # awk's own fields
+  check "an old foot is of rhytidome's colour: $(grep Avg stats)" \
+    awk '/Stats Avg/ { seen = $3 > 4 * $5 } END { exit !seen }' stats
+fi
+
 # ---- a field table that nothing would read again is not written -------------------------
 works grow tree -o most.field --age 20
 works grow tree --field most.field -o most.obj -p orders=1

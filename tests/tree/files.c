@@ -73,35 +73,6 @@ static void bounds(const mesh *m, double *low, double *high) {
     }
 }
 
-static void through_assimp(void **unused) {
-  (void)unused;
-  works("tree --species cherry --age 6 -p orders=4 -o a.obj");
-  works("tree --species cherry --age 6 -p orders=4 -o a.gltf");
-  char path[128];
-  failure why = {0};
-  mesh obj, gltf;
-  double low[2][3], high[2][3];
-  snprintf(path, sizeof path, "%s/a.obj", folder);
-  assert_true(mesh_read(&obj, path, 1, &why));
-  snprintf(path, sizeof path, "%s/a.gltf", folder);
-  assert_true(mesh_read(&gltf, path, 1000, &why));
-  bounds(&obj, low[0], high[0]);
-  bounds(&gltf, low[1], high[1]);
-  print_message("%u triangles in OBJ, %u in glTF, %.0f mm high\n", obj.triangle_count,
-                gltf.triangle_count, high[0][1]);
-  assert_true(obj.triangle_count > 5000);
-  assert_int_equal(obj.triangle_count, gltf.triangle_count);
-  assert_true(high[0][1] > 1500 && high[0][1] < 6000);
-  for (int c = 0; c < 3; c++) {
-    assert_true(fabs(low[0][c] - low[1][c]) < 0.01);
-    assert_true(fabs(high[0][c] - high[1][c]) < 0.01);
-  }
-  mesh_free(&obj);
-  mesh_free(&gltf);
-}
-
-/* ---- usda: brackets and quotes match, and arrays have the lengths they must */
-
 static char *text_of(const char *name) {
   char path[128];
   snprintf(path, sizeof path, "%s/%s", folder, name);
@@ -117,6 +88,38 @@ static char *text_of(const char *name) {
   fclose(f);
   return text;
 }
+
+static void through_assimp(void **unused) {
+  (void)unused;
+  works("tree --species cherry --age 6 -p orders=4 -o a.obj");
+  works("tree --species cherry --age 6 -p orders=4 -o a.gltf");
+  char path[128];
+  failure why = {0};
+  mesh obj, gltf;
+  double low[2][3], high[2][3];
+  snprintf(path, sizeof path, "%s/a.obj", folder);
+  assert_true(mesh_read(&obj, path, 1, &why));
+  snprintf(path, sizeof path, "%s/a.gltf", folder);
+  assert_true(mesh_read(&gltf, path, 1000, &why));
+  bounds(&obj, low[0], high[0]);
+  bounds(&gltf, low[1], high[1]);
+  char *text = text_of("a.gltf");
+  assert_non_null(strstr(text, "\"COLOR_0\""));
+  free(text);
+  print_message("%u triangles in OBJ, %u in glTF, %.0f mm high\n", obj.triangle_count,
+                gltf.triangle_count, high[0][1]);
+  assert_true(obj.triangle_count > 5000);
+  assert_int_equal(obj.triangle_count, gltf.triangle_count);
+  assert_true(high[0][1] > 1500 && high[0][1] < 6000);
+  for (int c = 0; c < 3; c++) {
+    assert_true(fabs(low[0][c] - low[1][c]) < 0.01);
+    assert_true(fabs(high[0][c] - high[1][c]) < 0.01);
+  }
+  mesh_free(&obj);
+  mesh_free(&gltf);
+}
+
+/* ---- usda: brackets and quotes match, and arrays have the lengths they must */
 
 static void grammar(const char *text) {
   char open[64];
@@ -183,7 +186,7 @@ static void usd(void **unused) {
   assert_int_equal(elements(text, "int[] faceVertexIndices", &sum), 3 * faces);
   assert_int_equal(elements(text, "normal3f[] normals", &sum), points);
   assert_int_equal(elements(text, "texCoord2f[] primvars:st", &sum), points);
-  assert_int_equal(elements(text, "color3f[] primvars:displayColor", &sum), faces);
+  assert_int_equal(elements(text, "color3f[] primvars:displayColor", &sum), points);
   free(text);
   works("tree --species sugi --age 3 --curves -o c.usda");
   text = text_of("c.usda");
@@ -193,6 +196,7 @@ static void usd(void **unused) {
   points = elements(text, "point3f[] points", &corners);
   assert_int_equal((uint64_t)sum, points);
   assert_int_equal(elements(text, "float[] widths", &sum), points);
+  assert_int_equal(elements(text, "color3f[] primvars:displayColor", &sum), points);
   free(text);
 }
 

@@ -172,8 +172,95 @@ static void joints_inside(void **unused) {
   }
 }
 
+static double apart(const float *a, const float *b) {
+  double sum = 0;
+  for (int c = 0; c < 3; c++) sum += ((double)a[c] - (double)b[c]) * ((double)a[c] - (double)b[c]);
+  return sqrt(sum);
+}
+
+/* Nothing of the stem below the ground, and a whole ring upon it, however it leans. */
+static void feet_are_level(void **unused) {
+  (void)unused;
+  static const char *const kinds[] = {"akamatsu", "kuromatsu", "momiji"};
+  for (int s = 0; s < 3; s++) {
+    sozai_geometry *g = grow(kinds[s], "age=60 orders=1", NULL);
+    for (uint32_t level = 0; level <= 8; level += 2) {
+      const sozai_mesh *m = mesh_of(g, level);
+      uint64_t grounded = 0;
+      for (uint64_t i = 0; i < m->point_count && !m->owner[i]; i++) {
+        assert_true(m->points[3 * i + 1] >= 0);
+        grounded += m->points[3 * i + 1] == 0;
+      }
+      assert_true(grounded >= 5); /* its middle, and three sides and the seam at least */
+      geometry()->release_mesh(m);
+    }
+    geometry()->release(g);
+  }
+}
+
+/* Between roots a stem's foot is lit as it lies: normals turn with its faces, seen from above. */
+static void roots_have_normals(void **unused) {
+  (void)unused;
+  sozai_geometry *g = grow("buna", "age=80 orders=1", NULL);
+  const sozai_mesh *m = mesh_of(g, 0);
+  double worst = 1, radial = 1;
+  for (uint64_t i = 0; i < m->parts[0].count && !m->owner[m->indices[3 * i]]; i++) {
+    const float *p[3];
+    double a[3], b[3], lowest = 1e9, highest = 0;
+    for (uint64_t c = 0; c < 3; c++) {
+      p[c] = m->points + 3 * m->indices[3 * i + c];
+      lowest = fmin(lowest, (double)p[c][1]), highest = fmax(highest, (double)p[c][1]);
+    }
+    if (lowest > 0 || highest < 1) continue; /* from the foot to the next ring */
+    for (int c = 0; c < 3; c++)
+      a[c] = (double)p[1][c] - (double)p[0][c], b[c] = (double)p[2][c] - (double)p[0][c];
+    double x = a[1] * b[2] - a[2] * b[1], z = a[0] * b[1] - a[1] * b[0], l = sqrt(x * x + z * z);
+    for (uint64_t c = 0; c < 3; c++) {
+      const float *n = m->normals + 3 * m->indices[3 * i + c];
+      double out = sqrt((double)p[c][0] * (double)p[c][0] + (double)p[c][2] * (double)p[c][2]);
+      if (p[c][1] > 0) continue;
+      worst = fmin(worst, ((double)n[0] * x + (double)n[2] * z) / l);
+      radial = fmin(radial, ((double)p[c][0] * x + (double)p[c][2] * z) / l / out);
+    }
+  }
+  print_message("normals and faces: cosine %.3f at least; of normals from the axis %.3f\n", worst,
+                radial);
+  assert_true(radial < 0.8 && worst > 0.92);
+  geometry()->release_mesh(m);
+  geometry()->release(g);
+}
+
+/* A dead branch, which has broken off, ends beyond its axis, and a live one on it. */
+static void dead_ones_splinter(void **unused) {
+  (void)unused;
+  sozai_geometry *g = grow("akamatsu", "age=40 orders=1", NULL);
+  const sozai_curves *c = curves_of(g, 0);
+  const sozai_mesh *m = mesh_of(g, 0);
+  sozai_table b = table_of(g, "branches");
+  int dead = 0, live = 0;
+  for (uint64_t k = 1, at = 0; k < c->curve_count; k++) {
+    while (at + 1 < m->point_count && m->owner[at + 1] <= c->ids[k]) at++;
+    uint64_t end = c->first[k + 1] - 1;
+    double over = apart(m->points + 3 * at, c->points + 3 * end) / (double)c->radii[end];
+    if (cell(&b, c->ids[k], "death") < 0) {
+      assert_true(over < 1e-3);
+      live++;
+    } else {
+      assert_true(over > 1 && over < 1.5);
+      dead++;
+    }
+  }
+  print_message("%d dead branches end in a splinter, %d live ones do not\n", dead, live);
+  assert_true(dead > 10 && live > 10);
+  geometry()->release_mesh(m);
+  geometry()->release_curves(c);
+  geometry()->release(g);
+}
+
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(every_species),
-                                     cmocka_unit_test(joints_inside)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(every_species), cmocka_unit_test(joints_inside),
+      cmocka_unit_test(feet_are_level), cmocka_unit_test(roots_have_normals),
+      cmocka_unit_test(dead_ones_splinter)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -25,9 +25,20 @@ static uint64_t bits_of(const sozai_geometry *g) {
   return h;
 }
 
+/* Of all points: apart, so that what is grown and what it is painted with are told apart. */
+static uint64_t colours_of(const sozai_geometry *g) {
+  const sozai_mesh *m = mesh_of(g, 0);
+  uint64_t h = fold(0xcbf29ce484222325ull, m->colours, (size_t)m->point_count * 12);
+  geometry()->release_mesh(m);
+  const sozai_curves *c = curves_of(g, 0);
+  h = fold(h, c->colours, (size_t)c->point_count * 12);
+  geometry()->release_curves(c);
+  return h;
+}
+
 static const struct {
   const char *preset, *values;
-  uint64_t bits;
+  uint64_t bits, colours;
 } recorded[] = {
 #include "recorded.h"
 };
@@ -39,9 +50,10 @@ static void as_recorded(void **unused) {
   for (size_t i = 0; i < RECORDED; i++) {
     sozai_geometry *g = grow(recorded[i].preset, recorded[i].values, NULL);
     uint64_t bits = bits_of(g);
-    if (bits != recorded[i].bits) wrong++;
-    print_message("    {\"%s\", \"%s\", 0x%016llxull},\n", recorded[i].preset, recorded[i].values,
-                  (unsigned long long)bits);
+    uint64_t colours = colours_of(g);
+    if (bits != recorded[i].bits || colours != recorded[i].colours) wrong++;
+    print_message("    {\"%s\", \"%s\", 0x%016llxull, 0x%016llxull},\n", recorded[i].preset,
+                  recorded[i].values, (unsigned long long)bits, (unsigned long long)colours);
     geometry()->release(g);
   }
   assert_int_equal(wrong, 0);
@@ -56,7 +68,7 @@ static void any_order_any_set(void **unused) {
     if (i >= 2) setenv("SOZAI_CPU", sets[i - 2], 1);
     sozai_geometry *g = NULL;
     assert_int_equal(grow_code(&host, recorded[0].preset, recorded[0].values, NULL, &g), SOZAI_OK);
-    assert_true(bits_of(g) == recorded[0].bits);
+    assert_true(bits_of(g) == recorded[0].bits && colours_of(g) == recorded[0].colours);
     geometry()->release(g);
   }
   unsetenv("SOZAI_CPU");

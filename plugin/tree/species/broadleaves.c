@@ -2,8 +2,8 @@
 #include "entry.h"
 
 #define SATAKE                                                                                     \
-  "Satake et al. 1989, Wild Flowers of Japan: Woody Plants: habit, heights, leaves; divergence "   \
-  "by the golden angle where it is not measured"
+  "Satake et al. 1989, Wild Flowers of Japan: Woody Plants: habit, heights, leaves, bark, whose "  \
+  "ages are ours; divergence by the golden angle where it is not measured"
 
 /* Alternate leaves and branches stand about the golden angle apart. */
 #define GOLDEN(turns, sd) TURNING(turns, 360.0 / 137.5, 0.4, sd, 60, 260)
@@ -21,8 +21,9 @@ static const sozai_value cherry[] = {
     SHOOTS("2", 210, 2600, 0.5, 0.45, 42, "random", 0.22, 0, 14, 0.5),
     SHOOTS("3", 85, 620, 0.42, 0.45, 42, "random", 0.12, 0, 8, 0.45),
     LEAVES("blade", 34, 1, 95, 50, 0, 60, "spiral", 20, 3, 420),
-    TRIPLE("bark_colour", 0.34, 0.27, 0.25),
-    TRIPLE("shoot_colour", 0.36, 0.27, 0.22),
+    SHOOT(0.36, 0.27, 0.22),
+    PERIDERM(4, 0.36, 0.27, 0.25),
+    RHYTIDOME(20, 60, 0.29, 0.27, 0.26),
     TRIPLE("leaf_colour", 0.29, 0.43, 0.17)};
 SPECIES(cherry, "Yamazakura (Prunus jamasakura)",
         "Mountain cherry: low limbs spread wide and rise.", SATAKE "; leaves 80 to 120 mm");
@@ -41,7 +42,9 @@ static const sozai_value cherry_paper[] = {
     SHOOTS("2", 320, 2400, 0.45, 0.7, 45, "random", 0.2, 0, 0, 0.4),
     SHOOTS("3", 200, 1, 0, 0, 45, "random", 0, 0, 0, 0),
     LEAVES("ellipse", 60, 3, 100, 60, 0, 90, "flat", 50, 1, 0),
-    TRIPLE("bark_colour", 0.34, 0.27, 0.25),
+    SHOOT(0.36, 0.27, 0.22),
+    PERIDERM(4, 0.36, 0.27, 0.25),
+    RHYTIDOME(20, 60, 0.29, 0.27, 0.26),
     TRIPLE("leaf_colour", 0.29, 0.43, 0.17)};
 SPECIES(cherry_paper, "Cherry, the paper's leaves",
         "Section 5.1 of the paper: three ellipses of 10 x 6 cm at sites every 6 cm, left and right "
@@ -61,10 +64,15 @@ static const sozai_value keyaki[] = {
     SHOOTS("2", 130, 2600, 0.5, 0.2, 46, "random", 0.35, 0, 6, 0.45),
     SHOOTS("3", 58, 650, 0.42, 0.4, 44, "flat", 0.15, 0, -12, 0.4),
     LEAVES("blade", 26, 1, 62, 26, 0, 58, "flat", 4, 3, 500),
-    TRIPLE("bark_colour", 0.46, 0.42, 0.38),
+    SHOOT(0.40, 0.28, 0.21),
+    PERIDERM(5, 0.46, 0.43, 0.39),
+    RHYTIDOME(30, 90, 0.46, 0.40, 0.34),
     TRIPLE("leaf_colour", 0.27, 0.42, 0.17)};
-SPECIES(keyaki, "Keyaki (Zelkova serrata)",
-        "A vase: limbs fan upwards from a short stem into fine twigs.", SATAKE);
+SPECIES(
+    keyaki, "Keyaki (Zelkova serrata)",
+    "A vase: limbs fan upwards from a short stem into fine twigs; smooth grey bark, old feet flake "
+    "and are patched with orange-brown.",
+    SATAKE);
 
 static const sozai_value buna[] = {HEIGHT(28, 0.025, 1.3),
                                    DIAMETER(900, 0.013, 1.2),
@@ -78,9 +86,14 @@ static const sozai_value buna[] = {HEIGHT(28, 0.025, 1.3),
                                    SHOOTS("2", 200, 2500, 0.5, 0.4, 48, "flat", 0.2, 0, 10, 0.4),
                                    SHOOTS("3", 75, 520, 0.45, 0.4, 48, "flat", 0.12, 0, -4, 0.35),
                                    LEAVES("blade", 26, 1, 75, 42, 0, 60, "flat", 8, 3, 360),
-                                   TRIPLE("bark_colour", 0.55, 0.55, 0.52),
+                                   SHOOT(0.37, 0.29, 0.23),
+                                   PERIDERM(4, 0.55, 0.55, 0.52),
+                                   RHYTIDOME(60, 150, 0.58, 0.58, 0.55),
                                    TRIPLE("leaf_colour", 0.25, 0.42, 0.16)};
-SPECIES(buna, "Buna (Fagus crenata)", "Japanese beech: a broad dome in layered sprays.", SATAKE);
+SPECIES(
+    buna, "Buna (Fagus crenata)",
+    "Japanese beech: a broad dome in layered sprays; its grey bark stays smooth and only pales.",
+    SATAKE);
 
 static const sozai_value mizunara[] = {
     HEIGHT(26, 0.025, 1.25),
@@ -95,7 +108,9 @@ static const sozai_value mizunara[] = {
     SHOOTS("2", 220, 2600, 0.5, 0.35, 50, "random", 0.22, 0, 16, 0.55),
     SHOOTS("3", 95, 480, 0.45, 0.3, 48, "random", 0.2, 0, 16, 0.5),
     LEAVES("blade", 24, 1, 120, 68, 0, 55, "spiral", 3, 3, 240),
-    TRIPLE("bark_colour", 0.42, 0.39, 0.35),
+    SHOOT(0.43, 0.36, 0.27),
+    PERIDERM(5, 0.45, 0.42, 0.38),
+    RHYTIDOME(12, 45, 0.40, 0.37, 0.34),
     TRIPLE("leaf_colour", 0.26, 0.39, 0.16)};
 SPECIES(mizunara, "Mizunara (Quercus crispula)",
         "Japanese oak: stout crooked limbs, leaves bunched towards the shoots' ends.", SATAKE);
@@ -112,11 +127,14 @@ static const sozai_value shirakaba[] = {
     SHOOTS("2", 110, 1100, 0.45, 0.45, 42, "random", 0.15, 0, -18, 0.4),
     SHOOTS("3", 60, 420, 0.5, 0.4, 45, "random", 0.1, 0, -35, 0.35),
     LEAVES("blade", 24, 1, 58, 46, 0, 62, "spiral", 22, 3, 320),
-    TRIPLE("bark_colour", 0.86, 0.84, 0.79),
-    TRIPLE("shoot_colour", 0.33, 0.24, 0.20),
+    SHOOT(0.33, 0.24, 0.20),
+    PERIDERM(9, 0.86, 0.84, 0.79),
+    RHYTIDOME(40, 85, 0.27, 0.25, 0.24),
     TRIPLE("leaf_colour", 0.34, 0.48, 0.18)};
-SPECIES(shirakaba, "Shirakaba (Betula platyphylla)",
-        "Japanese white birch: a light white stem, ascending branches with hanging tips.", SATAKE);
+SPECIES(
+    shirakaba, "Shirakaba (Betula platyphylla)",
+    "Japanese white birch: a light white stem, brown twigs, ascending branches with hanging tips.",
+    SATAKE);
 
 static const sozai_value momiji[] = {
     HEIGHT(11, 0.05, 1.15),
@@ -131,7 +149,9 @@ static const sozai_value momiji[] = {
     SHOOTS("2", 210, 1700, 0.5, 0.4, 44, "opposite", 0.2, 0, -8, 0.4),
     SHOOTS("3", 80, 420, 0.45, 0.55, 42, "opposite", 0.12, 0, -12, 0.35),
     LEAVES("lobed", 40, 2, 55, 60, 0, 62, "opposite", 24, 3, 330),
-    TRIPLE("bark_colour", 0.42, 0.40, 0.34),
+    SHOOT(0.40, 0.37, 0.22),
+    PERIDERM(8, 0.41, 0.40, 0.33),
+    RHYTIDOME(25, 70, 0.46, 0.44, 0.41),
     TRIPLE("leaf_colour", 0.36, 0.46, 0.17)};
 SPECIES(momiji, "Iroha-momiji (Acer palmatum)",
         "Japanese maple: arching tiers of opposite shoots, leaves of five lobes.", SATAKE);

@@ -47,6 +47,11 @@
       NUMBER("leaf_length", length), NUMBER("leaf_width", width), NUMBER("leaf_taper", taper),     \
       NUMBER("leaf_angle", angle), CHOICE("leaf_arrangement", round), NUMBER("leaf_stalk", stalk), \
       WHOLE("leaf_from", from), NUMBER("leaf_zone", zone)
+/* The year's shoots; periderm, at that age; rhytidome, turned from one age to the other. */
+#define SHOOT(r, g, b) TRIPLE("shoot_colour", r, g, b)
+#define PERIDERM(age, r, g, b) NUMBER("periderm_age", age), TRIPLE("bark_colour", r, g, b)
+#define RHYTIDOME(from, age, r, g, b)                                                              \
+  NUMBER("rhytidome_from", from), NUMBER("rhytidome_age", age), TRIPLE("rhytidome_colour", r, g, b)
 #define STEM(form, butt, sway) NUMBER("stem_form", form), NUMBER("butt", butt), NUMBER("sway", sway)
 
 #endif

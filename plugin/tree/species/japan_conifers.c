@@ -4,7 +4,9 @@
 #define HAYASHI                                                                                    \
   "Hayashi & Takahashi 1997 (J. Jpn. For. Soc. 79, 222-228): turning, divergence, crown a and b; " \
   "Takeshita 1985: b = 0.5"
-#define FARJON "Farjon 2010, A Handbook of the World's Conifers: habit, heights, needles"
+#define FARJON                                                                                     \
+  "Farjon 2010, A Handbook of the World's Conifers: habit, heights, needles, bark; ages of bark "  \
+  "ours"
 
 #define SUGI_SHOOTS                                                                                \
   CROWN(0.255, 3, 0.18, 0.5, 0.5, 0.15), CROWN_LIFE(0.55, 25, 12),                                 \
@@ -51,7 +53,9 @@ static const sozai_value hinoki[] = {
     SHOOTS("2", 28, 460, 0.55, 0.5, 50, "flat", 0.05, 1600, 5, 0.4),
     SHOOTS("3", 11, 180, 0.6, 0.6, 45, "flat", 0.02, 0, -10, 0.2),
     LEAVES("needle", 3, 1, 9, 3.4, 0, 28, "opposite", 0, 2, 0),
-    TRIPLE("bark_colour", 0.42, 0.27, 0.20),
+    SHOOT(0.30, 0.31, 0.17),
+    PERIDERM(5, 0.42, 0.27, 0.20),
+    RHYTIDOME(15, 55, 0.41, 0.33, 0.28),
     TRIPLE("leaf_colour", 0.20, 0.36, 0.17)};
 SPECIES(hinoki, "Hinoki (Chamaecyparis obtusa)",
         "Hinoki cypress: scale leaves in flat sprays, a rounder cone than sugi.",
@@ -69,11 +73,13 @@ static const sozai_value akamatsu[] = {
     SHOOTS("2", 90, 1100, 0.5, 0.6, 52, "flat", 0.25, 2200, 35, 0.45),
     SHOOTS("3", 45, 260, 0.5, 0.4, 48, "spiral", 0.3, 0, 45, 0.4),
     LEAVES("needle", 3, 2, 95, 1.8, 0, 42, "spiral", 0, 2, 200),
-    TRIPLE("bark_colour", 0.55, 0.31, 0.21),
-    TRIPLE("shoot_colour", 0.50, 0.34, 0.20),
+    SHOOT(0.46, 0.38, 0.22),
+    PERIDERM(4, 0.56, 0.32, 0.21),
+    RHYTIDOME(12, 40, 0.39, 0.34, 0.31),
     TRIPLE("leaf_colour", 0.25, 0.37, 0.17)};
 SPECIES(akamatsu, "Akamatsu (Pinus densiflora)",
-        "Japanese red pine: a whorl a year, red crooked limbs, flat-topped when old.",
+        "Japanese red pine: a whorl a year, red crooked limbs, grey-brown plates at the foot, "
+        "flat-topped when old.",
         "Hayashi & Takahashi 1997, figure 12 (whorls); " FARJON "; needles in pairs, 70 to 120 mm; "
         "thickness of branches ours: 25 to 50 mm at 45 years");
 
@@ -89,7 +95,9 @@ static const sozai_value kuromatsu[] = {
     SHOOTS("2", 95, 1100, 0.5, 0.6, 52, "flat", 0.2, 2200, 35, 0.5),
     SHOOTS("3", 50, 240, 0.5, 0.4, 48, "spiral", 0.3, 0, 50, 0.4),
     LEAVES("needle", 2.6, 2, 110, 1.8, 0, 38, "spiral", 0, 2, 200),
-    TRIPLE("bark_colour", 0.25, 0.22, 0.20),
+    SHOOT(0.42, 0.34, 0.21),
+    PERIDERM(5, 0.36, 0.31, 0.27),
+    RHYTIDOME(8, 35, 0.25, 0.22, 0.20),
     TRIPLE("leaf_colour", 0.16, 0.28, 0.14)};
 SPECIES(kuromatsu, "Kuromatsu (Pinus thunbergii)",
         "Japanese black pine: stouter and more crooked than the red, with stiff dark needles.",
@@ -106,7 +114,9 @@ static const sozai_value karamatsu[] = {
     SHOOTS("2", 75, 700, 0.45, 0.7, 60, "flat", 0.08, 2200, -25, 0.35),
     SHOOTS("3", 60, 160, 0.4, 0.5, 55, "random", 0.1, 0, 15, 0.3),
     LEAVES("needle", 14, 12, 27, 1.0, 0, 62, "random", 0, 2, 0),
-    TRIPLE("bark_colour", 0.40, 0.28, 0.22),
+    SHOOT(0.52, 0.34, 0.21),
+    PERIDERM(5, 0.40, 0.28, 0.22),
+    RHYTIDOME(18, 55, 0.36, 0.30, 0.27),
     TRIPLE("leaf_colour", 0.36, 0.50, 0.22)};
 SPECIES(karamatsu, "Karamatsu (Larix kaempferi)",
         "Japanese larch: a light open cone, needles in tufts on short shoots.",
@@ -123,7 +133,9 @@ static const sozai_value todomatsu[] = {
     SHOOTS("2", 60, 700, 0.5, 0.85, 52, "flat", 0.06, 2000, 8, 0.2),
     SHOOTS("3", 42, 200, 0.5, 0.7, 50, "flat", 0.1, 0, 5, 0.2),
     LEAVES("needle", 1.8, 1, 24, 2.2, 0, 50, "spiral", 0, 2, 0),
-    TRIPLE("bark_colour", 0.45, 0.44, 0.41),
+    SHOOT(0.44, 0.36, 0.26),
+    PERIDERM(5, 0.48, 0.47, 0.44),
+    RHYTIDOME(35, 90, 0.41, 0.38, 0.35),
     TRIPLE("leaf_colour", 0.16, 0.32, 0.19)};
 SPECIES(todomatsu, "Todomatsu (Abies sachalinensis)",
         "Sakhalin fir: regular whorls, flat dark sprays, a dense cone.",

@@ -2,7 +2,8 @@
 #include "entry.h"
 
 #define MITCHELL "Mitchell 1974, A Field Guide to the Trees of Britain and Northern Europe: habit; "
-#define FARJON "Farjon 2010, A Handbook of the World's Conifers: heights, needles"
+#define FARJON                                                                                     \
+  "Farjon 2010, A Handbook of the World's Conifers: heights, needles, bark; ages of bark ours"
 
 static const sozai_value norway_spruce[] = {
     HEIGHT(40, 0.026, 1.5),
@@ -15,7 +16,9 @@ static const sozai_value norway_spruce[] = {
     SHOOTS("2", 42, 900, 0.5, 0.75, 58, "flat", 0.04, 2400, -55, 0.3),
     SHOOTS("3", 27, 260, 0.55, 0.6, 48, "random", 0.05, 0, -45, 0.25),
     LEAVES("needle", 1.8, 1, 18, 2, 0, 52, "spiral", 0, 2, 0),
-    TRIPLE("bark_colour", 0.38, 0.28, 0.23),
+    SHOOT(0.50, 0.34, 0.20),
+    PERIDERM(5, 0.41, 0.28, 0.21),
+    RHYTIDOME(25, 80, 0.34, 0.29, 0.28),
     TRIPLE("leaf_colour", 0.17, 0.30, 0.16)};
 SPECIES(norway_spruce, "Norway spruce (Picea abies)",
         "Regular whorls that sweep down and out, hung with drooping sprays.", MITCHELL FARJON);
@@ -32,10 +35,12 @@ static const sozai_value scots_pine[] = {
     SHOOTS("2", 80, 1000, 0.5, 0.6, 50, "flat", 0.25, 2200, 30, 0.4),
     SHOOTS("3", 40, 220, 0.5, 0.4, 46, "spiral", 0.3, 0, 40, 0.35),
     LEAVES("needle", 2.4, 2, 55, 1.6, 0, 44, "spiral", 0, 2, 190),
-    TRIPLE("bark_colour", 0.56, 0.36, 0.24),
+    SHOOT(0.44, 0.40, 0.26),
+    PERIDERM(4, 0.58, 0.37, 0.24),
+    RHYTIDOME(12, 45, 0.37, 0.32, 0.29),
     TRIPLE("leaf_colour", 0.24, 0.36, 0.25)};
 SPECIES(scots_pine, "Scots pine (Pinus sylvestris)",
-        "Whorls, orange bark above, short blue-green needles.", MITCHELL FARJON);
+        "Whorls, orange bark above grey-brown plates, short blue-green needles.", MITCHELL FARJON);
 
 static const sozai_value douglas_fir[] = {
     HEIGHT(60, 0.022, 1.4),
@@ -48,7 +53,9 @@ static const sozai_value douglas_fir[] = {
     SHOOTS("2", 70, 800, 0.45, 0.8, 55, "flat", 0.06, 2500, -20, 0.3),
     SHOOTS("3", 40, 220, 0.5, 0.6, 48, "flat", 0.05, 0, -15, 0.25),
     LEAVES("needle", 1.6, 1, 25, 1.4, 0, 58, "spiral", 0, 2, 0),
-    TRIPLE("bark_colour", 0.33, 0.27, 0.23),
+    SHOOT(0.42, 0.38, 0.24),
+    PERIDERM(5, 0.39, 0.38, 0.35),
+    RHYTIDOME(18, 60, 0.33, 0.27, 0.23),
     TRIPLE("leaf_colour", 0.20, 0.34, 0.18)};
 SPECIES(douglas_fir, "Douglas fir (Pseudotsuga menziesii)",
         "A tall cone of loose whorls with branches between them.",

@@ -44,6 +44,24 @@ def normals_of(obj, wanted):
         agree, (0, 5, 50)))
 
 
+def colours_of(obj, wanted):
+    """At the points, bark's by its age; which its material and no leaf's reads."""
+    there = obj.data.attributes["colour"]
+    colours = numpy.empty((len(there.data), 4), "f4")
+    there.data.foreach_get("color", colours.ravel())
+    check("colours at its points", (there.domain, there.data_type) == ("POINT", "FLOAT_COLOR") and
+          numpy.allclose(colours[:, :3], wanted.colours, atol=1e-4))
+    bark, twig, leaf = (numpy.unique(wanted.colours[numpy.unique(t)], axis=0) for t in
+                        numpy.split(wanted.triangles, numpy.cumsum([p.triangles for p in
+                                                                    wanted.parts])[:2]))
+    check("bark of many ages, leaves of one colour", len(bark) > 20 and len(twig) > 20 and
+          len(leaf) == 1, (len(bark), len(twig), len(leaf)))
+    sources = [m.node_tree.nodes["Principled BSDF"].inputs["Base Color"].links for m in
+               obj.data.materials]
+    check("bark's and shoots' materials read them", [bool(s) for s in sources] ==
+          [True, True, False] and sources[0][0].from_node.attribute_name == "colour")
+
+
 def tree():
     bpy.context.scene.cursor.location = (3, 0, 0)
     bpy.ops.sozai.grow_tree(preset="sugi", age=8, level=2)
@@ -68,7 +86,9 @@ def tree():
     check("a mesh that Blender finds nothing to mend in", not obj.data.validate())
     grow("tree", "--species", "sugi", "--age", "8", "--level", "2", "-o",
          os.path.join(scratch, "sugi.gltf"))
-    normals_of(obj, gltf_file.read(os.path.join(scratch, "sugi.gltf")))
+    wanted = gltf_file.read(os.path.join(scratch, "sugi.gltf"))
+    normals_of(obj, wanted)
+    colours_of(obj, wanted)
     names = [m.name for m in obj.data.materials]
     check("a material to a part", [n.split()[1] for n in names] == ["bark", "shoot", "needle"], names)
     colours = [m.node_tree.nodes["Principled BSDF"].inputs["Base Color"].default_value[:3]

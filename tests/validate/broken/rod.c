@@ -168,6 +168,9 @@ static int32_t mesh(const sozai_geometry *g, const sozai_detail *detail, const s
   m->out.owner = m->owner;
   m->out.indices = m->indices;
   m->out.parts = &m->part;
+#ifdef COLOURS_OF_POINTS
+  m->out.colours = m->points;
+#endif
   *out = &m->out;
   return SOZAI_OK;
 }

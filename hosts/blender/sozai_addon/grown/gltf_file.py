@@ -10,8 +10,8 @@ import numpy
 from ..program import Problem
 
 MARK = b"base64,"
-TYPES = {5125: "<u4", 5126: "<f4"}
-WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3}
+TYPES = {5123: "<u2", 5125: "<u4", 5126: "<f4"}
+WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 
 
 @dataclass
@@ -28,6 +28,7 @@ class Mesh:
     uvs: numpy.ndarray
     triangles: numpy.ndarray  # rows of three points, part by part
     parts: list
+    colours: numpy.ndarray  # of each point, light: its own, or its part's
 
 
 def read(path):
@@ -59,12 +60,18 @@ def parse(data):
     at = primitives[0]["attributes"]
     points, normals, uvs = (array(at[k]) for k in ("POSITION", "NORMAL", "TEXCOORD_0"))
     indices, parts = [], []
+    colours = numpy.zeros((len(points), 3), "f4")
     for primitive in primitives:
         material = head["materials"][primitive["material"]]
         indices.append(array(primitive["indices"]).reshape(-1, 3))
         colour = material["pbrMetallicRoughness"]["baseColorFactor"]
+        own = primitive["attributes"].get("COLOR_0")
+        if own is not None:  # by which a white material is multiplied
+            colour = material["extras"]["colour"]
+        here = indices[-1].ravel()
+        colours[here] = colour[:3] if own is None else array(own)[here, :3] / 65535
         parts.append(Part(material["name"], tuple(colour[:3]), len(indices[-1])))
     triangles = numpy.concatenate(indices)
     if len(triangles) and triangles.max() >= len(points):
         raise ValueError("point %d of %d" % (triangles.max(), len(points)))
-    return Mesh(points, normals, uvs, triangles, parts)
+    return Mesh(points, normals, uvs, triangles, parts, colours)

@@ -86,10 +86,14 @@ def surface_values(colour, roughness):
     return {"surface:Base Color": (*colour, 1), "surface:Roughness": roughness}
 
 
-def surface(name, colour, roughness, sheet=False):
-    """sheet: leaves, which light comes through."""
+def surface(name, colour, roughness, sheet=False, at_points=False):
+    """sheet: leaves, which light comes through. at_points: its colour is the attribute's, and
+    the colour given what an artist has who takes the link away."""
     material, build = builder(name)
     principled = build.node("ShaderNodeBsdfPrincipled", "surface")
+    if at_points:
+        attribute = build.node("ShaderNodeAttribute", "bark by its age", attribute_name=COLOUR)
+        build.link(attribute.outputs["Color"], principled.inputs["Base Color"])
     shader = principled.outputs["BSDF"]
     if sheet:
         through = build.node("ShaderNodeBsdfTranslucent", "light through it", 1)
@@ -108,8 +112,9 @@ def surface(name, colour, roughness, sheet=False):
 
 
 def tree_part(name, part, key):
-    return surface("%s %s" % (name, part.name), part.colour, 0.5 if key == "leaf" else 0.85,
-                   key == "leaf")
+    leaf = key == "leaf"
+    return surface("%s %s" % (name, part.name), part.colour, 0.5 if leaf else 0.85, leaf,
+                   not leaf)
 
 
 def follow_part(material, part):

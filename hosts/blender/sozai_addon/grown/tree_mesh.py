@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A tree as a Blender mesh: a slot of materials to each part, UVs, the tree's own normals."""
+"""A tree as a Blender mesh: a slot of materials to each part, UVs, the tree's own normals, and
+its colours: bark's go by its age."""
 import bpy
 import numpy
 
 from . import axes
+from .strands import COLOUR
 
 
 def key(part):
@@ -40,6 +42,10 @@ def fill(mesh, tree, mm, slot_of):
     mesh.polygons.foreach_set("use_smooth", numpy.ones(count, bool))
     uv = mesh.uv_layers.new(name="UVMap")
     uv.data.foreach_set("uv", numpy.ascontiguousarray(tree.uvs[corners], "f4").ravel())
+    colours = numpy.ones((len(tree.points), 4), "f4")
+    colours[:, :3] = tree.colours
+    there = mesh.attributes.new(COLOUR, "FLOAT_COLOR", "POINT")
+    there.data.foreach_set("color", colours.ravel())
     mesh.update(calc_edges=True)
     if hasattr(mesh, "use_auto_smooth"):  # until 4.0 the normals are not used without
         mesh.use_auto_smooth = True
