@@ -6,6 +6,7 @@
 #include <assimp/mesh.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -119,8 +120,10 @@ static bool convert(mesh *m, const struct aiScene *scene, const char *path, floa
 bool mesh_read(mesh *m, const char *path, double scale, failure *why) {
   memset(m, 0, sizeof *m);
   struct stat status;
-  if (access(path, R_OK) != 0 || stat(path, &status) != 0 || !S_ISREG(status.st_mode))
-    return fail(why, EXIT_BAD_INPUT, "cannot read mesh '%s'", path);
+  int unread = access(path, R_OK) != 0 || stat(path, &status) != 0;
+  if (unread || !S_ISREG(status.st_mode))
+    return fail(why, EXIT_BAD_INPUT, "cannot read mesh '%s': %s", path,
+                unread ? strerror(errno) : "not a regular file");
   if (!limits_check(HOST_LIMIT_MESH_FILE_BYTES, (uint64_t)status.st_size, path, why)) return false;
   if (!mesh_ply_plausible(path, why)) return false;
   struct aiPropertyStore *settings = aiCreatePropertyStore();

@@ -50,6 +50,8 @@ bool output_begin(output_file *o, const char *path, failure *why) {
     forget(o);
     return false;
   }
+  /* whom the one before was open to, and nobody else */
+  if (exists) fchmod(file, status.st_mode & 0777);
   close(file);
   return true;
 }

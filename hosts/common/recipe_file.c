@@ -34,6 +34,7 @@
  * that was not asked for. */
 #include "recipe.h"
 
+#include <errno.h>
 #include <fcntl.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -431,12 +432,14 @@ static bool read_one(recipe *r, const char *path, const reader *includer, failur
   /* a pipe that nobody writes to would wait for ever */
   int handle = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   FILE *file = handle < 0 ? NULL : fdopen(handle, "rb");
+  int error = file ? 0 : errno;
   if (!file && handle >= 0) close(handle);
   if (!file || fstat(fileno(file), &status) != 0 || !S_ISREG(status.st_mode)) {
+    const char *reason = error ? strerror(error) : "not a regular file";
     if (file) fclose(file);
-    return includer ? fail(why, EXIT_BAD_INPUT, "%s:%d: cannot read %s", includer->path,
-                           line_of(includer), path)
-                    : fail(why, EXIT_BAD_INPUT, "cannot read %s", path);
+    return includer ? fail(why, EXIT_BAD_INPUT, "%s:%d: cannot read %s: %s", includer->path,
+                           line_of(includer), path, reason)
+                    : fail(why, EXIT_BAD_INPUT, "cannot read %s: %s", path, reason);
   }
   reader in = {.path = path,
                .includer = includer,

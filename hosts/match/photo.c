@@ -148,8 +148,9 @@ bool photo_read(photo *p, const char *path, const photo_options *o, const colour
     leave_out(p, o->specks);
     if (o->even_light) even_light(p);
     if (p->dark + p->bright > 0.9)
-      ok = fail(why, EXIT_BAD_INPUT, "%s: %.0f %% of it is black; see --crop", path,
-                100 * (p->dark + p->bright));
+      ok = fail(why, EXIT_BAD_INPUT,
+                "%s: %.0f %% of it is black, %.0f %% far brighter than the rest; see --crop", path,
+                100 * p->dark, 100 * p->bright);
   }
   if (!ok) photo_free(p);
   return ok;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "surface.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -76,7 +77,8 @@ static void destroy_atlas(void *a) { atlas_close(a); }
 static bool use_atlas(surface *s, const char *path, double scale, failure *why) {
   char key[4200];
   struct stat file = {0};
-  if (stat(path, &file) != 0) return fail(why, EXIT_BAD_INPUT, "cannot read mesh %s", path);
+  if (stat(path, &file) != 0)
+    return fail(why, EXIT_BAD_INPUT, "cannot read mesh %s: %s", path, strerror(errno));
   int length =
       snprintf(key, sizeof key, "atlas %.17g %llu %llu %lld %lld.%09ld %s", scale,
                (unsigned long long)file.st_dev, (unsigned long long)file.st_ino,

@@ -189,6 +189,11 @@ check "SIGINT that is ignored stays ignored" kill -0 "$pid"
 kill -TERM "$pid"
 wait "$pid"
 same "but not SIGTERM" 143 $?
+# Whom a file was open to, and nobody else.
+touch private.png
+chmod 600 private.png
+"$sozai" render wood -o private.png --res 16x16 --spp 1
+same "a private picture stays private" 600 "$(stat -c %a private.png)"
 # A shell's loop ends with it.
 # shellcheck disable=SC2016 # the inner shell's own
 env --default-signal=INT setsid bash -c 'for i in 1 2; do
