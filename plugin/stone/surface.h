@@ -252,7 +252,8 @@ INLINE vf surface_lit(const stone_constants *w, int paved, const laid *q, const 
   vf soft = splat(0.1f) + splat(0.01f) * vabs(way) + splat(0.6f) * s * (rise + splat(0.3f));
   vf past = clamp01(splat(0.5f) + over / soft);
   past = sel(gt(way, zero), past, one);
-  return lit * mix(one, past, q->near);
+  /* where moss fills the joint its edges cast nothing */
+  return lit * mix(one, past, q->near * (one - f->moss));
 }
 
 #endif

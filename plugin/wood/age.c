@@ -19,18 +19,20 @@ void age_build(wood_constants *w, const settings *s, const float (*colours)[3]) 
   double years = number_at(s, P_AGE_YEARS);
   if (years <= 0.0) return;
   double done = 1.0 - scalar_exp(-years / number_at(s, P_AGEING_YEARS));
-  float *heart[] = {w->late, w->vessel, w->ray, w->streak, w->pigment, w->parenchyma.colour},
-        *sap[] = {w->sap_early, w->sap_late, w->parenchyma.sap};
+  float *heart[] = {w->late,        w->vessel,           w->ray,       w->streak,
+                    w->pigment,     w->knot_early,       w->knot_late, w->canal_colour,
+                    w->canal_lumen, w->parenchyma.colour},
+        *sap[] = {w->sap_early, w->sap_late, w->ray_sap, w->parenchyma.sap};
   for (int c = 0; c < 3; c++) {
     double from = within((double)w->early[c]), to = within((double)colours[P_AGED_COLOUR][c]);
     double end = scalar_log(to) / scalar_log(from);
     /* near white or black a power would run away */
     end = end < 0.4 ? 0.4 : end > 4.0 ? 4.0 : end;
     double p = 1.0 + (end - 1.0) * done, pale = end < 1.0 ? 1.0 + 0.5 * (1.0 - end) * done : p;
-    for (int i = 0; i < 6; i++) {
+    for (size_t i = 0; i < sizeof heart / sizeof *heart; i++) {
       heart[i][c] = (float)scalar_exp(p * scalar_log(within((double)heart[i][c])));
     }
-    for (int i = 0; i < 3; i++) {
+    for (size_t i = 0; i < sizeof sap / sizeof *sap; i++) {
       sap[i][c] = (float)scalar_exp(pale * scalar_log(within((double)sap[i][c])));
     }
     w->early[c] = (float)scalar_exp(p * scalar_log(from));

@@ -97,8 +97,48 @@ static void filtered(void **state) {
   CHECK(worst <= 0.014, "worst %.4f\n", worst);
 }
 
+/* The mean albedo of rays, and of what has none. */
+static void of_rays(const char *preset, const char *values, double mean[2]) {
+  sozai_texture *t = wood_make(preset, values);
+  points p = {0};
+  double sum[2] = {0, 0};
+  unsigned count[2] = {0, 0};
+  uniform_seed(19);
+  for (int i = 0; i < 30000; i++)
+    points_add(&p, 60 * (uniform() - 0.5), 300 * (uniform() - 0.5), 0, 0);
+  points_ask(&p, t);
+  for (unsigned i = 0; i < p.count; i++) {
+    double ray = points_value(&p, RAY, i);
+    if (ray > 0.05 && ray < 0.95) continue;
+    for (int c = 0; c < 3; c++) sum[ray < 0.5] += points_value(&p, ALBEDO + c, i) / 3;
+    count[ray < 0.5]++;
+  }
+  assert_true(count[0] > 100 && count[1] > 100);
+  for (int k = 0; k < 2; k++) mean[k] = sum[k] / count[k];
+  points_free(&p);
+  textures->destroy(t);
+}
+
+/* Rays that are paler than heartwood are paler than sapwood, by as much. */
+static void rays_are_sapwood_too(void **state) {
+  (void)state;
+  static const char *const species[] = {"oak", "mizunara", "silky_oak", "plane", "beech"};
+  double worst = 0;
+  for (unsigned k = 0; k < sizeof species / sizeof *species; k++) {
+    double heart[2], sap[2];
+    of_rays(species[k], "cut=quarter; heartwood_years=5000", heart);
+    of_rays(species[k], "cut=quarter; heartwood_years=1; heartwood_edge=0.5", sap);
+    double apart = (sap[0] - sap[1]) - (heart[0] - heart[1]);
+    print_message("%s: rays are %+.3f beside heartwood, %+.3f beside sapwood\n", species[k],
+                  heart[0] - heart[1], sap[0] - sap[1]);
+    worst = fmax(worst, fabs(apart));
+  }
+  CHECK(worst <= 0.04, "rays' contrast differs by at most %.3f\n", worst);
+}
+
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(boundary), cmocka_unit_test(carried),
+  const struct CMUnitTest tests[] = {cmocka_unit_test(rays_are_sapwood_too),
+                                     cmocka_unit_test(boundary), cmocka_unit_test(carried),
                                      cmocka_unit_test(filtered)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

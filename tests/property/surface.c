@@ -415,12 +415,64 @@ static void plates_lie_their_own_way(void **state) {
   }
 }
 
+/* Fire and weather spare nothing: neither knots nor resin canals, bleached wood nor rays. */
+static double palest_under_char(const char *preset) {
+  sozai_texture *t = wood_make(preset, "cut=flat; cut_height=700; surface=charred; charring=1");
+  points p = {0};
+  double most = 0;
+  uniform_seed(17);
+  for (int i = 0; i < 4000; i++)
+    points_add(&p, 160 * (uniform() - 0.5), 1200 * (uniform() - 0.5), 0, 0);
+  points_ask_only(&p, t, ONLY3(ALBEDO));
+  for (unsigned i = 0; i < p.count; i++)
+    for (int c = 0; c < 3; c++) most = fmax(most, points_value(&p, ALBEDO + c, i));
+  points_free(&p);
+  textures->destroy(t);
+  return most;
+}
+
+static double knots_of(const char *values) {
+  sozai_texture *t = wood_make("knotty_pine", values);
+  points p = {0};
+  double sum = 0;
+  unsigned knots = 0;
+  uniform_seed(18);
+  for (int i = 0; i < 20000; i++)
+    points_add(&p, 160 * (uniform() - 0.5), 1200 * (uniform() - 0.5), 0, 0);
+  points_ask(&p, t);
+  for (unsigned i = 0; i < p.count; i++) {
+    if (points_value(&p, KNOT, i) < 0.99) continue;
+    sum += points_value(&p, ALBEDO + 1, i);
+    knots++;
+  }
+  assert_true(knots > 50);
+  points_free(&p);
+  textures->destroy(t);
+  return sum / knots;
+}
+
+static void nothing_is_spared(void **state) {
+  (void)state;
+  double worst = 0;
+  for (unsigned k = 0; k < wood_presets(); k++) {
+    if (wood_is_panel(wood_preset(k))) continue;
+    double most = palest_under_char(wood_preset(k));
+    if (most > 0.06) print_message("%s, charred: %.3f\n", wood_preset(k), most);
+    worst = fmax(worst, most);
+  }
+  double old = knots_of("cut_height=700; age_years=50") / knots_of("cut_height=700");
+  CHECK(worst <= 0.1 && old < 0.8,
+        "under char the palest is %.3f; knots of 50 years are %.3f times as bright as new ones\n",
+        worst, old);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(plates_lie_their_own_way),  cmocka_unit_test(normal_is_the_heights),
-      cmocka_unit_test(lost_slopes_are_roughness), cmocka_unit_test(steep_slopes_dim_the_coat),
-      cmocka_unit_test(marks_are_as_asked),        cmocka_unit_test(arcs_have_the_blades_radius),
-      cmocka_unit_test(scratches_follow_the_grit), cmocka_unit_test(wear_follows_the_rings),
+      cmocka_unit_test(nothing_is_spared),           cmocka_unit_test(plates_lie_their_own_way),
+      cmocka_unit_test(normal_is_the_heights),       cmocka_unit_test(lost_slopes_are_roughness),
+      cmocka_unit_test(steep_slopes_dim_the_coat),   cmocka_unit_test(marks_are_as_asked),
+      cmocka_unit_test(arcs_have_the_blades_radius), cmocka_unit_test(scratches_follow_the_grit),
+      cmocka_unit_test(wear_follows_the_rings),
   };
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

@@ -72,14 +72,14 @@ int32_t wood_build(wood_constants *w, const sozai_host *host, const settings *s,
   if (r) return r;
   r = surface_build(w, s);
   if (r) return r;
+  wood_build_canals(w, s, colours);
+  wood_build_spalt(w, s);
   age_build(w, s, colours);
   w->shade = (float)number_at(s, P_END_SHADE);
   w->ray_shade = (float)number_at(s, P_RAY_SHADE);
   w->has_ends = w->shade > 0.0f || w->ray_shade > 0.0f;
   surface_build_colour(w, s, colours);
-  wood_build_canals(w, s, colours);
   wood_build_cells(w, s);
-  wood_build_spalt(w, s);
   wood_build_cone(w, s);
   r = wood_build_boards(w, s, colours);
   if (!r) r = plies_build(w, s, colours);

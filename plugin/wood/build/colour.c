@@ -31,6 +31,10 @@ int32_t wood_build_colour(wood_constants *w, const sozai_host *host, const setti
   memcpy(w->ray, colours[P_RAY_COLOUR], sizeof w->ray);
   memcpy(w->sap_early, colours[P_SAP_EARLY], sizeof w->sap_early);
   memcpy(w->sap_late, colours[P_SAP_LATE], sizeof w->sap_late);
+  for (int c = 0; c < 3; c++) { /* as far from what is about it as in heartwood */
+    double x = (double)w->ray[c] + (double)w->sap_early[c] - (double)w->early[c];
+    w->ray_sap[c] = (float)limited(x, 0.0, 1.0);
+  }
   memcpy(w->pigment, colours[P_PIGMENT_COLOUR], sizeof w->pigment);
   pigment_build(w, s);
   memcpy(w->streak, colours[P_STREAK_COLOUR], sizeof w->streak);

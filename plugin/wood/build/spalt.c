@@ -34,6 +34,7 @@ void wood_build_spalt(wood_constants *w, const settings *s) {
   double amount = number_at(s, P_SPALT), size = number_at(s, P_SPALT_SIZE);
   double width = number_at(s, P_SPALT_WIDTH), within[2], edge[2];
   w->has_spalt = amount > 0.0;
+  for (int c = 0; c < 3; c++) w->spalt_pale[c] = 0.8f;
   w->spalt_frequency = (float)(1.0 / size);
   w->spalt_width = (float)width;
   double level = 0.46 - 0.42 * amount, other = 0.5 - 0.42 * amount;

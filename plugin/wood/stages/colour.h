@@ -86,11 +86,10 @@ INLINE void tissue_soft(const wood_constants *w, const block *k, vf heart, vf ti
   }
 }
 
-/* All but rays and canals. */
-INLINE void tissue_colour(const wood_constants *w, const block *k, vf tissue[3]) {
+/* All but rays and canals. heart: heart_at. */
+INLINE void tissue_colour(const wood_constants *w, const block *k, vf heart, vf tissue[3]) {
   vf early[3], late[3], open = w->has_cells ? k->cover + k->lining : k->cover;
   season_shares share = season_shares_of(w, k);
-  vf heart = heart_at(w, k);
   season_colours(w, k, heart, early, late);
   UNROLL(3)
   for (int c = 0; c < 3; c++) tissue[c] = early[c] * share.early + late[c] * share.late;
@@ -122,17 +121,21 @@ INLINE void tissue_ends(const wood_constants *w, const block *k, vf tissue[3]) {
 }
 
 /* Rays over it, whose cells' ends are open along the radius. */
-INLINE void tissue_rays(const wood_constants *w, int ends, const block *k, vf tissue[3]) {
+INLINE void tissue_rays(const wood_constants *w, int ends, const block *k, vf heart, vf tissue[3]) {
   vf lit = k->shift;
+  vm pale = lt(heart, splat(1.0f));
+  int sap = any(pale);
   if (ends) {
     vf out = k->nrm[0] * k->stem.c + k->nrm[2] * k->stem.s;
     lit = lit * (splat(1.0f) - ends_seen(out * out) * splat(w->ray_shade));
   }
   UNROLL(3)
   for (int c = 0; c < 3; c++) {
-    vf ray = splat(w->ray[c]) * lit;
+    vf own = splat(w->ray[c]);
+    if (sap) own = sel(pale, mix(splat(w->ray_sap[c]), own, heart), own);
+    vf ray = own * lit;
     if (w->has_cells) {
-      vf contrast = vmin(k->cell_contrast, cells_room(w, splat(w->ray[c])));
+      vf contrast = vmin(k->cell_contrast, cells_room(w, own));
       ray = ray + ray * k->ray_cells * contrast;
     }
     tissue[c] = mix(tissue[c], ray, k->ray);
@@ -150,9 +153,10 @@ INLINE void store_albedo(const wood_constants *w, int boards, const wood_io *io,
 INLINE void stage_colour(const wood_constants *w, int boards, const wood_io *io, block *k) {
   vf tissue[3];
   int ends = w->has_ends && io->in->normal[0];
-  tissue_colour(w, k, tissue);
+  vf heart = heart_at(w, k);
+  tissue_colour(w, k, heart, tissue);
   if (ends) tissue_ends(w, k, tissue);
-  if (w->has_rays) tissue_rays(w, ends, k, tissue);
+  if (w->has_rays) tissue_rays(w, ends, k, heart, tissue);
   if (w->has_canals) {
     UNROLL(3)
     for (int c = 0; c < 3; c++) {
@@ -163,7 +167,7 @@ INLINE void stage_colour(const wood_constants *w, int boards, const wood_io *io,
   UNROLL(3)
   for (int c = 0; c < 3; c++) k->albedo[c] = tissue[c];
   if (k->knot) stage_knot_colour(w, k, k->knot->own);
-  if (w->has_spalt) stage_spalt_colour(k);
+  if (w->has_spalt) stage_spalt_colour(w, k);
   store_albedo(w, boards, io, k);
 }
 

@@ -28,10 +28,10 @@ INLINE void stage_spalt(const wood_constants *w, int boards, const wood_io *io, 
 
 /* Bleached wood is nearer to white, which is white in every working space; what
  * the zone lines are made of is melanin. */
-INLINE void stage_spalt_colour(block *k) {
+INLINE void stage_spalt_colour(const wood_constants *w, block *k) {
   vf one = splat(1.0f), *a = k->albedo;
   for (int c = 0; c < 3; c++) {
-    vf pale = a[c] + (splat(0.8f) - a[c]) * splat(0.4f);
+    vf pale = a[c] + (splat(w->spalt_pale[c]) - a[c]) * splat(0.4f);
     a[c] = mix(a[c], pale, k->spalt.bleached);
     a[c] = a[c] * (one - splat(0.2f) * k->spalt.stained) * (one - splat(0.86f) * k->spalt.line);
   }

@@ -62,12 +62,17 @@ static void treat(float colour[3], const settings *s, const float early[3], cons
 void surface_build_colour(wood_constants *w, const settings *s, const float (*colours)[3]) {
   int surface = choice_at(s, P_SURFACE), finish = choice_at(s, P_FINISH);
   const surface_finish *f = &surface_finishes[surface];
-  float *each[] = {w->late,    w->vessel, w->ray,   w->sap_early,         w->sap_late,
-                   w->pigment, w->streak, w->early, w->parenchyma.colour, w->parenchyma.sap};
+  float *each[] = {w->late,         w->vessel,      w->ray,
+                   w->sap_early,    w->sap_late,    w->pigment,
+                   w->streak,       w->early,       w->knot_early,
+                   w->knot_late,    w->knot_bark,   w->parenchyma.colour,
+                   w->canal_colour, w->canal_lumen, w->parenchyma.sap,
+                   w->spalt_pale,   w->ray_sap};
   float early[3];
   for (int c = 0; c < 3; c++) early[c] = w->early[c];
   if (surface == SURFACE_CHARRED || surface == SURFACE_WEATHERED || finish != FINISH_RAW) {
-    for (int i = 0; i < 10; i++) treat(each[i], s, early, colours[P_GREY_COLOUR]);
+    for (size_t i = 0; i < sizeof each / sizeof *each; i++)
+      treat(each[i], s, early, colours[P_GREY_COLOUR]);
   }
   double specular = (double)w->specular * f->specular;
   double shininess = (double)w->shininess * f->shininess, coat = f->coat;
