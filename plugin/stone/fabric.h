@@ -125,6 +125,13 @@ STAGE void stage_looks(const stone_constants *w, int paved, int mossy, int layer
   }
 }
 
+/* Whether no one asks for what lies under a layer's bodies. The relief of inclusions takes their
+ * share wherever they are, under a hole, too. */
+INLINE int stage_hides(const stone_constants *w, int layer) {
+  const stone_cells *c = &w->layer[layer];
+  return c->shaped && c->opacity == 1.0f && (layer != LAYER_HOLES || w->raise == 0.0f);
+}
+
 /* Layer n from below, over all of the blocks where it can; else 0. What it covers to the last
  * of the footprints is not looked at any more. */
 STAGE int stage_layer(const stone_constants *w, int n, block *blocks, int count) {
@@ -151,9 +158,10 @@ STAGE int stage_layer(const stone_constants *w, int n, block *blocks, int count)
   }
   if (!once && !idle) return 0;
   if (once && seen) eyes_look(c, eyes, seen);
+  const int hides = stage_hides(w, l);
   for (int b = 0; b < seen; b++) {
     stage_seen(w, l, &eyes[b], of[b]);
-    int all = c->shaped && c->opacity == 1.0f && !any(lt(of[b]->cover[l].of[0], splat(1.0f)));
+    int all = hides && !any(lt(of[b]->cover[l].of[0], splat(1.0f)));
     if (!all || n <= of[b]->hidden) continue;
     of[b]->hidden = n;
     for (int m = 0; m < n; m++) {

@@ -18,7 +18,8 @@
 
 #define POINTS 96u
 #define INPUTS 16u
-#define VALUES 7u
+#define VALUES 256u
+#define FEW 7u           /* values, of all that there are */
 #define ONCE_PLACES 200u /* sets of them */
 
 static plugin host;
@@ -37,7 +38,8 @@ static int random_value(const sozai_parameter *p, uint64_t *s, sozai_value *v) {
   double low = possible ? p->hard_min : p->soft_min, high = possible ? p->hard_max : p->soft_max;
   switch (p->kind) {
   case SOZAI_KIND_FLOAT:
-    v->number[0] = low + unit(s) * (high - low);
+    v->number[0] =
+        low > 0.0 && below(s, 2) ? low * pow(high / low, unit(s)) : low + unit(s) * (high - low);
     return 1;
   case SOZAI_KIND_INT:
     v->number[0] = floor(low + unit(s) * (high - low));
@@ -56,15 +58,33 @@ static int random_value(const sozai_parameter *p, uint64_t *s, sozai_value *v) {
   }
 }
 
+/* Few values, of any. */
+static uint32_t random_few(const sozai_texture_info *i, uint64_t *s, sozai_value v[VALUES]) {
+  uint32_t count = 0, tries = below(s, FEW + 1);
+  while (tries--)
+    count += (uint32_t)random_value(i->parameters[below(s, i->parameter_count)], s, v + count);
+  return count;
+}
+
+/* Most of what there is of some groups, each of them or not: a feature that takes several values to
+ * be there at all is all but never drawn together with another one otherwise. */
+static uint32_t random_groups(const sozai_texture_info *i, uint64_t *s, sozai_value v[VALUES]) {
+  uint32_t count = 0, n = i->parameter_count;
+  for (uint32_t k = 0, in = 0; k < n && count < VALUES; k++) {
+    const sozai_parameter *p = i->parameters[k];
+    if (k == 0 || strcmp(p->group, i->parameters[k - 1]->group) != 0) in = below(s, 3) == 0;
+    if (in && below(s, 4)) count += (uint32_t)random_value(p, s, v + count);
+  }
+  return count;
+}
+
 /* NULL where the settings do not go together, which is no fault. */
 static sozai_texture *random_texture(uint64_t *s) {
   sozai_value values[VALUES];
   sozai_texture *made = NULL;
   const sozai_texture_info *i = host.textures->info(below(s, host.textures->count()));
   const char *preset = below(s, 8) ? i->presets[below(s, i->preset_count)]->id : NULL;
-  uint32_t count = 0, tries = below(s, VALUES + 1);
-  while (tries--)
-    count += (uint32_t)random_value(i->parameters[below(s, i->parameter_count)], s, values + count);
+  uint32_t count = below(s, 2) ? random_groups(i, s, values) : random_few(i, s, values);
   return host.textures->create(NULL, i->id, preset, values, count, &made) == SOZAI_OK ? made : NULL;
 }
 
@@ -179,27 +199,38 @@ static int compare(sozai_texture *t, uint64_t seed) {
 }
 
 /* What did depend on the batch, before it was found. */
+#define ONCE_VALUES 5u
 static const struct {
-  const char *kind, *preset, *ids[2];
-  double numbers[2];
+  const char *kind, *preset;
+  struct {
+    const char *id, *text; /* NULL: no more */
+  } values[ONCE_VALUES];
 } once[] = {
-    {"wood", "elm", {"ray_height", "plies"}, {6.45, 14}},               /* ragged and uneven rays */
-    {"wood", "kihada", {"ray_height", "cell_contrast"}, {9.48, 0.456}}, /* rays' cells */
-    {"stone", "concrete_paver", {"inclusion_size", "white_share"}, {37.6, 0.0726}}, /* specks */
+    {"wood", "elm", {{"ray_height", "6.45"}, {"plies", "14"}}}, /* ragged and uneven rays */
+    {"wood", "kihada", {{"ray_height", "9.48"}, {"cell_contrast", "0.456"}}}, /* rays' cells */
+    {"stone",
+     "concrete_paver",
+     {{"inclusion_size", "37.6"}, {"white_share", "0.0726"}}}, /* specks */
+    {"stone", /* inclusions in relief, below a hole as wide as all lanes */
+     "nero_marquina",
+     {{"inclusion_size", "2.32"},
+      {"inclusion_third_share", "0.4"},
+      {"inclusion_relief", "-5"},
+      {"hole_size", "40"},
+      {"hole_share", "0.2"}}},
 };
 
 static unsigned long compare_those(unsigned long times) {
   unsigned long differ = 0;
   for (size_t i = 0; i < sizeof once / sizeof once[0]; i++) {
-    sozai_value v[2];
+    sozai_value v[ONCE_VALUES];
     sozai_texture *t = NULL;
-    for (int k = 0; k < 2; k++) {
-      v[k] = (sozai_value){.id = once[i].ids[k], .kind = SOZAI_KIND_STRING};
-      static char text[2][32];
-      snprintf(text[k], sizeof text[k], "%g", once[i].numbers[k]);
-      v[k].text = text[k];
+    uint32_t count = 0;
+    for (; count < ONCE_VALUES && once[i].values[count].id; count++) {
+      v[count] = (sozai_value){.id = once[i].values[count].id, .kind = SOZAI_KIND_STRING};
+      v[count].text = once[i].values[count].text;
     }
-    if (host.textures->create(NULL, once[i].kind, once[i].preset, v, 2, &t) != SOZAI_OK) {
+    if (host.textures->create(NULL, once[i].kind, once[i].preset, v, count, &t) != SOZAI_OK) {
       fprintf(stderr, "%s %s: %s\n", once[i].kind, once[i].preset, host.textures->last_error());
       return 1;
     }
