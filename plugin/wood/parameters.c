@@ -600,7 +600,7 @@ static const sozai_parameter ray_length = {
 static const sozai_parameter ray_colour = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
    .id = "ray_colour", .label = "Ray colour", .group = "rays", .unit = "",
-   .doc = "Of the rays' tissue in heartwood; in sapwood it is as far from what is about it.",
+   .doc = "Of the rays' tissue in heartwood; in sapwood it is four fifths of earlywood's there.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.84, 0.71, 0.53},
    .default_text = "sRGB"};
 

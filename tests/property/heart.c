@@ -104,7 +104,7 @@ static void of_rays(const char *preset, const char *values, double mean[2]) {
   double sum[2] = {0, 0};
   unsigned count[2] = {0, 0};
   uniform_seed(19);
-  for (int i = 0; i < 30000; i++)
+  for (int i = 0; i < 60000; i++)
     points_add(&p, 60 * (uniform() - 0.5), 300 * (uniform() - 0.5), 0, 0);
   points_ask(&p, t);
   for (unsigned i = 0; i < p.count; i++) {
@@ -113,13 +113,13 @@ static void of_rays(const char *preset, const char *values, double mean[2]) {
     for (int c = 0; c < 3; c++) sum[ray < 0.5] += points_value(&p, ALBEDO + c, i) / 3;
     count[ray < 0.5]++;
   }
-  assert_true(count[0] > 100 && count[1] > 100);
+  assert_true(count[0] > 50 && count[1] > 50);
   for (int k = 0; k < 2; k++) mean[k] = sum[k] / count[k];
   points_free(&p);
   textures->destroy(t);
 }
 
-/* Rays that are paler than heartwood are paler than sapwood, by as much. */
+/* Rays of sapwood are as pale as it is, whatever they are in heartwood. */
 static void rays_are_sapwood_too(void **state) {
   (void)state;
   static const char *const species[] = {"oak", "mizunara", "silky_oak", "plane", "beech"};
@@ -128,12 +128,11 @@ static void rays_are_sapwood_too(void **state) {
     double heart[2], sap[2];
     of_rays(species[k], "cut=quarter; heartwood_years=5000", heart);
     of_rays(species[k], "cut=quarter; heartwood_years=1; heartwood_edge=0.5", sap);
-    double apart = (sap[0] - sap[1]) - (heart[0] - heart[1]);
     print_message("%s: rays are %+.3f beside heartwood, %+.3f beside sapwood\n", species[k],
                   heart[0] - heart[1], sap[0] - sap[1]);
-    worst = fmax(worst, fabs(apart));
+    worst = fmax(worst, sap[1] - sap[0]);
   }
-  CHECK(worst <= 0.04, "rays' contrast differs by at most %.3f\n", worst);
+  CHECK(worst <= 0.03, "rays are darker than sapwood by at most %.3f\n", worst);
 }
 
 int main(void) {

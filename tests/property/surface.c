@@ -438,7 +438,7 @@ static double knots_of(const char *values) {
   unsigned knots = 0;
   uniform_seed(18);
   for (int i = 0; i < 20000; i++)
-    points_add(&p, 160 * (uniform() - 0.5), 1200 * (uniform() - 0.5), 0, 0);
+    points_add(&p, 200 * (uniform() - 0.5), 200 * (uniform() - 0.5), 0, 0);
   points_ask(&p, t);
   for (unsigned i = 0; i < p.count; i++) {
     if (points_value(&p, KNOT, i) < 0.99) continue;

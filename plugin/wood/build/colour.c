@@ -10,6 +10,8 @@
 #include "../../core/scalar.h"
 #include "../parameters.h"
 
+#define RAY_SAP 0.2 /* of rays in sapwood: how much they are as in heartwood */
+
 /* Where heartwood ends, which is not the same all round. */
 static void build_heart(wood_constants *w, const settings *s) {
   w->heart_years = (float)number_at(s, P_HEART_YEARS);
@@ -31,9 +33,9 @@ int32_t wood_build_colour(wood_constants *w, const sozai_host *host, const setti
   memcpy(w->ray, colours[P_RAY_COLOUR], sizeof w->ray);
   memcpy(w->sap_early, colours[P_SAP_EARLY], sizeof w->sap_early);
   memcpy(w->sap_late, colours[P_SAP_LATE], sizeof w->sap_late);
-  for (int c = 0; c < 3; c++) { /* as far from what is about it as in heartwood */
-    double x = (double)w->ray[c] + (double)w->sap_early[c] - (double)w->early[c];
-    w->ray_sap[c] = (float)limited(x, 0.0, 1.0);
+  for (int c = 0; c < 3; c++) {
+    double own = RAY_SAP * (double)w->ray[c];
+    w->ray_sap[c] = (float)(own + (1.0 - RAY_SAP) * (double)w->sap_early[c]);
   }
   memcpy(w->pigment, colours[P_PIGMENT_COLOUR], sizeof w->pigment);
   pigment_build(w, s);
