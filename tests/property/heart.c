@@ -122,7 +122,7 @@ static void of_rays(const char *preset, const char *values, double mean[2]) {
 /* Rays of sapwood are as pale as it is, whatever they are in heartwood. */
 static void rays_are_sapwood_too(void **state) {
   (void)state;
-  static const char *const species[] = {"oak", "mizunara", "silky_oak", "plane", "beech"};
+  static const char *const species[] = {"oak", "white_oak", "silky_oak", "plane", "beech"};
   double worst = 0;
   for (unsigned k = 0; k < sizeof species / sizeof *species; k++) {
     double heart[2], sap[2];

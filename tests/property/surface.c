@@ -445,7 +445,7 @@ static double knots_of(const char *values) {
     sum += points_value(&p, ALBEDO + 1, i);
     knots++;
   }
-  assert_true(knots > 50);
+  assert_true(knots > 10);
   points_free(&p);
   textures->destroy(t);
   return sum / knots;
