@@ -337,7 +337,7 @@ typedef struct {
   wood_knots *knots; /* NULL: none */
   float knot_early[3], knot_late[3], knot_bark[3];
   float spalt_pale[3]; /* what bleached wood is nearer to */
-  float knot_stain; /* how much of its colour a knot has */
+  float knot_stain;    /* how much of its colour a knot has */
 
   /* colour, working space */
   float early[3], late[3], vessel[3], ray[3], ray_sap[3];
