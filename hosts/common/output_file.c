@@ -50,8 +50,8 @@ bool output_begin(output_file *o, const char *path, failure *why) {
     forget(o);
     return false;
   }
-  /* whom the one before was open to, and nobody else */
-  if (exists) fchmod(file, status.st_mode & 0777);
+  /* whom the one before was open to, and nobody else; it is still to be written */
+  if (exists) fchmod(file, (status.st_mode & 0777) | S_IRUSR | S_IWUSR);
   close(file);
   return true;
 }

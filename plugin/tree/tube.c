@@ -158,14 +158,13 @@ static float lobed(const tree *t, const tree_branch *b, float height, const floa
 /* The k-th side's place on the ring, from the axis, and its normal. */
 static float lobe(const tree *t, const tree_branch *b, float height, uint32_t k, uint32_t sides,
                   float out[2]) {
-  const float *round[3] = {NULL, t->plan.round[k % sides * 1024u / sides], NULL};
+  const float *round[3]; /* of the side before, its own, and of the one behind */
   float r[3];
+  for (uint32_t i = 0; i < 3; i++)
+    round[i] = t->plan.round[(k + sides - 1 + i) % sides * 1024u / sides];
   out[0] = round[1][0], out[1] = round[1][1];
   if (!stands_on_roots(b)) return 1.0f;
-  for (uint32_t i = 0; i < 3; i++) {
-    round[i] = t->plan.round[(k + sides - 1 + i) % sides * 1024u / sides];
-    r[i] = lobed(t, b, height, round[i]);
-  }
+  for (int i = 0; i < 3; i++) r[i] = lobed(t, b, height, round[i]);
   if (r[0] == r[2]) return r[1];
   /* square to the line from the side before to the one behind */
   float x = r[2] * round[2][0] - r[0] * round[0][0], y = r[2] * round[2][1] - r[0] * round[0][1];

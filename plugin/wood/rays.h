@@ -299,9 +299,8 @@ INLINE ray_turn ray_turn_of(const wood_constants *w, vu own, vf rho, vf turn, vf
   /* The sheets are not flat: they sway with the bundles of fibres that go round them,
    * together all round the stem, so that a cut along them leaves them and meets them
    * again. Nearer to the pith than RAY_SWAY_FROM they sway by an angle. */
-  vf lean, sway,
-      stray =
-          noise_value2_near(&out, HASH_X, &up, HASH_Y, wood_seed(w, own, SEED_RAYS), &lean, &sway);
+  vu seed = wood_seed(w, own, SEED_RAYS);
+  vf lean, sway, stray = noise_value2_near(&out, HASH_X, &up, HASH_Y, seed, &lean, &sway);
   vf from = splat(RAY_SWAY_FROM), per = splat(w->ray_stray) * vmin(rho / from, splat(1.0f));
   p.lean = lean * per * splat(w->ray_wave_radial);
   p.sway = sway * per * splat(w->ray_wave_along);

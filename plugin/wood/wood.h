@@ -304,6 +304,7 @@ typedef struct {
   float spalt_frequency, spalt_width;                         /* 1/mm; mm */
   float spalt_level, spalt_other;                             /* of the noise, where lines are */
   float spalt_line_mean, spalt_bleach_mean, spalt_stain_mean; /* expected */
+  float spalt_pale[3];                                        /* what bleached wood is nearer to */
 
   /* rays */
   int32_t has_rays;
@@ -336,8 +337,7 @@ typedef struct {
   /* knots */
   wood_knots *knots; /* NULL: none */
   float knot_early[3], knot_late[3], knot_bark[3];
-  float spalt_pale[3]; /* what bleached wood is nearer to */
-  float knot_stain;    /* how much of its colour a knot has */
+  float knot_stain; /* how much of its colour a knot has */
 
   /* colour, working space */
   float early[3], late[3], vessel[3], ray[3], ray_sap[3];

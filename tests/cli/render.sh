@@ -191,9 +191,12 @@ wait "$pid"
 same "but not SIGTERM" 143 $?
 # Whom a file was open to, and nobody else.
 touch private.png
-chmod 600 private.png
-"$sozai" render wood -o private.png --res 16x16 --spp 1
-same "a private picture stays private" 600 "$(stat -c %a private.png)"
+for mode in 600 400; do
+  chmod "$mode" private.png
+  "$sozai" render wood -o private.png --res 16x16 --spp 1
+  same "$mode: exit code" 0 $?
+  same "$mode: a private picture stays private" 600 "$(stat -c %a private.png)"
+done
 # A shell's loop ends with it.
 # shellcheck disable=SC2016 # the inner shell's own
 env --default-signal=INT setsid bash -c 'for i in 1 2; do

@@ -4,8 +4,6 @@
  */
 #include "parts.h"
 
-#include <string.h>
-
 #include "../../core/scalar.h"
 #include "../parameters.h"
 
@@ -14,8 +12,7 @@
 #define BAND_FORKED 0.25  /* of the spacing: how far a flame's arms part over a ring */
 #define BAND_OBLIQUE 0.84 /* the tangent of diagonal files' angle to the rays, 40 degrees */
 #define BAND_CELL 2.0     /* radii of the largest pore to a cell, at least */
-#define BAND_ROOM                                                                                  \
-  0.25 /* of the rings: where less is far enough from their ends, pores stand evenly */
+#define BAND_ROOM 0.25    /* of the rings, far from their ends: with less, pores are even */
 
 enum { SAMPLES = 128 }; /* over a band, and over a ring */
 
@@ -133,21 +130,19 @@ void wood_build_bands(wood_constants *w, const settings *s, double largest) {
   int arrangement = choice_at(s, P_ARRANGEMENT);
   double spacing = number_at(s, P_BAND_SPACING), in_bands = number_at(s, P_BANDS);
   double cell = BAND_CELL * largest;
-  m->on = w->has_pores && arrangement != ARRANGEMENT_EVEN && in_bands > 0.0;
+  int along_arc = arrangement != ARRANGEMENT_TANGENTIAL;
+  float margin = (float)(along_arc ? largest : 0.0);
+  double room = within_margins(w, (double)margin);
+  m->on = w->has_pores && arrangement != ARRANGEMENT_EVEN && in_bands > 0.0 && !(room < BAND_ROOM);
   if (!m->on) return;
-  m->along_arc = arrangement != ARRANGEMENT_TANGENTIAL;
+  m->along_arc = along_arc;
   m->often = (float)((m->along_arc ? TWO_PI : 1.0) / spacing);
   if (arrangement == ARRANGEMENT_DIAGONAL) m->slant = (float)(BAND_OBLIQUE / spacing);
   if (arrangement == ARRANGEMENT_DENDRITIC) m->fork = (float)BAND_FORKED;
   m->fork_most = (float)(0.25 * BAND_WIDE);
-  m->margin = (float)(m->along_arc ? largest : 0.0);
+  m->margin = margin;
   m->stray = (float)(number_at(s, P_BAND_STRAY) / NOISE_BOUND);
   m->stray_size = (float)(number_at(s, P_FIBRE_WIDTH) * WOOD_BUNDLE);
-  double room = within_margins(w, (double)m->margin);
-  if (room < BAND_ROOM) {
-    memset(m, 0, sizeof *m);
-    return;
-  }
   band_shares shares = shares_of(in_bands, number_at(s, P_PORE_DENSITY) * cell * cell);
   build_within(m, &shares);
   m->share = (float)(mean_over_ring(m, 0.0) * room);

@@ -50,18 +50,17 @@ static int taps_normal(int c) { return c >= WOOD_NORMAL && c < WOOD_NORMAL + 3; 
 /* Its length is that of all three, whichever are asked for. */
 static void taps_store_normals(const kernel_io *io, ply_queue *q) {
   for (uint32_t k = 0; k < q->count; k++) {
-    float square = 0.0f, length = 1.0f;
+    float length = 1.0f, *n = q->normal;
     for (int c = 0; c < 3; c++) {
       float x = q->weight[k] * q->out[WOOD_NORMAL + c][k];
-      q->normal[c] = q->flags[k] & OF_FIRST ? x : q->normal[c] + x;
+      n[c] = q->flags[k] & OF_FIRST ? x : n[c] + x;
     }
     if (!(q->flags[k] & OF_LAST)) continue;
-    square =
-        q->normal[0] * q->normal[0] + q->normal[1] * q->normal[1] + q->normal[2] * q->normal[2];
+    float square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
     if (!(q->flags[k] & OF_FIRST) && !(square < 1e-12f)) length = __builtin_sqrtf(square);
     for (int c = 0; c < 3; c++) {
       float *out = io->out[WOOD_NORMAL + c];
-      if (out) out[q->point[k]] = q->normal[c] / length;
+      if (out) out[q->point[k]] = n[c] / length;
     }
   }
 }
