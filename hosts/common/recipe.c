@@ -34,12 +34,13 @@ const sozai_parameter *parameter_of(const sozai_texture_info *info, const char *
   return NULL;
 }
 
-static recipe_param *slot_for(recipe *r, const char *id, failure *why) {
+/* file: that asks for it, NULL: none does. */
+static recipe_param *slot_for(recipe *r, const char *id, const char *file, int line, failure *why) {
   recipe_param *there = find_param(r, id);
   if (there) return there;
-  if (!limits_check(HOST_LIMIT_RECIPE_PARAMETERS, r->param_count + 1, "parameters", why)) {
-    return NULL;
-  }
+  char asks[sizeof why->text] = "parameters";
+  if (file) snprintf(asks, sizeof asks, "%s:%d", file, line);
+  if (!limits_check(HOST_LIMIT_RECIPE_PARAMETERS, r->param_count + 1, asks, why)) return NULL;
   recipe_param *more = realloc(r->params, (r->param_count + 1) * sizeof *more);
   if (more) r->params = more;
   char *copy = more ? strdup(id) : NULL;
@@ -54,7 +55,7 @@ static recipe_param *slot_for(recipe *r, const char *id, failure *why) {
 
 bool recipe_set_from(recipe *r, const char *id, const char *text, const char *file, int line,
                      failure *why) {
-  recipe_param *p = slot_for(r, id, why);
+  recipe_param *p = slot_for(r, id, file, line, why);
   if (!p) return false;
   p->line = line;
   p->settled = false;

@@ -8,7 +8,7 @@ const match_material match_materials[] = {
     {.id = "wood",
      .roles = {{"earlywood_colour", "sapwood_earlywood_colour"},
                {"latewood_colour", "sapwood_latewood_colour"},
-               {"vessel_colour", NULL}},
+               {"vessel_colour", "sapwood_vessel_colour"}},
      .brightness = "fibre_brightness",
      .part = "heartwood",
      .second_part = "sapwood",

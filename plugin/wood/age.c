@@ -22,7 +22,7 @@ void age_build(wood_constants *w, const settings *s, const float (*colours)[3]) 
   float *heart[] = {w->late,        w->vessel,           w->ray,       w->streak,
                     w->pigment,     w->knot_early,       w->knot_late, w->canal_colour,
                     w->canal_lumen, w->parenchyma.colour},
-        *sap[] = {w->sap_early, w->sap_late, w->ray_sap, w->parenchyma.sap};
+        *sap[] = {w->sap_early, w->sap_late, w->ray_sap, w->vessel_sap, w->parenchyma.sap};
   for (int c = 0; c < 3; c++) {
     double from = within((double)w->early[c]), to = within((double)colours[P_AGED_COLOUR][c]);
     double end = scalar_log(to) / scalar_log(from);

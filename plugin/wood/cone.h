@@ -13,9 +13,11 @@
  *
  * The paper adds its parts up, which may give more light than came in. Here
  * the diffuse part takes what the lobe leaves: with e(w) the lobe's reflectance
- * for light from w, and k its colour, it is rho (1 - k e_i) (1 - k e_r) / (1 - k e_mean),
- * which is reciprocal and sums with the lobe to no more than 1. e depends on
- * psi and on the dive angle alone, and is a table.
+ * for light from w, it is rho (1 - k e_i) (1 - k e_r) / (1 - k e_mean),
+ * which is reciprocal and sums with the lobe to no more than 1. k is its
+ * brightest channel's: channel by channel it would be a product of two colours,
+ * another one in each working space. e depends on psi and on the dive angle
+ * alone, and is a table.
  */
 #ifndef SOZAI_WOOD_CONE_H
 #define SOZAI_WOOD_CONE_H
@@ -137,10 +139,10 @@ INLINE void cone_radiance(const wood_constants *w, const vf l[3], const vf v[3],
   vf cosine = i.cosine * i.through * r.through;
   vf lobe = splat(3.14159265f) * g / half * cosine * scale;
   vm seen = and_(gt(i.cosine, zero), gt(r.cosine, zero));
+  vf k = splat(w->fibre_brightest);
+  vf left = vmax(one - k * ei, zero) * vmax(one - k * er, zero) / (one - k * mean) * cosine;
   for (int c = 0; c < 3; c++) {
-    vf k = splat(w->fibre_colour[c]);
-    vf left = vmax(one - k * ei, zero) * vmax(one - k * er, zero) / (one - k * mean);
-    out[c] = sel(seen, k * lobe + albedo[c] * left * cosine, zero);
+    out[c] = sel(seen, splat(w->fibre_colour[c]) * lobe + albedo[c] * left, zero);
   }
 }
 

@@ -76,7 +76,7 @@ static double mean_of(const float *row, const inclinations *to, const double wei
 
 void cone_table_build(wood_constants *w) {
   inclinations to;
-  double weight[WOOD_CONE_DIVE][BINS], lobe[BINS], brightest = 0.0;
+  double weight[WOOD_CONE_DIVE][BINS], lobe[BINS], brightest = (double)w->fibre_brightest;
   for (int b = 0; b < BINS; b++) {
     to.sine[b] = (b + 0.5) * 2.0 / BINS - 1.0;
     to.cosine[b] = scalar_root(1.0 - to.sine[b] * to.sine[b]);
@@ -93,9 +93,6 @@ void cone_table_build(wood_constants *w) {
       for (int b = 0; b < BINS; b++) sum += weight[d][b] * lobe[b];
       w->cone_table[d * WOOD_CONE_PSI + p] = (float)sum;
     }
-  }
-  for (int c = 0; c < 3; c++) {
-    if ((double)w->fibre_colour[c] > brightest) brightest = (double)w->fibre_colour[c];
   }
   for (int d = 0; d < WOOD_CONE_DIVE; d++) {
     float *row = w->cone_table + d * WOOD_CONE_PSI;

@@ -5,7 +5,7 @@
 #include "wood.h"
 
 /* Fills cone_table, cone_mean and cone_scale from ior, cone_width and
- * fibre_colour: where the lobe would reflect more than it receives, as of end
+ * fibre_brightest: where the lobe would reflect more than it receives, as of end
  * grain it may, its scale is less than 1. */
 void cone_table_build(wood_constants *w);
 

@@ -58,8 +58,8 @@ typedef struct {
   float inverse_radius;
   float q;                 /* 0..1: how much its growth slowed down */
   float high, high_rising; /* of the collar, likewise, over the branch's radius */
-  float death;             /* rho; 1e6: alive */
-  float end;               /* rho at which it had been shed; 1e6: still there */
+  float death;             /* rho */
+  float end;               /* rho at which it had been shed */
   float reach;             /* along u: how far it has any effect, */
   float bends;             /* likewise to its side and along it, */
   float near;              /* mm^2: more closely, where a^2 + h^2 / 4 is below it; */

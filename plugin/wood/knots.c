@@ -12,13 +12,13 @@
 #include "knot_grid.h"
 #include "parameters.h"
 
-#define NEVER 1e6     /* mm of rho: what has not come about */
 #define NARROWEST 0.2 /* mm: of a knot's radius */
 #define WIDEST                                                                                     \
   0.44 /* of a branch's growth over the stem's: none reaches to the pith's other side */
 #define SLOWEST 0.8      /* q */
 #define HIGH 0.4         /* of the collar at a knot's side, over its radius */
 #define HIGH_RISING 0.6  /* and what is more above and below */
+#define LINGERS 5.0      /* radii: how long a dead one may stay beyond the tree's own years */
 #define PITH 0.15        /* how far a knot's pith is from its middle, over its radius */
 #define WITHOUT_AGE 60.0 /* years, where a table of knots alone tells none */
 
@@ -143,15 +143,16 @@ static int make_knot(wood_knot *k, const wood_constants *w, const knot_source *f
   k->radius = (float)radius;
   k->inverse_radius = (float)(1.0 / radius);
   k->q = (float)slowing(&c, row, born, length, radius);
-  k->death = (float)(lives ? NEVER : end);
-  k->end = (float)(stays ? NEVER : rho_in(&c, (double)row[KNOT_SHED]));
+  k->death = (float)end;
+  /* a board may be wider than the stem has grown: there branches have died since, and the wood
+   * closed over them */
+  double later = now + LINGERS * radius * even(seed, 8);
+  k->end = (float)(stays ? later : rho_in(&c, (double)row[KNOT_SHED]));
   /* no part of the stub's end lies within what it was when it died */
   double stub = end + 1.1 * (double)(KNOT_ROUND + KNOT_SLANT) * radius;
-  if (!stays && (double)k->end < stub) k->end = (float)stub;
-  double reach = 1.2 * now + 20.0;
+  if ((double)k->end < stub) k->end = (float)stub;
   /* a scar closes within three radii */
-  if (!stays && (double)k->end + 12.0 * radius < reach) reach = (double)k->end + 12.0 * radius;
-  k->reach = (float)reach;
+  k->reach = (float)((double)k->end + 12.0 * radius);
   set_bounds(k);
   double sees = radius + number_at(s, P_KNOT_BARK), resin = (1.0 + (double)KNOT_HALO) * radius;
   double off = __builtin_sqrt(px * px + py * py);

@@ -762,6 +762,13 @@ static const sozai_parameter sap_late = {
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.76, 0.61, 0.43},
    .default_text = "sRGB"};
 
+static const sozai_parameter sap_vessel = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_COLOUR,
+   .id = "sapwood_vessel_colour", .label = "Sapwood, vessels", .group = "colour", .unit = "",
+   .doc = "Of an open vessel beyond the heartwood.",
+   .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0.44, 0.31, 0.20},
+   .default_text = "sRGB"};
+
 static const sozai_parameter heart_years = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "heartwood_years", .label = "Heartwood", .group = "colour", .unit = "years",
@@ -1376,6 +1383,7 @@ const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_VESSEL_COLOUR] = &vessel_colour,
    [P_SAP_EARLY] = &sap_early,
    [P_SAP_LATE] = &sap_late,
+   [P_SAP_VESSEL] = &sap_vessel,
    [P_HEART_YEARS] = &heart_years,
    [P_HEART_EDGE] = &heart_edge,
    [P_HEART_STRAY] = &heart_stray,

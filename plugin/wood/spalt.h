@@ -38,6 +38,8 @@ typedef struct {
 } spalt_eye;
 
 #define SPALT_LONG 2.5f /* along the fibre, to a width of 1 */
+#define SPALT_SOFT 0.2f /* colonies: over how much of one bleaching comes where no line holds it   \
+                         */
 #define SPALT_FLAT 1.0f /* of an octave that a part of its lattice's size takes, and takes on */
 
 /* d: from a level of the noise. */
@@ -119,7 +121,7 @@ INLINE vf spalt_opened(vf soft, vf inverse, vf x) {
 /* Of the part, what a colony bleaches: from the line on; where that is thin, or has never been,
  * it comes gradually. */
 INLINE vf spalt_open(const spalt_edge *r, vf press) {
-  vf one = splat(1.0f), soft = splat(0.11f) * clamp01(splat(0.3f) - press) + splat(1e-3f);
+  vf one = splat(1.0f), soft = splat(SPALT_SOFT) * clamp01(splat(0.75f) - press) + splat(1e-3f);
   vf inverse = one / soft;
   vf sum = spalt_opened(soft, inverse, r->high) - spalt_opened(soft, inverse, r->low);
   return clamp01(sum / (r->high - r->low));
@@ -156,7 +158,7 @@ INLINE spalt_place spalt_part(const wood_constants *w, vu own, const spalt_eye *
   spalt_place p;
   p.line = vmin(a.line + b.line * left, one);
   /* most bleached by the line, and in patches */
-  vf pale = splat(0.55f) + splat(0.45f) * clamp01(one - a.depth * splat(4.0f));
+  vf pale = splat(0.4f) + splat(0.6f) * clamp01(one - a.depth * splat(3.0f));
   pale = pale * vmax(one + splat(0.3f) * press, splat(0.25f));
   vf other = splat(SPALT_PALE) * vmax(one + splat(0.3f) * push, splat(0.25f));
   p.bleached = spalt_open(&a, press) * pale + left * spalt_open(&b, push) * other;

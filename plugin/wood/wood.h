@@ -26,7 +26,7 @@
 #include "surface/surface.h"
 
 #define WOOD_EYE_LONG 1.25f  /* a bird's eye along the stem, to a width of 1 */
-#define WOOD_EYE_PIN 0.5f    /* how dark its middle is, to its outline; */
+#define WOOD_EYE_PIN 0.6f    /* how dark its middle is, to its outline; */
 #define WOOD_EYE_DARK 0.68f  /* of the darkest there might be, on both sides alike, in the mean, */
 #define WOOD_EYE_DARKS 0.22f /* and how far from that */
 #define WOOD_EYE_MEAN (4.0f / 15.0f + WOOD_EYE_PIN / 20.0f) /* and both in the mean over it */
@@ -340,7 +340,7 @@ typedef struct {
   float knot_stain; /* how much of its colour a knot has */
 
   /* colour, working space */
-  float early[3], late[3], vessel[3], ray[3], ray_sap[3];
+  float early[3], late[3], vessel[3], vessel_sap[3], ray[3], ray_sap[3];
 
   float sap_early[3], sap_late[3];
   wood_tubes streaks; /* of minerals */
@@ -375,7 +375,7 @@ typedef struct {
   int32_t cone;                       /* radiance by it, not by equation (4) */
   float ior, inverse_ior, cone_width; /* cone_width in radians */
   float coat, coat_alpha;
-  float fibre_colour[3];
+  float fibre_colour[3], fibre_brightest;
   float cone_table[WOOD_CONE_DIVE * WOOD_CONE_PSI]; /* reflectance; rows by the dive's sine */
   float cone_mean[WOOD_CONE_DIVE];                  /* of it over all directions */
   float cone_scale[WOOD_CONE_DIVE];                 /* of the lobe */

@@ -50,7 +50,7 @@ printf 'material: wood\nparams:\n  earlywood_colour: "0.5 0.4 0.3 @ acescg"\n' >
 works colour "$scratch/some.sozai"
 holds "in use: $scratch/some.sozai"
 holds "acescg -> ACEScg"
-holds "knot_colour, knot_bark_colour, parenchyma_colour, sapwood_parenchyma_colour, ray_colour, canal_colour, latewood_colour, vessel_colour, sapwood_earlywood_colour, sapwood_latewood_colour, pigment_colour, streak_colour, aged_colour, grey_colour, joint_colour, glue_colour"
+holds "knot_colour, knot_bark_colour, parenchyma_colour, sapwood_parenchyma_colour, ray_colour, canal_colour, latewood_colour, vessel_colour, sapwood_earlywood_colour, sapwood_latewood_colour, sapwood_vessel_colour, pigment_colour, streak_colour, aged_colour, grey_colour, joint_colour, glue_colour"
 
 # ---- JSON ---------------------------------------------------------------------------
 json() { works colour --json "$@" && check "JSON of: $*" "$json_check" "$scratch/out"; }

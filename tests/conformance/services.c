@@ -333,6 +333,7 @@ static void the_hosts_own(void **state) {
   static const char *const others[] = {"vessel_colour",
                                        "sapwood_earlywood_colour",
                                        "sapwood_latewood_colour",
+                                       "sapwood_vessel_colour",
                                        "ray_colour",
                                        "joint_colour",
                                        "grey_colour",
@@ -356,7 +357,7 @@ static void the_hosts_own(void **state) {
   sozai_texture *t;
   calls = 0;
   assert_int_equal(l.textures->create(&host, "wood", NULL, values, PLAIN + OTHERS, &t), SOZAI_OK);
-  assert_int_equal(calls, 18); /* seventeen colours, and the hue of one */
+  assert_int_equal(calls, 19); /* eighteen colours, and the hue of one */
   const float p[3] = {40, 50, 3};
   float rgb[3], *const channels[3] = {&rgb[0], &rgb[1], &rgb[2]};
   sozai_batch b = {.size = sizeof b,
@@ -365,7 +366,7 @@ static void the_hosts_own(void **state) {
                    .out = channels,
                    .out_count = 3};
   assert_int_equal(l.textures->evaluate(t, &b), SOZAI_OK);
-  assert_int_equal(calls, 18); /* none for a point */
+  assert_int_equal(calls, 19); /* none for a point */
   assert_true(fabs((double)rgb[0] - 0.75) < 1e-6 && fabs((double)rgb[2] - 0.5) < 1e-6);
   l.textures->destroy(t);
   float unused[3];

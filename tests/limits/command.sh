@@ -56,6 +56,9 @@ printf 'include: long.sozai\n' >one.sozai
 printf 'include: one.sozai\n' >two.sozai
 refuses 2 "long.sozai|recipe_includes, 2" render two.sozai -o a.png "${small[@]}" --limit recipe_includes=2
 works render two.sozai -o a.png "${small[@]}" --limit recipe_includes=3
+
+printf '%s\n' 'material: wood' 'params:' '  seed: 2' '  taper: 5' '  undulation: 1' >many.sozai
+refuses 2 "many.sozai:5|recipe_parameters, 2" render many.sozai -o a.png "${small[@]}" --limit recipe_parameters=2
 refuses 2 "view_bytes, 1024" render wood -o a.png "${small[@]}" --limit view_bytes=1K
 works grow fiber --hull ball -o hull.gltf -p count=5
 printf 'v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n' >mesh.obj

@@ -169,6 +169,8 @@ static void colours(void) {
   EXPECT(given("heartwood_years"), "no heartwood");
   if (!is("porosity", "none")) {
     EXPECT(luminance("vessel_colour") <= early + 1e-9, "vessels paler than the wood");
+    EXPECT(given("sapwood_vessel_colour"), "no colour of vessels in sapwood");
+    EXPECT(luminance("sapwood_vessel_colour") <= sap_early + 1e-9, "vessels paler than sapwood");
   }
 }
 

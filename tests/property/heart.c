@@ -97,8 +97,8 @@ static void filtered(void **state) {
   CHECK(worst <= 0.014, "worst %.4f\n", worst);
 }
 
-/* The mean albedo of rays, and of what has none. */
-static void of_rays(const char *preset, const char *values, double mean[2]) {
+/* The mean albedo of what the channel tells of, and of the rest. */
+static void of_tissue(const char *preset, const char *values, int channel, double mean[2]) {
   sozai_texture *t = wood_make(preset, values);
   points p = {0};
   double sum[2] = {0, 0};
@@ -108,10 +108,10 @@ static void of_rays(const char *preset, const char *values, double mean[2]) {
     points_add(&p, 60 * (uniform() - 0.5), 300 * (uniform() - 0.5), 0, 0);
   points_ask(&p, t);
   for (unsigned i = 0; i < p.count; i++) {
-    double ray = points_value(&p, RAY, i);
-    if (ray > 0.05 && ray < 0.95) continue;
-    for (int c = 0; c < 3; c++) sum[ray < 0.5] += points_value(&p, ALBEDO + c, i) / 3;
-    count[ray < 0.5]++;
+    double share = points_value(&p, channel, i);
+    if (share > 0.05 && share < 0.95) continue;
+    for (int c = 0; c < 3; c++) sum[share < 0.5] += points_value(&p, ALBEDO + c, i) / 3;
+    count[share < 0.5]++;
   }
   assert_true(count[0] > 50 && count[1] > 50);
   for (int k = 0; k < 2; k++) mean[k] = sum[k] / count[k];
@@ -126,8 +126,8 @@ static void rays_are_sapwood_too(void **state) {
   double worst = 0;
   for (unsigned k = 0; k < sizeof species / sizeof *species; k++) {
     double heart[2], sap[2];
-    of_rays(species[k], "cut=quarter; heartwood_years=5000", heart);
-    of_rays(species[k], "cut=quarter; heartwood_years=1; heartwood_edge=0.5", sap);
+    of_tissue(species[k], "cut=quarter; heartwood_years=5000", RAY, heart);
+    of_tissue(species[k], "cut=quarter; heartwood_years=1; heartwood_edge=0.5", RAY, sap);
     print_message("%s: rays are %+.3f beside heartwood, %+.3f beside sapwood\n", species[k],
                   heart[0] - heart[1], sap[0] - sap[1]);
     worst = fmax(worst, sap[1] - sap[0]);
@@ -135,9 +135,29 @@ static void rays_are_sapwood_too(void **state) {
   CHECK(worst <= 0.03, "rays are darker than sapwood by at most %.3f\n", worst);
 }
 
+/* Vessels too: their lumina lie in shade there as in heartwood, and nothing stains them. */
+static void vessels_are_sapwood_too(void **state) {
+  (void)state;
+  static const char *const species[] = {"katsura", "yellow_birch", "buna",
+                                        "padauk",  "honoki",       "ash"};
+  double least = 1, most = 0;
+  for (unsigned k = 0; k < sizeof species / sizeof *species; k++) {
+    double heart[2], sap[2];
+    of_tissue(species[k], "cut=end; heartwood_years=5000", VESSEL, heart);
+    of_tissue(species[k], "cut=end; heartwood_years=1; heartwood_edge=0.5", VESSEL, sap);
+    double dark = heart[0] / heart[1], pale = sap[0] / sap[1];
+    print_message("%s: vessels have %.3f of the light that heartwood has about them, %.3f of the "
+                  "light that sapwood has\n",
+                  species[k], dark, pale);
+    least = fmin(least, pale / dark);
+    most = fmax(most, pale);
+  }
+  CHECK(least >= 0.9 && most < 1, "at least %.3f of it, at most %.3f\n", least, most);
+}
+
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(rays_are_sapwood_too),
-                                     cmocka_unit_test(boundary), cmocka_unit_test(carried),
-                                     cmocka_unit_test(filtered)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(rays_are_sapwood_too), cmocka_unit_test(vessels_are_sapwood_too),
+      cmocka_unit_test(boundary), cmocka_unit_test(carried), cmocka_unit_test(filtered)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

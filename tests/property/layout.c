@@ -345,7 +345,8 @@ static void joint_shares(void **state) {
     snprintf(text, sizeof text,
              "layout=%s; board_length=%g; board_width=%g; joint_width=4; joint_colour=#ffffff; "
              "earlywood_colour=#000000; latewood_colour=#000000; vessel_colour=#000000; "
-             "sapwood_earlywood_colour=#000000; sapwood_latewood_colour=#000000",
+             "sapwood_earlywood_colour=#000000; sapwood_latewood_colour=#000000; "
+             "sapwood_vessel_colour=#000000",
              e->id, e->length, e->width);
     sozai_texture *t = wood_make(NULL, text);
     print_message("%-20s", e->id);

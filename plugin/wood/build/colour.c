@@ -33,6 +33,7 @@ int32_t wood_build_colour(wood_constants *w, const sozai_host *host, const setti
   memcpy(w->ray, colours[P_RAY_COLOUR], sizeof w->ray);
   memcpy(w->sap_early, colours[P_SAP_EARLY], sizeof w->sap_early);
   memcpy(w->sap_late, colours[P_SAP_LATE], sizeof w->sap_late);
+  memcpy(w->vessel_sap, colours[P_SAP_VESSEL], sizeof w->vessel_sap);
   for (int c = 0; c < 3; c++) {
     double own = RAY_SAP * (double)w->ray[c];
     w->ray_sap[c] = (float)(own + (1.0 - RAY_SAP) * (double)w->sap_early[c]);

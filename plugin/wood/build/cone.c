@@ -13,8 +13,10 @@ void wood_build_cone(wood_constants *w, const settings *s) {
   w->ior = (float)number_at(s, P_IOR);
   w->inverse_ior = 1.0f / w->ior;
   w->cone_width = (float)(number_at(s, P_CONE_WIDTH) * TWO_PI / 360.0);
+  double brightest = number_at(s, P_FIBRE_REFLECTANCE) * surface_fibres(s);
+  w->fibre_brightest = (float)brightest;
   for (int c = 0; c < 3; c++) {
-    double k = number_at(s, P_FIBRE_REFLECTANCE) * surface_fibres(s) * (double)w->tint_colour[c];
+    double k = brightest * (double)w->tint_colour[c];
     w->fibre_colour[c] = (float)(k > 0.0 ? k : 0.0);
   }
   if (w->cone) cone_table_build(w);

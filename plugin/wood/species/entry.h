@@ -30,12 +30,11 @@ SPECIES_ALL(DECLARE)
   CHOICE("grain", "interlocked"), NUMBER("interlocked_slope", slope),                              \
       NUMBER("interlocked_years", years), NUMBER("interlocked_length", length),                    \
       NUMBER("interlocked_irregularity", irregularity)
-/* Of pale wood that is sought for its figure: that moves with the eye, too, as fibres' gloss does.
- * White: what a tinted one leaves to the diffuse part is a product of two colours, another in each
- * working space. */
-#define LUSTRE CHOICE("reflection", "fibre_cone"), NUMBER("specular_tint", 0.0)
-/* Of dark wood, on which as much would lie like milk. */
-#define FAINT_LUSTRE(reflectance) LUSTRE, NUMBER("fibre_reflectance", reflectance)
+/* Of wood that is sought for its figure: that moves with the eye, too, as fibres' gloss does, in the
+ * wood's own hue. reflectance: in its brightest channel; less of dark wood. */
+#define LUSTRE(reflectance)                                                                        \
+  CHOICE("reflection", "fibre_cone"), NUMBER("specular_tint", 1.0),                                \
+      NUMBER("fibre_reflectance", reflectance)
 #define INTERLOCKED(slope, years, length) INTERLOCKED_BY(slope, years, length, 0.7)
 
 #define CURL(slope, length, irregularity, reach)                                                   \

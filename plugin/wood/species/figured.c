@@ -8,16 +8,17 @@
       SRGB("earlywood_colour", 230, 202, 164), SRGB("latewood_colour", 200, 163, 122),             \
       SRGB("vessel_colour", 217, 188, 149), SRGB("sapwood_earlywood_colour", 236, 212, 178),       \
       SRGB("sapwood_latewood_colour", 210, 178, 138), NUMBER("heartwood_years", 110.0),            \
-      NUMBER("heartwood_edge", INDISTINCT), NUMBER("diffuse", 0.8), NUMBER("specular", 0.3),       \
-      NUMBER("shininess", 14.0), RAYS(2.2, 0.6, 70.0, 28.0), SRGB("ray_colour", 221, 189, 150),    \
-      FIBRES(20.0, 540.0), AGED(206, 162, 110, 4.0)
+      SRGB("sapwood_vessel_colour", 223, 197, 162), NUMBER("heartwood_edge", INDISTINCT),          \
+      NUMBER("diffuse", 0.8), NUMBER("specular", 0.3), NUMBER("shininess", 14.0),                  \
+      RAYS(2.2, 0.6, 70.0, 28.0), SRGB("ray_colour", 221, 189, 150), FIBRES(20.0, 540.0),          \
+      AGED(206, 162, 110, 4.0)
 
 static const sozai_value values_curly_maple[] = {
     RINGS(2.2, 0.22, 0.7),
     LATEWOOD(0.06, 0.7),
     WAVY(0.2, 9.0, 0.85, 40.0),
     CURL(0.18, 9.0, 0.95, 26.0),
-    LUSTRE,
+    LUSTRE(0.065),
     NUMBER("slope_noise", 0.03),
     NUMBER("slope_noise_length", 45.0),
     MAPLE_TISSUE,
@@ -27,12 +28,8 @@ SPECIES(curly_maple, "Curly maple, tiger stripe (Acer saccharum)",
         PANSHIN "; " BEALS);
 
 static const sozai_value values_quilted_maple[] = {
-    RINGS(2.4, 0.22, 0.7),
-    LATEWOOD(0.06, 0.7),
-    QUILT(0.17, 13.0, 23.0),
-    LUSTRE,
-    NUMBER("slope_noise", 0.05),
-    NUMBER("slope_noise_length", 20.0),
+    RINGS(2.4, 0.22, 0.7), LATEWOOD(0.06, 0.7),         QUILT(0.17, 13.0, 23.0),
+    LUSTRE(0.05),          NUMBER("slope_noise", 0.05), NUMBER("slope_noise_length", 20.0),
     MAPLE_TISSUE,
 };
 SPECIES(quilted_maple, "Quilted maple (Acer macrophyllum)",
@@ -44,8 +41,8 @@ static const sozai_value values_birdseye_maple[] = {
     LATEWOOD(0.06, 0.7),
     NUMBER("slope_noise", 0.03),
     NUMBER("slope_noise_length", 45.0),
-    EYES(1.0, 3.4, 0.3, 70.0),
-    LUSTRE,
+    EYES(1.0, 3.4, 0.2, 70.0),
+    LUSTRE(0.04),
     MAPLE_TISSUE,
 };
 SPECIES(birdseye_maple, "Bird's-eye maple (Acer saccharum var. saccharum)",
@@ -59,7 +56,7 @@ static const sozai_value values_pommele_sapele[] = {
     QUILT(0.1, 9.0, 10.0),
     NUMBER("slope_noise", 0.06),
     NUMBER("slope_noise_length", 12.0),
-    FAINT_LUSTRE(0.02),
+    LUSTRE(0.03),
     DIFFUSE_POROUS(14.0, 125.0, 0.2),
     NUMBER("fibre_brightness", 0.17),
     SRGB("earlywood_colour", 150, 92, 62),
@@ -71,6 +68,7 @@ static const sozai_value values_pommele_sapele[] = {
     SRGB("sapwood_earlywood_colour", 214, 182, 152),
     SRGB("sapwood_parenchyma_colour", 220, 189, 157),
     SRGB("sapwood_latewood_colour", 194, 158, 128),
+    SRGB("sapwood_vessel_colour", 167, 141, 117),
     NUMBER("heartwood_years", 140.0),
     NUMBER("specular", 0.26),
     NUMBER("shininess", 14.0),
@@ -95,6 +93,7 @@ static const sozai_value values_spalted_beech[] = {
     SRGB("vessel_colour", 201, 157, 120),
     SRGB("sapwood_earlywood_colour", 222, 186, 150),
     SRGB("sapwood_latewood_colour", 200, 160, 124),
+    SRGB("sapwood_vessel_colour", 209, 172, 137),
     NUMBER("heartwood_years", 95.0),
     NUMBER("heartwood_edge", INDISTINCT),
     NUMBER("specular", 0.06),

@@ -42,6 +42,7 @@ static const sozai_value values_lauan_plywood[] = {
     SRGB("sapwood_earlywood_colour", 214, 186, 154),
     SRGB("sapwood_parenchyma_colour", 220, 195, 162),
     SRGB("sapwood_latewood_colour", 196, 164, 132),
+    SRGB("sapwood_vessel_colour", 191, 160, 129),
     NUMBER("heartwood_years", 150.0),
     NUMBER("heartwood_edge", INDISTINCT),
     NUMBER("specular", 0.08),

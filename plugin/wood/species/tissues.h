@@ -20,6 +20,7 @@
     SRGB("vessel_colour", 219, 190, 150), \
     SRGB("sapwood_earlywood_colour", 234, 210, 174), \
     SRGB("sapwood_latewood_colour", 212, 182, 142), \
+    SRGB("sapwood_vessel_colour", 223, 198, 159), \
     NUMBER("heartwood_years", 90.0), \
     NUMBER("heartwood_edge", INDISTINCT), \
     NUMBER("specular", 0.1), \
@@ -45,6 +46,7 @@
     SRGB("sapwood_earlywood_colour", 206, 188, 158), \
     SRGB("sapwood_parenchyma_colour", 213, 196, 165), \
     SRGB("sapwood_latewood_colour", 184, 162, 130), \
+    SRGB("sapwood_vessel_colour", 151, 135, 112), \
     NUMBER("heartwood_years", 100.0), \
     NUMBER("heartwood_edge", FAIRLY_DISTINCT), \
     NUMBER("specular", 0.08), \

@@ -13,7 +13,7 @@
 #include "pigment.h"
 #include "spalt.h"
 
-#define EYE_STAIN 0.23f /* of what latewood reflects, what the outline of a bird's eye does not */
+#define EYE_STAIN 0.27f /* of what latewood reflects, what the outline of a bird's eye does not */
 
 /* Shares of early- and latewood, times how bright their fibres are. */
 typedef struct {
@@ -86,6 +86,18 @@ INLINE void tissue_soft(const wood_constants *w, const block *k, vf heart, vf ti
   }
 }
 
+/* Vessels', of which there is so much open. */
+INLINE void tissue_open(const wood_constants *w, vf open, vf heart, vf tissue[3]) {
+  vm pale = lt(heart, splat(1.0f));
+  int sap = any(pale);
+  UNROLL(3)
+  for (int c = 0; c < 3; c++) {
+    vf own = splat(w->vessel[c]);
+    if (sap) own = sel(pale, mix(splat(w->vessel_sap[c]), own, heart), own);
+    tissue[c] = tissue[c] + own * open;
+  }
+}
+
 /* All but rays and canals. heart: heart_at. */
 INLINE void tissue_colour(const wood_constants *w, const block *k, vf heart, vf tissue[3]) {
   vf early[3], late[3], open = w->has_cells ? k->cover + k->lining : k->cover;
@@ -101,8 +113,7 @@ INLINE void tissue_colour(const wood_constants *w, const block *k, vf heart, vf 
       tissue[c] = tissue[c] + tissue[c] * k->cells * contrast;
     }
   }
-  UNROLL(3)
-  for (int c = 0; c < 3; c++) tissue[c] = tissue[c] + splat(w->vessel[c]) * open;
+  tissue_open(w, open, heart, tissue);
   if (w->streaks.share > 0.0f) {
     UNROLL(3)
     for (int c = 0; c < 3; c++) {

@@ -67,7 +67,7 @@ void surface_build_colour(wood_constants *w, const settings *s, const float (*co
                    w->streak,       w->early,       w->knot_early,
                    w->knot_late,    w->knot_bark,   w->parenchyma.colour,
                    w->canal_colour, w->canal_lumen, w->parenchyma.sap,
-                   w->spalt_pale,   w->ray_sap};
+                   w->spalt_pale,   w->ray_sap,     w->vessel_sap};
   float early[3];
   for (int c = 0; c < 3; c++) early[c] = w->early[c];
   if (surface == SURFACE_CHARRED || surface == SURFACE_WEATHERED || finish != FINISH_RAW) {
