@@ -174,6 +174,8 @@ static void build_finish(stone_constants *w, const settings *s) {
     w->relief_octaves = o + 1;
   }
   build_cleft(w, f, scale);
+  /* normal distributions and gravel's domes; steps are few and steep */
+  w->leaning = w->is_cleft ? 20.0f : 5.5f;
   double alpha = f->alpha * number_at(s, P_ROUGHNESS);
   if (alpha > 1.0) alpha = 1.0;
   if (alpha < 0.02) alpha = 0.02;
@@ -222,5 +224,8 @@ int32_t stone_build(stone_constants *w, const sozai_host *host, const settings *
   w->hole_depth = (float)(number_at(s, P_HOLE_SIZE) * number_at(s, P_HOLE_DEPTH));
   int32_t r = stone_build_paving(w, s, colours, kernel->measure_laid);
   if (!r) r = build_paper(w, host, s);
-  return r ? r : paper_build_tile(w, s, kernel->scan);
+  if (!r) r = paper_build_tile(w, s, kernel->scan);
+  if (!w->tile.on)
+    w->hollow = (float)scalar_least((double)HOLLOW * scalar_root((double)w->relief_steep), 1.0);
+  return r;
 }

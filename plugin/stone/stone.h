@@ -25,6 +25,7 @@
 #define STAGE static __attribute__((noinline, unused))
 
 #define STONE_RELIEF 5   /* octaves of a finish's relief */
+#define HOLLOW 1.3f      /* what a relief's hollows keep from the sky, of its slopes' sd */
 #define CLEFT_FAMILIES 2 /* of sheets: cleft.h */
 #define STONE_CODES 256  /* of the paper's 8-bit RGB */
 
@@ -213,6 +214,8 @@ typedef struct {
   float specular_wet;          /* and from water */
   float soaks;                 /* 0..1: how far the face takes up water, as it is open */
   float relief_steep;          /* variance of the slope along one axis, of all octaves */
+  float leaning;               /* how much less slopes that lie together make all lean: surface.h */
+  float hollow, hollow_deep;   /* surface.h: of all of it; and how deep the mean place lies, 0..1 */
   float hole_depth;            /* mm to a cell */
   float raise;                 /* mm: of inclusions over the face, or below 0 under it; */
   float raise_mean, raise_sd;  /* over all of the plane */
@@ -247,10 +250,11 @@ enum {
 /* Means of what has no formula, over `count` points: how much of space the bodies
  * of each layer fill, how much of a face the widest looks take them to, and the
  * veins' share; and where inclusions are domes, over their bodies, a dome's height, its
- * square and the square of its slope along one axis, 1/mm. */
+ * square and the square of its slope along one axis, 1/mm, and how many are how high, of 1. */
+#define DOME_BINS 16
 typedef struct {
   double fill[STONE_LAYERS], seen[STONE_LAYERS], core[STONE_LAYERS], veins, dome, dome_square,
-      dome_steep2;
+      dome_steep2, dome_high[DOME_BINS];
 } stone_means;
 
 /* The paving's means, likewise. */

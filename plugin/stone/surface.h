@@ -16,7 +16,8 @@
 
 typedef struct {
   field height; /* mm over the face, object space */
-  vf lost;      /* variance of slope along one axis that the footprint averages out */
+  vf lost;      /* variance of slope along one axis that the footprint averages out, */
+  vf edges;     /* and of that what lies in the joints and at the stones' edges */
   /* where in the relief's range the place lies, 0..1 (until all of it is found, its variance); its
    * sd of slope */
   vf low, steep;
@@ -34,8 +35,8 @@ typedef struct {
 INLINE surface surface_none(void) {
   vf zero = splat(0.0f), one = splat(1.0f);
   surface q = {.height = field_of(zero), .lost = zero, .low = splat(0.5f), .steep = zero};
-  q.edge = q.shoulder = q.in_joint = q.polish = q.sand = q.moss = q.moss_joint = q.tuft = q.dry =
-      q.film = q.water = zero;
+  q.edges = q.edge = q.shoulder = q.in_joint = q.polish = q.sand = q.moss = q.moss_joint = q.tuft =
+      q.dry = q.film = q.water = zero;
   q.grime = q.occlusion = one;
   return q;
 }
@@ -145,7 +146,9 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
     out->lost = out->lost * vmax(one - out->in_joint, zero) + lost + sand_lost;
     vf far = one - q->near;
     float steep = v->tilt / v->layout.width;
-    out->lost = out->lost + splat(steep * steep * 0.65f) * far;
+    vf lying = splat(steep * steep * 0.65f) * far;
+    out->lost = out->lost + lying;
+    out->edges = lost + sand_lost + lying;
     /* the sky that the joint's walls leave */
     vf depth = vmax(zero - profile.v, zero), reach = splat(v->half + 0.3f * v->round);
     vf slot = surface_slot(depth, q->m.v + reach, vmax(reach - q->m.v, zero) + depth * splat(0.2f));
@@ -160,7 +163,8 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
                                              2.0f * air->undulation, s, &unused));
   }
   /* the relief's own hollows */
-  vf hollow = clamp01(splat(1.3f) * out->steep) * (one - out->low);
+  vf seen = clamp01(splat(HOLLOW) * out->steep);
+  vf hollow = seen * (one - out->low) + (splat(w->hollow) - seen) * splat(w->hollow_deep);
   out->occlusion = out->occlusion * (one - splat(0.6f) * hollow);
   if (!air->on) {
     out->height = height;
@@ -180,6 +184,7 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
     /* it fills the joint */
     height = field_add(height, field_scale(field_mul(cover, edge), splat(-0.65f)));
     out->lost = out->lost * (one - cover.v) + splat(0.08f) * cover.v;
+    out->edges = out->edges * (one - cover.v);
   }
   if (air->grime > 0.0f) {
     vf unused = zero;
@@ -201,6 +206,7 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
     height = field_through(height, splat(air->water) + above, land);
     out->water = one - land;
     out->lost = out->lost * land;
+    out->edges = out->edges * land;
     /* stone draws it up a little */
     vf drawn = clamp01(one - x * splat(1.0f / 3.0f)) * splat(0.8f);
     out->film = vmax(out->film, drawn);
@@ -236,7 +242,11 @@ INLINE vf surface_lit(const stone_constants *w, int paved, const laid *q, const 
     vf lambda = surface_lambda(f->steep, t);
     lit = exp2_(lambda * log2_(clamp(f->low, splat(1e-6f), one)));
   }
-  if (surface_grazed(f->lost, t)) lit = lit / (one + surface_lambda(vsqrt(f->lost), t));
+  /* Of slopes that nobody sees any more, those towards the light gain what others' shades take,
+   * and what is left is that all of them lean: the mean of the normals' height, to 0.02. At the
+   * stones' edges what leans is mostly joint, and dark. */
+  vf leans = vmax(f->lost - f->edges, zero);
+  lit = lit * (one - leans / (one + splat(w->leaning) * leans));
   if (!paved) return lit;
   const stone_paving *v = &w->paving;
   vf square = q->m.g[0] * q->m.g[0] + q->m.g[1] * q->m.g[1];
@@ -252,8 +262,11 @@ INLINE vf surface_lit(const stone_constants *w, int paved, const laid *q, const 
   vf soft = splat(0.1f) + splat(0.01f) * vabs(way) + splat(0.6f) * s * (rise + splat(0.3f));
   vf past = clamp01(splat(0.5f) + over / soft);
   past = sel(gt(way, zero), past, one);
-  /* where moss fills the joint its edges cast nothing */
-  return lit * mix(one, past, q->near * (one - f->moss));
+  /* where moss fills the joint its edges cast nothing; under a footprint that has the far edge,
+   * too, what is lit there makes up for it */
+  vf trough = splat(2.0f) * shoulder;
+  vf alone = one - smooth_step(splat(0.25f) * trough, trough, s);
+  return lit * mix(one, past, q->near * alone * (one - f->moss));
 }
 
 #endif
