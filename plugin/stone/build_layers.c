@@ -373,7 +373,7 @@ static void share_bends(stone_cells *grains, const body *crystals, stone_cells *
 static void set_depth(stone_constants *w, const stone_means *m, double share) {
   double square = (double)w->raise_sd * (double)w->raise_sd, low = 0.0, level = 1.0;
   for (int o = 0; o < w->relief_octaves; o++)
-    square += 0.05 * (double)w->relief[o] * (double)w->relief[o];
+    square += 0.0365 * (double)w->relief[o] * (double)w->relief[o];
   double per = -1.702 / __builtin_sqrt(square + 1e-12), mean = (double)w->raise_mean;
   for (int b = 0; b < DOME_BINS; b++) {
     double part = share * m->dome_high[b], high = (double)w->raise * (b + 0.5) / DOME_BINS;
@@ -398,6 +398,7 @@ static void set_raise(stone_constants *w, const settings *s, const stone_means *
   w->raise_sd = (float)(__builtin_fabs(high) * __builtin_sqrt(square - mean * mean));
   w->relief_steep += (float)(share * high * high * steep2);
   set_depth(w, m, share);
+  w->glancing = 0.0f; /* domes lean at their rims, in each other's shade */
 }
 
 void stone_build_layers(stone_constants *w, const settings *s, stone_measure *measure) {

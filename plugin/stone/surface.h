@@ -21,6 +21,8 @@ typedef struct {
   /* where in the relief's range the place lies, 0..1 (until all of it is found, its variance); its
    * sd of slope */
   vf low, steep;
+  vf hollow; /* what all of the relief's hollows keep from the sky, of what is level with their
+                floors */
   vf edge, shoulder; /* mm, of the stones' edges alone; from the joint's middle, what casts shade */
   vf in_joint;       /* 1 in the joint, 0 on the stone: of the point, not the footprint */
   vf polish;         /* how worn, 0..1 */
@@ -35,8 +37,8 @@ typedef struct {
 INLINE surface surface_none(void) {
   vf zero = splat(0.0f), one = splat(1.0f);
   surface q = {.height = field_of(zero), .lost = zero, .low = splat(0.5f), .steep = zero};
-  q.edges = q.edge = q.shoulder = q.in_joint = q.polish = q.sand = q.moss = q.moss_joint = q.tuft =
-      q.dry = q.film = q.water = zero;
+  q.hollow = q.edges = q.edge = q.shoulder = q.in_joint = q.polish = q.sand = q.moss =
+      q.moss_joint = q.tuft = q.dry = q.film = q.water = zero;
   q.grime = q.occlusion = one;
   return q;
 }
@@ -164,7 +166,7 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
   }
   /* the relief's own hollows */
   vf seen = clamp01(splat(HOLLOW) * out->steep);
-  vf hollow = seen * (one - out->low) + (splat(w->hollow) - seen) * splat(w->hollow_deep);
+  vf hollow = seen * (one - out->low) + (out->hollow - seen) * splat(w->hollow_deep);
   out->occlusion = out->occlusion * (one - splat(0.6f) * hollow);
   if (!air->on) {
     out->height = height;
@@ -229,6 +231,17 @@ INLINE vf surface_lambda(vf steep, vf t) {
   return smith_lambda(t / vmax(steep * splat(1.41421356f), splat(1e-4f)));
 }
 
+/* Variance along one axis of slopes on the stones that nobody sees. */
+INLINE vf surface_leans(const surface *f) { return vmax(f->lost - f->edges, splat(0.0f)); }
+
+/* What they leave of light that is scattered: those towards the light gain what others' shades
+ * take, and what is left is that all of them lean: the mean of the normals' height, to 0.02. At the
+ * stones' edges what leans is mostly joint, and dark. */
+INLINE vf surface_levelled(const stone_constants *w, const surface *f) {
+  vf leans = surface_leans(f), one = splat(1.0f);
+  return one - leans / (one + splat(w->leaning) * leans);
+}
+
 /* Share of the light that reaches the place: past the relief about it, by where
  * in the relief's range it lies (Smith, IEEE Trans. Antennas Propag. 15, 1967:
  * an expectation, not a trace), and past the stones' edges. light: object space;
@@ -242,11 +255,6 @@ INLINE vf surface_lit(const stone_constants *w, int paved, const laid *q, const 
     vf lambda = surface_lambda(f->steep, t);
     lit = exp2_(lambda * log2_(clamp(f->low, splat(1e-6f), one)));
   }
-  /* Of slopes that nobody sees any more, those towards the light gain what others' shades take,
-   * and what is left is that all of them lean: the mean of the normals' height, to 0.02. At the
-   * stones' edges what leans is mostly joint, and dark. */
-  vf leans = vmax(f->lost - f->edges, zero);
-  lit = lit * (one - leans / (one + splat(w->leaning) * leans));
   if (!paved) return lit;
   const stone_paving *v = &w->paving;
   vf square = q->m.g[0] * q->m.g[0] + q->m.g[1] * q->m.g[1];
