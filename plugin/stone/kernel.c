@@ -165,9 +165,12 @@ INLINE void stage_relief(const stone_constants *w, int paved, block *k) {
 INLINE void stage_hollow(const stone_constants *w, block *k) {
   surface *q = &k->surface;
   q->low = surface_below((k->relief.v - splat(w->raise_mean)) * inverse_root(q->low));
-  q->hollow = splat(w->hollow);
-  if (w->is_cleft) q->hollow = clamp01(splat(HOLLOW) * vsqrt(q->steep));
+  vf one = splat(1.0f), hollow = splat(w->hollow);
+  if (w->is_cleft) hollow = clamp01(splat(HOLLOW) * vsqrt(q->steep));
   q->steep = vsqrt(vmax(q->steep - q->lost, splat(0.0f)));
+  vf seen = clamp01(splat(HOLLOW) * q->steep);
+  hollow = seen * (one - q->low) + (hollow - seen) * splat(w->hollow_deep);
+  q->occlusion = one - splat(0.6f) * hollow;
 }
 
 INLINE void stage_surface(const stone_constants *w, int paved, const stone_io *io, block *k) {

@@ -235,7 +235,7 @@ typedef struct {
   float relief_steep;          /* variance of the slope along one axis, of all octaves */
   float leaning;               /* how much less slopes that lie together make all lean: surface.h */
   float glancing;              /* share of what leans from which light glances less: gloss.h */
-  float hollow, hollow_deep;   /* surface.h: of all of it; and how deep the mean place lies, 0..1 */
+  float hollow, hollow_deep;   /* kernel.c: of all of it; and how deep the mean place lies, 0..1 */
   float hole_depth;            /* mm to a cell */
   float raise;                 /* mm: of inclusions over the face, or below 0 under it; */
   float raise_mean, raise_sd;  /* over all of the plane */

@@ -21,24 +21,21 @@ typedef struct {
   /* where in the relief's range the place lies, 0..1 (until all of it is found, its variance); its
    * sd of slope */
   vf low, steep;
-  vf hollow; /* what all of the relief's hollows keep from the sky, of what is level with their
-                floors */
   vf edge, shoulder; /* mm, of the stones' edges alone; from the joint's middle, what casts shade */
-  vf in_joint;       /* 1 in the joint, 0 on the stone: of the point, not the footprint */
   vf polish;         /* how worn, 0..1 */
   vf grime;          /* light left by dirt */
   vf sand;           /* light and dark of the joint's filling */
   vf moss, tuft, dry; /* share; light and dark; lush, 0, to dry, 1 */
   vf moss_joint;      /* share of what is joint */
   vf film, water;     /* of water: as a film, standing */
-  vf occlusion;
+  vf occlusion;       /* until it is laid, the relief's own hollows' */
 } surface;
 
 INLINE surface surface_none(void) {
   vf zero = splat(0.0f), one = splat(1.0f);
   surface q = {.height = field_of(zero), .lost = zero, .low = splat(0.5f), .steep = zero};
-  q.hollow = q.edges = q.edge = q.shoulder = q.in_joint = q.polish = q.sand = q.moss =
-      q.moss_joint = q.tuft = q.dry = q.film = q.water = zero;
+  q.edges = q.edge = q.shoulder = q.polish = q.sand = q.moss = q.moss_joint = q.tuft = q.dry =
+      q.film = q.water = zero;
   q.grime = q.occlusion = one;
   return q;
 }
@@ -116,7 +113,7 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
   const stone_weather *air = &w->weather;
   vf zero = splat(0.0f), one = splat(1.0f);
   field near = surface_near(w, paved, q), edge = field_of(zero), height = relief;
-  out->in_joint = zero;
+  vf in_joint = zero; /* of the point, not the footprint */
   if (air->wet > 0.0f) relief = field_scale(relief, splat(1.0f - 0.5f * air->wet));
   height = relief;
   if (paved) {
@@ -136,7 +133,7 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
       field joint = laid_fall(q, v->half - v->wall, v->wall);
       joint.v = mix(q->joint, joint.v, q->near);
       for (int k = 0; k < 3; k++) joint.g[k] = joint.g[k] * q->near;
-      out->in_joint = joint.v;
+      in_joint = joint.v;
       height = field_mul(height, field_rest(joint));
       surface_fill(w, q, p, s, &height, out, &sand_lost);
     }
@@ -145,7 +142,7 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
     out->shoulder = splat(v->half + 0.5f * v->chamfer) + splat(0.35f) * round.wide.v;
     height = field_add(height, profile);
     /* rounded, it may be over 1 */
-    out->lost = out->lost * vmax(one - out->in_joint, zero) + lost + sand_lost;
+    out->lost = out->lost * vmax(one - in_joint, zero) + lost + sand_lost;
     vf far = one - q->near;
     float steep = v->tilt / v->layout.width;
     vf lying = splat(steep * steep * 0.65f) * far;
@@ -157,17 +154,13 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
     /* up on the stone there is the far wall alone */
     vf up = surface_slot(depth, q->m.v + reach, splat(1e6f));
     slot = mix(slot, up, smooth_step(splat(0.6f) * reach, splat(1.4f) * reach, q->m.v));
-    out->occlusion = mix(splat(v->occlusion), slot, q->near);
+    out->occlusion = out->occlusion * mix(splat(v->occlusion), slot, q->near);
   }
   if (air->undulation > 0.0f) {
     vf unused = zero;
     height = field_add(height, weather_noise(p, air->undulation_frequency, air->seed + 9u,
                                              2.0f * air->undulation, s, &unused));
   }
-  /* the relief's own hollows */
-  vf seen = clamp01(splat(HOLLOW) * out->steep);
-  vf hollow = seen * (one - out->low) + (out->hollow - seen) * splat(w->hollow_deep);
-  out->occlusion = out->occlusion * (one - splat(0.6f) * hollow);
   if (!air->on) {
     out->height = height;
     return;
