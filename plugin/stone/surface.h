@@ -112,7 +112,7 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
   const stone_paving *v = &w->paving;
   const stone_weather *air = &w->weather;
   vf zero = splat(0.0f), one = splat(1.0f);
-  field near = surface_near(w, paved, q), edge = field_of(zero), height = relief;
+  field near = surface_near(w, paved, q), buried = field_of(zero), height = relief;
   vf in_joint = zero; /* of the point, not the footprint */
   if (air->wet > 0.0f) relief = field_scale(relief, splat(1.0f - 0.5f * air->wet));
   height = relief;
@@ -126,7 +126,7 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
       out->polish = top.v * splat(air->wear);
     }
     laid_round round = surface_round(w, q, p, s);
-    field profile = edge = laid_profile(v, q, &round, &lost);
+    field profile = laid_profile(v, q, &round, &lost);
     field lie = laid_lie(v, q);
     height = field_add(relief, lie);
     if (v->half > 0.0f) {
@@ -135,9 +135,12 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
       for (int k = 0; k < 3; k++) joint.g[k] = joint.g[k] * q->near;
       in_joint = joint.v;
       height = field_mul(height, field_rest(joint));
+      field bare = height;
       surface_fill(w, q, p, s, &height, out, &sand_lost);
+      buried = field_add(height, field_scale(bare, splat(-1.0f)));
     }
     out->edge = profile.v;
+    buried = field_add(buried, profile);
     /* a chipped edge falls from as much further in */
     out->shoulder = splat(v->half + 0.5f * v->chamfer) + splat(0.35f) * round.wide.v;
     height = field_add(height, profile);
@@ -176,8 +179,8 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
     out->tuft = growth.shade;
     out->dry = growth.dry;
     height = field_add(height, field_scale(field_mul(cover, growth.rise), splat(air->moss_height)));
-    /* it fills the joint */
-    height = field_add(height, field_scale(field_mul(cover, edge), splat(-0.65f)));
+    /* it fills the joint, up to the stones: edges and sand below are not seen through it */
+    height = field_add(height, field_scale(field_mul(cover, buried), splat(-1.0f)));
     out->lost = out->lost * (one - cover.v) + splat(0.08f) * cover.v;
     out->edges = out->edges * (one - cover.v);
   }
@@ -259,7 +262,7 @@ INLINE vf surface_lit(const stone_constants *w, int paved, const laid *q, const 
   /* where joints meet all stones may be further away */
   way = way + vmax(zero - (q->edge + splat(v->half)), zero);
   vf rise = c / vmax(vabs(across), splat(1e-3f));
-  vf over = f->edge * (one - splat(0.65f) * f->moss) + way * rise - crest;
+  vf over = f->edge * (one - f->moss) + way * rise - crest;
   vf soft = splat(0.1f) + splat(0.01f) * vabs(way) + splat(0.6f) * s * (rise + splat(0.3f));
   vf past = clamp01(splat(0.5f) + over / soft);
   past = sel(gt(way, zero), past, one);
