@@ -110,6 +110,8 @@ typedef struct {
   double alpha, height[STONE_RELIEF], size[STONE_RELIEF];
   int pitted;
   double sheet[CLEFT_FAMILIES], reach[CLEFT_FAMILIES]; /* mm: steps' height, a terrace's length */
+  double ledge[CLEFT_FAMILIES], thick[CLEFT_FAMILIES]; /* mm: of edges, height; two sheets */
+  double facet[FACET_SIZES], steep[FACET_SIZES];       /* mm: a cell; heights, of that */
 } finish;
 
 static const finish finishes[FINISHES] = {
@@ -124,13 +126,17 @@ static const finish finishes[FINISHES] = {
                      .size = {5.5, 3.1, 1.2, 0.4},
                      .pitted = 1},
     [FINISH_SPLIT] = {.alpha = 0.6,
-                      .height = {16.0, 6.0, 2.5, 0.9, 0.3},
-                      .size = {130.0, 47.0, 17.0, 6.0, 2.0}},
+                      .height = {16.0, 5.0},
+                      .size = {130.0, 47.0},
+                      .facet = {26.0, 8.0, 2.5},
+                      .steep = {0.2, 0.15, 0.1}},
     [FINISH_RIVEN] = {.alpha = 0.5,
                       .height = {1.6, 0.5, 0.2, 0.1},
                       .size = {160.0, 30.0, 8.0, 2.2},
                       .sheet = {2.4, 0.8},
-                      .reach = {130.0, 48.0}},
+                      .reach = {130.0, 48.0},
+                      .ledge = {0.6, 0.22},
+                      .thick = {5.0, 1.6}},
 };
 
 /* Variance of one component of gradient noise's gradient, and of that times
@@ -140,6 +146,9 @@ static const finish finishes[FINISHES] = {
 
 /* Of a step of height 1 in a family of frequency 1, over all points (property.stone_relief). */
 #define SLOPE2_CLEFT 59.0
+/* Likewise of a ledge, of a face square to the sheets. */
+#define SLOPE2_LEDGE 1.81
+#define LEDGE_ALONG 0.05 /* how fast ledges change along the sheets, of across */
 
 #define WATER_IOR 1.333
 #define SOAKS_FROM 0.35 /* alpha: rougher faces are open, and water darkens them in full */
@@ -154,6 +163,26 @@ static void build_cleft(stone_constants *w, const finish *f, double scale) {
     c->seed = hash1(w->seed_relief + 31u * (uint32_t)(i + 1));
     w->relief_steep += c->slope2;
     w->is_cleft = 1;
+    stone_ledges *e = &w->ledges[i];
+    slope = scale * f->ledge[i] / f->thick[i];
+    e->height = (float)(scale * f->ledge[i]);
+    e->across = (float)(1.0 / f->thick[i]);
+    e->along = (float)(LEDGE_ALONG / f->thick[i]);
+    e->slope2 = (float)(slope * slope * SLOPE2_LEDGE);
+    e->seed = hash1(c->seed);
+  }
+}
+
+static void build_facets(stone_constants *w, const finish *f, double scale) {
+  for (int i = 0; i < FACET_SIZES && f->facet[i] > 0.0; i++) {
+    stone_facets *c = &w->facets[i];
+    double steep = scale * f->steep[i];
+    c->height = (float)(steep * f->facet[i]);
+    c->frequency = (float)(1.0 / f->facet[i]);
+    c->slope2 = (float)(steep * steep * (double)FACET_SLOPE2);
+    c->seed = hash1(w->seed_relief + 57u * (uint32_t)(i + 1));
+    w->relief_steep += c->slope2;
+    w->faceted = 1;
   }
 }
 
@@ -173,7 +202,11 @@ static void build_finish(stone_constants *w, const settings *s) {
     w->relief_steep += w->relief_slope2[o];
     w->relief_octaves = o + 1;
   }
+  build_facets(w, f, scale);
   build_cleft(w, f, scale);
+  /* normal distributions and gravel's domes; steps are few and steep */
+  w->leaning = w->is_cleft ? 20.0f : 5.5f;
+  w->glancing = w->is_cleft ? 0.4f : w->faceted ? 1.0f : 0.8f;
   double alpha = f->alpha * number_at(s, P_ROUGHNESS);
   if (alpha > 1.0) alpha = 1.0;
   if (alpha < 0.02) alpha = 0.02;
@@ -222,5 +255,7 @@ int32_t stone_build(stone_constants *w, const sozai_host *host, const settings *
   w->hole_depth = (float)(number_at(s, P_HOLE_SIZE) * number_at(s, P_HOLE_DEPTH));
   int32_t r = stone_build_paving(w, s, colours, kernel->measure_laid);
   if (!r) r = build_paper(w, host, s);
-  return r ? r : paper_build_tile(w, s, kernel->scan);
+  if (!r) r = paper_build_tile(w, s, kernel->scan);
+  w->hollow = (float)scalar_least((double)HOLLOW * scalar_root((double)w->relief_steep), 1.0);
+  return r;
 }

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "../core/hash1.h"
+#include "../core/scalar.h"
 #include "parameters.h"
 
 #define MEASURED 8192u     /* points, for means that have no formula; whole blocks of every width */
@@ -364,6 +365,25 @@ static void share_bends(stone_cells *grains, const body *crystals, stone_cells *
   specks->bends_shared = grains->bends_shared = 1;
 }
 
+#define PITTED_DEEP                                                                                \
+  0.19f /* of the bumps that a hammer leaves most places are on top (property.stone_light) */
+
+/* How deep the mean place lies, as surface_below has it of heights that domes have and not a normal
+ * distribution. share: of the face that is domes. */
+static void set_depth(stone_constants *w, const stone_means *m, double share) {
+  double square = (double)w->raise_sd * (double)w->raise_sd, low = 0.0, level = 1.0;
+  for (int o = 0; o < w->relief_octaves; o++)
+    square += 0.0365 * (double)w->relief[o] * (double)w->relief[o];
+  double per = -1.702 / __builtin_sqrt(square + 1e-12), mean = (double)w->raise_mean;
+  for (int b = 0; b < DOME_BINS; b++) {
+    double part = share * m->dome_high[b], high = (double)w->raise * (b + 0.5) / DOME_BINS;
+    low += part / (1.0 + scalar_exp(per * (high - mean)));
+    level -= part;
+  }
+  low += level / (1.0 + scalar_exp(-per * mean));
+  w->hollow_deep = (float)(1.0 - low);
+}
+
 /* Inclusions over the face; of the paper's colours there are none. */
 static void set_raise(stone_constants *w, const settings *s, const stone_means *m) {
   const stone_cells *c = &w->layer[LAYER_INCLUSIONS];
@@ -377,6 +397,8 @@ static void set_raise(stone_constants *w, const settings *s, const stone_means *
   w->raise_mean = (float)(high * mean);
   w->raise_sd = (float)(__builtin_fabs(high) * __builtin_sqrt(square - mean * mean));
   w->relief_steep += (float)(share * high * high * steep2);
+  set_depth(w, m, share);
+  w->glancing = 0.0f; /* domes lean at their rims, in each other's shade */
 }
 
 void stone_build_layers(stone_constants *w, const settings *s, stone_measure *measure) {
@@ -404,6 +426,7 @@ void stone_build_layers(stone_constants *w, const settings *s, stone_measure *me
       w->layer[l].swell = (float)(m.seen[l] / m.fill[l] - 1.0);
     }
   }
+  w->hollow_deep = w->pitted ? PITTED_DEEP : 0.5f;
   if (w->raise != 0.0f) set_raise(w, s, &m);
   double bedding = number_at(s, P_HOLE_BEDDING);
   if (w->layer[LAYER_HOLES].on && bedding > 0.0) set_bedding(&w->layer[LAYER_HOLES], w, bedding);

@@ -7,6 +7,9 @@
  * is a field in space, and each of its sheets ends where the field passes a number of its own: ends
  * of one family run side by side, as those of sheets that broke together, and cross those of
  * another.
+ *
+ * A face across the cleavage, which is bed space's x and z, shows the sheets' own edges: ledges
+ * that run along it, as they broke off.
  */
 #ifndef SOZAI_STONE_CLEFT_H
 #define SOZAI_STONE_CLEFT_H
@@ -74,11 +77,57 @@ STAGE vf cleft_family(const stone_constants *w, int family, const vf p[3], vf s,
   return height * all;
 }
 
-INLINE vf cleft_at(const stone_constants *w, const vf p[3], vf s, vf slope[3], vf *lost,
-                   vf *square) {
-  vf height = splat(0.0f);
-  for (int i = 0; i < CLEFT_FAMILIES; i++)
-    height = height + cleft_family(w, i, p, s, slope, lost, square);
+/* Where two sheets' edges stand apart: how wide the ledge is, in the field's numbers (sd 0.2). */
+#define CLEFT_LEDGE 0.17f
+
+/* Edges of one size, as cleft_family. A field that changes across the sheets much sooner than along
+ * them is 0 or 1. */
+STAGE vf cleft_ledges(const stone_ledges *c, const vf p[3], vf s, vf slope[3], vf *lost,
+                      vf *square) {
+  const vf zero = splat(0.0f), one = splat(1.0f), f = splat(c->across), along = splat(c->along);
+  vf keep = one - smooth_step(splat(0.25f), splat(1.0f), s * f), wide = s * f * splat(CLEFT_SLOPE);
+  vf inverse = inverse_root(splat(CLEFT_LEDGE * CLEFT_LEDGE) + wide * wide);
+  *lost = *lost + splat(c->slope2) * (one - keep * keep * splat(CLEFT_LEDGE) * inverse);
+  if (!any(gt(keep, zero))) return zero;
+  *square = *square + splat(0.2f * c->height * c->height) * keep * keep;
+  vf at[3] = {p[0] * along, p[1] * f, p[2] * along}, g[3];
+  vf u = value_gradient(at, splatu(c->seed), g);
+  vf t = clamp01(splat(0.5f) + u * inverse), high = keep * splat(c->height);
+  vf grows = splat(6.0f) * t * (one - t) * inverse * high;
+  slope[0] = slope[0] + grows * g[0] * along;
+  slope[1] = slope[1] + grows * g[1] * f;
+  slope[2] = slope[2] + grows * g[2] * along;
+  return high * (t * t * (splat(3.0f) - t - t) - splat(0.5f));
+}
+
+/* A sum of what one face shows, as far as it does. */
+typedef struct {
+  vf height, slope[3], lost, square;
+} cleft_face;
+
+INLINE void cleft_add(const cleft_face *c, vf part, vf *height, vf slope[3], vf *lost, vf *square) {
+  *height = *height + part * c->height;
+  for (int a = 0; a < 3; a++) slope[a] = slope[a] + part * c->slope[a];
+  *lost = *lost + part * part * c->lost;
+  *square = *square + part * part * c->square;
+}
+
+/* along: of the face, how far it lies along the cleavage, 0..1. *steep: the variance of all slopes
+ * along one axis, of which the sheets' is there yet as it is along the cleavage. */
+STAGE vf cleft_at(const stone_constants *w, const vf p[3], vf along, vf s, vf slope[3], vf *lost,
+                  vf *square, vf *steep) {
+  vf zero = splat(0.0f), across = splat(1.0f) - along, height = zero;
+  cleft_face c = {zero, {zero, zero, zero}, zero, zero}, e = c;
+  for (int i = 0; i < CLEFT_FAMILIES; i++) {
+    if (any(gt(along, zero)))
+      c.height = c.height + cleft_family(w, i, p, s, c.slope, &c.lost, &c.square);
+    if (any(gt(across, zero)))
+      e.height = e.height + cleft_ledges(&w->ledges[i], p, s, e.slope, &e.lost, &e.square);
+    *steep = *steep + splat(w->ledges[i].slope2) * across * across -
+             splat(w->cleft[i].slope2) * (splat(1.0f) - along * along);
+  }
+  cleft_add(&c, along, &height, slope, lost, square);
+  cleft_add(&e, across, &height, slope, lost, square);
   return height;
 }
 

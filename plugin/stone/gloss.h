@@ -15,9 +15,18 @@ INLINE vf gloss_fresnel(vf at_normal, vf cosine) {
   return at_normal + (splat(1.0f) - at_normal) * (x2 * x2 * x);
 }
 
+/* What of the light is reflected, of slopes that the footprint averages out: those that lean to the
+ * light have most of it, and it glances less than off what is level. */
+INLINE vf gloss_fresnel_mean(vf at_normal, vf cosine, vf leans) {
+  vf square = cosine * cosine;
+  square = square + leans * (splat(1.0f) - square);
+  return gloss_fresnel(at_normal, vsqrt(square));
+}
+
 /* pi f cos(l) of the surface's reflection, and what it leaves for the stone
- * below. n, l, v: unit. alpha2: GGX's alpha, squared. */
-INLINE vf gloss_lobe(const vf n[3], const vf l[3], const vf v[3], vf alpha2, vf at_normal,
+ * below. n, l, v: unit. alpha2: GGX's alpha, squared. leans: variance of slopes that the
+ * footprint averages out and that lean so. */
+INLINE vf gloss_lobe(const vf n[3], const vf l[3], const vf v[3], vf alpha2, vf at_normal, vf leans,
                      vf *below) {
   vf h[3], zero = splat(0.0f), one = splat(1.0f);
   for (int k = 0; k < 3; k++) h[k] = l[k] + v[k];
@@ -28,7 +37,7 @@ INLINE vf gloss_lobe(const vf n[3], const vf l[3], const vf v[3], vf alpha2, vf 
   d = alpha2 / vmax(d * d, splat(1e-12f)); /* pi D */
   vf rest = one - alpha2;
   vf mask = nl * vsqrt(nv * nv * rest + alpha2) + nv * vsqrt(nl * nl * rest + alpha2);
-  *below = (one - gloss_fresnel(at_normal, nl)) * nl;
+  *below = (one - gloss_fresnel_mean(at_normal, nl, leans)) * nl;
   vf lobe = splat(0.5f) * d * gloss_fresnel(at_normal, vh) * nl / vmax(mask, splat(1e-6f));
   return sel(gt(nl, zero), lobe, zero);
 }

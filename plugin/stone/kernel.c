@@ -148,22 +148,29 @@ INLINE field stage_raise(const stone_constants *w, block *k, field relief, vf *s
 }
 
 /* The finish's relief, and the inclusions' over it. */
-INLINE void stage_relief(const stone_constants *w, block *k) {
+INLINE void stage_relief(const stone_constants *w, int paved, block *k) {
   surface *q = &k->surface;
   *q = surface_none();
   if (w->tile.on) {
     k->relief = tile_relief(w, k->at, k->s, &q->lost);
     return;
   }
-  k->relief.v = relief_at(w, k->p, k->s, k->relief.g, &q->lost, &q->low);
+  const relief_place o = {k->p, k->t1, k->t2, k->nrm, k->s, paved};
+  k->relief.v = relief_at(w, &o, k->relief.g, &q->lost, &q->low, &q->steep);
   if (w->raise != 0.0f) k->relief = stage_raise(w, k, k->relief, &q->low);
 }
 
-/* Where in the relief's range the place lies; until then q->low is its variance. */
+/* Where in the relief's range the place lies; until then q->low is its variance, and q->steep that
+ * of all slopes. */
 INLINE void stage_hollow(const stone_constants *w, block *k) {
   surface *q = &k->surface;
   q->low = surface_below((k->relief.v - splat(w->raise_mean)) * inverse_root(q->low));
-  q->steep = vsqrt(vmax(splat(w->relief_steep) - q->lost, splat(0.0f)));
+  vf one = splat(1.0f), hollow = splat(w->hollow);
+  if (w->is_cleft) hollow = clamp01(splat(HOLLOW) * vsqrt(q->steep));
+  q->steep = vsqrt(vmax(q->steep - q->lost, splat(0.0f)));
+  vf seen = clamp01(splat(HOLLOW) * q->steep);
+  hollow = seen * (one - q->low) + (hollow - seen) * splat(w->hollow_deep);
+  q->occlusion = one - splat(0.6f) * hollow;
 }
 
 INLINE void stage_surface(const stone_constants *w, int paved, const stone_io *io, block *k) {
@@ -280,7 +287,9 @@ INLINE void stage_light(const stone_constants *w, int paved, const stone_io *io,
     copy3(k[-1].view, k->view);
   else
     direction_of(io->in->view, k->i, k->n, k->face, 1, k->view);
-  vf lobe = gloss_lobe(n, light, view, alpha2, specular, &below);
+  vf lobe =
+      gloss_lobe(n, light, view, alpha2, specular, splat(w->glancing) * surface_leans(q), &below);
+  below = below * surface_levelled(w, q);
   /* light from behind the sawn face lights no slope of it */
   vf up = dot3(light, k->face);
   vm front = gt(up, zero);
@@ -359,7 +368,7 @@ INLINE void evaluate_as(int paved, const stone_constants *w, const stone_io *io,
       k->hole = k->inclusion = splat(0.0f);
   }
   if (want->surface) {
-    for (int b = 0; b < count; b++) stage_relief(w, &blocks[b]);
+    for (int b = 0; b < count; b++) stage_relief(w, paved, &blocks[b]);
     for (int b = 0; b < count && want->hollows && !w->tile.on; b++) stage_hollow(w, &blocks[b]);
     for (int b = 0; b < count; b++) stage_surface(w, paved, io, &blocks[b]);
   }

@@ -50,11 +50,16 @@ static void measure_domes(const stone_cells *c, uint32_t count, double fill, sto
     cells_find(c, 0, 0, q, near);
     height_of(&form, &near[0], &near[1], &near[2], all, 3, by, h);
     vf dx = (h[1] - h[0]) * per, dy = (h[2] - h[0]) * per;
+    for (uint32_t k = 0; k < LANES; k++) {
+      int bin = (int)(lane(h[0], k) * (float)DOME_BINS);
+      if (lane(h[0], k) > 0.0f) out->dome_high[bin < DOME_BINS ? bin : DOME_BINS - 1]++;
+    }
     measure_add(&out->dome, h[0]);
     measure_add(&out->dome_square, h[0] * h[0]);
     measure_add(&out->dome_steep2, splat(0.5f) * (dx * dx + dy * dy));
   }
   if (filled <= 0.0) filled = 1.0;
+  for (int b = 0; b < DOME_BINS; b++) out->dome_high[b] /= filled;
   out->dome /= filled;
   out->dome_square /= filled;
   out->dome_steep2 /= filled * (double)c->size * (double)c->size;

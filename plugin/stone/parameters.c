@@ -545,8 +545,8 @@ static const char *const finish_docs[] = {
    "ground to a satin",
    "spalled crystal by crystal under a flame",
    "dressed with the points of a bush hammer",
-   "split along the grain, as it broke",
-   "split along its cleavage, as slate and flags are: terraces of sheets that end in steps"};
+   "split across its grain, as it broke: facets that meet in ridges",
+   "split along its cleavage, as slate and flags are: terraces of sheets that end in steps; faces across it, as `bed` says, show the sheets' edges"};
 
 static const sozai_parameter finish = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_CHOICE,

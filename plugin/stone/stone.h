@@ -24,7 +24,11 @@
 /* A stage that is large and called from several places: once in the code. */
 #define STAGE static __attribute__((noinline, unused))
 
-#define STONE_RELIEF 5   /* octaves of a finish's relief */
+#define STONE_RELIEF 5 /* octaves of a finish's relief */
+#define HOLLOW 1.3f    /* what a relief's hollows keep from the sky, of its slopes' sd */
+#define FACET_SIZES 3  /* of facets: facets.h */
+#define FACET_SLOPE2 0.94f
+#define FACET_HEIGHT2 0.133f
 #define CLEFT_FAMILIES 2 /* of sheets: cleft.h */
 #define STONE_CODES 256  /* of the paper's 8-bit RGB */
 
@@ -138,6 +142,20 @@ typedef struct {
   uint32_t seed;
 } stone_cleft;
 
+/* Facets of one size. */
+typedef struct {
+  float height, frequency; /* mm, either way at most; 1/mm */
+  float slope2;            /* variance of the slope, one axis */
+  uint32_t seed;
+} stone_facets;
+
+/* Sheets' edges, of one size. */
+typedef struct {
+  float height, across, along; /* mm; 1/mm */
+  float slope2;                /* variance of the slope, one axis, of a face square to the sheets */
+  uint32_t seed;
+} stone_ledges;
+
 #define VEIN_FAMILIES 3
 
 /* Where edges are chipped, least and most of the rounded edge's width. */
@@ -206,13 +224,18 @@ typedef struct {
   /* finish */
   float relief[STONE_RELIEF], relief_frequency[STONE_RELIEF]; /* mm; 1/mm */
   float relief_slope2[STONE_RELIEF];                          /* variance of the slope, one axis */
-  int32_t relief_octaves, pitted, is_cleft;
+  int32_t relief_octaves, pitted, is_cleft, faceted;
   stone_cleft cleft[CLEFT_FAMILIES];
+  stone_ledges ledges[CLEFT_FAMILIES];
+  stone_facets facets[FACET_SIZES];
   float alpha2;                /* roughness squared where nothing is lost */
   float specular;              /* reflectance at normal incidence, */
   float specular_wet;          /* and from water */
   float soaks;                 /* 0..1: how far the face takes up water, as it is open */
   float relief_steep;          /* variance of the slope along one axis, of all octaves */
+  float leaning;               /* how much less slopes that lie together make all lean: surface.h */
+  float glancing;              /* share of what leans from which light glances less: gloss.h */
+  float hollow, hollow_deep;   /* kernel.c: of all of it; and how deep the mean place lies, 0..1 */
   float hole_depth;            /* mm to a cell */
   float raise;                 /* mm: of inclusions over the face, or below 0 under it; */
   float raise_mean, raise_sd;  /* over all of the plane */
@@ -247,10 +270,11 @@ enum {
 /* Means of what has no formula, over `count` points: how much of space the bodies
  * of each layer fill, how much of a face the widest looks take them to, and the
  * veins' share; and where inclusions are domes, over their bodies, a dome's height, its
- * square and the square of its slope along one axis, 1/mm. */
+ * square and the square of its slope along one axis, 1/mm, and how many are how high, of 1. */
+#define DOME_BINS 16
 typedef struct {
   double fill[STONE_LAYERS], seen[STONE_LAYERS], core[STONE_LAYERS], veins, dome, dome_square,
-      dome_steep2;
+      dome_steep2, dome_high[DOME_BINS];
 } stone_means;
 
 /* The paving's means, likewise. */

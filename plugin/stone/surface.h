@@ -16,25 +16,25 @@
 
 typedef struct {
   field height; /* mm over the face, object space */
-  vf lost;      /* variance of slope along one axis that the footprint averages out */
+  vf lost;      /* variance of slope along one axis that the footprint averages out, */
+  vf edges;     /* and of that what lies in the joints and at the stones' edges */
   /* where in the relief's range the place lies, 0..1 (until all of it is found, its variance); its
    * sd of slope */
   vf low, steep;
   vf edge, shoulder; /* mm, of the stones' edges alone; from the joint's middle, what casts shade */
-  vf in_joint;       /* 1 in the joint, 0 on the stone: of the point, not the footprint */
   vf polish;         /* how worn, 0..1 */
   vf grime;          /* light left by dirt */
   vf sand;           /* light and dark of the joint's filling */
   vf moss, tuft, dry; /* share; light and dark; lush, 0, to dry, 1 */
   vf moss_joint;      /* share of what is joint */
   vf film, water;     /* of water: as a film, standing */
-  vf occlusion;
+  vf occlusion;       /* until it is laid, the relief's own hollows' */
 } surface;
 
 INLINE surface surface_none(void) {
   vf zero = splat(0.0f), one = splat(1.0f);
   surface q = {.height = field_of(zero), .lost = zero, .low = splat(0.5f), .steep = zero};
-  q.edge = q.shoulder = q.in_joint = q.polish = q.sand = q.moss = q.moss_joint = q.tuft = q.dry =
+  q.edges = q.edge = q.shoulder = q.polish = q.sand = q.moss = q.moss_joint = q.tuft = q.dry =
       q.film = q.water = zero;
   q.grime = q.occlusion = one;
   return q;
@@ -112,8 +112,8 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
   const stone_paving *v = &w->paving;
   const stone_weather *air = &w->weather;
   vf zero = splat(0.0f), one = splat(1.0f);
-  field near = surface_near(w, paved, q), edge = field_of(zero), height = relief;
-  out->in_joint = zero;
+  field near = surface_near(w, paved, q), buried = field_of(zero), height = relief;
+  vf in_joint = zero; /* of the point, not the footprint */
   if (air->wet > 0.0f) relief = field_scale(relief, splat(1.0f - 0.5f * air->wet));
   height = relief;
   if (paved) {
@@ -126,42 +126,44 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
       out->polish = top.v * splat(air->wear);
     }
     laid_round round = surface_round(w, q, p, s);
-    field profile = edge = laid_profile(v, q, &round, &lost);
+    field profile = laid_profile(v, q, &round, &lost);
     field lie = laid_lie(v, q);
     height = field_add(relief, lie);
     if (v->half > 0.0f) {
       field joint = laid_fall(q, v->half - v->wall, v->wall);
       joint.v = mix(q->joint, joint.v, q->near);
       for (int k = 0; k < 3; k++) joint.g[k] = joint.g[k] * q->near;
-      out->in_joint = joint.v;
+      in_joint = joint.v;
       height = field_mul(height, field_rest(joint));
+      field bare = height;
       surface_fill(w, q, p, s, &height, out, &sand_lost);
+      buried = field_add(height, field_scale(bare, splat(-1.0f)));
     }
     out->edge = profile.v;
+    buried = field_add(buried, profile);
     /* a chipped edge falls from as much further in */
     out->shoulder = splat(v->half + 0.5f * v->chamfer) + splat(0.35f) * round.wide.v;
     height = field_add(height, profile);
     /* rounded, it may be over 1 */
-    out->lost = out->lost * vmax(one - out->in_joint, zero) + lost + sand_lost;
+    out->lost = out->lost * vmax(one - in_joint, zero) + lost + sand_lost;
     vf far = one - q->near;
     float steep = v->tilt / v->layout.width;
-    out->lost = out->lost + splat(steep * steep * 0.65f) * far;
+    vf lying = splat(steep * steep * 0.65f) * far;
+    out->lost = out->lost + lying;
+    out->edges = lost + sand_lost + lying;
     /* the sky that the joint's walls leave */
     vf depth = vmax(zero - profile.v, zero), reach = splat(v->half + 0.3f * v->round);
     vf slot = surface_slot(depth, q->m.v + reach, vmax(reach - q->m.v, zero) + depth * splat(0.2f));
     /* up on the stone there is the far wall alone */
     vf up = surface_slot(depth, q->m.v + reach, splat(1e6f));
     slot = mix(slot, up, smooth_step(splat(0.6f) * reach, splat(1.4f) * reach, q->m.v));
-    out->occlusion = mix(splat(v->occlusion), slot, q->near);
+    out->occlusion = out->occlusion * mix(splat(v->occlusion), slot, q->near);
   }
   if (air->undulation > 0.0f) {
     vf unused = zero;
     height = field_add(height, weather_noise(p, air->undulation_frequency, air->seed + 9u,
                                              2.0f * air->undulation, s, &unused));
   }
-  /* the relief's own hollows */
-  vf hollow = clamp01(splat(1.3f) * out->steep) * (one - out->low);
-  out->occlusion = out->occlusion * (one - splat(0.6f) * hollow);
   if (!air->on) {
     out->height = height;
     return;
@@ -177,9 +179,10 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
     out->tuft = growth.shade;
     out->dry = growth.dry;
     height = field_add(height, field_scale(field_mul(cover, growth.rise), splat(air->moss_height)));
-    /* it fills the joint */
-    height = field_add(height, field_scale(field_mul(cover, edge), splat(-0.65f)));
+    /* it fills the joint, up to the stones: edges and sand below are not seen through it */
+    height = field_add(height, field_scale(field_mul(cover, buried), splat(-1.0f)));
     out->lost = out->lost * (one - cover.v) + splat(0.08f) * cover.v;
+    out->edges = out->edges * (one - cover.v);
   }
   if (air->grime > 0.0f) {
     vf unused = zero;
@@ -201,6 +204,7 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
     height = field_through(height, splat(air->water) + above, land);
     out->water = one - land;
     out->lost = out->lost * land;
+    out->edges = out->edges * land;
     /* stone draws it up a little */
     vf drawn = clamp01(one - x * splat(1.0f / 3.0f)) * splat(0.8f);
     out->film = vmax(out->film, drawn);
@@ -223,6 +227,17 @@ INLINE vf surface_lambda(vf steep, vf t) {
   return smith_lambda(t / vmax(steep * splat(1.41421356f), splat(1e-4f)));
 }
 
+/* Variance along one axis of slopes on the stones that nobody sees. */
+INLINE vf surface_leans(const surface *f) { return vmax(f->lost - f->edges, splat(0.0f)); }
+
+/* What they leave of light that is scattered: those towards the light gain what others' shades
+ * take, and what is left is that all of them lean: the mean of the normals' height, to 0.02. At the
+ * stones' edges what leans is mostly joint, and dark. */
+INLINE vf surface_levelled(const stone_constants *w, const surface *f) {
+  vf leans = surface_leans(f), one = splat(1.0f);
+  return one - leans / (one + splat(w->leaning) * leans);
+}
+
 /* Share of the light that reaches the place: past the relief about it, by where
  * in the relief's range it lies (Smith, IEEE Trans. Antennas Propag. 15, 1967:
  * an expectation, not a trace), and past the stones' edges. light: object space;
@@ -236,7 +251,6 @@ INLINE vf surface_lit(const stone_constants *w, int paved, const laid *q, const 
     vf lambda = surface_lambda(f->steep, t);
     lit = exp2_(lambda * log2_(clamp(f->low, splat(1e-6f), one)));
   }
-  if (surface_grazed(f->lost, t)) lit = lit / (one + surface_lambda(vsqrt(f->lost), t));
   if (!paved) return lit;
   const stone_paving *v = &w->paving;
   vf square = q->m.g[0] * q->m.g[0] + q->m.g[1] * q->m.g[1];
@@ -248,12 +262,15 @@ INLINE vf surface_lit(const stone_constants *w, int paved, const laid *q, const 
   /* where joints meet all stones may be further away */
   way = way + vmax(zero - (q->edge + splat(v->half)), zero);
   vf rise = c / vmax(vabs(across), splat(1e-3f));
-  vf over = f->edge * (one - splat(0.65f) * f->moss) + way * rise - crest;
+  vf over = f->edge * (one - f->moss) + way * rise - crest;
   vf soft = splat(0.1f) + splat(0.01f) * vabs(way) + splat(0.6f) * s * (rise + splat(0.3f));
   vf past = clamp01(splat(0.5f) + over / soft);
   past = sel(gt(way, zero), past, one);
-  /* where moss fills the joint its edges cast nothing */
-  return lit * mix(one, past, q->near * (one - f->moss));
+  /* where moss fills the joint its edges cast nothing; under a footprint that has the far edge,
+   * too, what is lit there makes up for it */
+  vf trough = splat(2.0f) * shoulder;
+  vf alone = one - smooth_step(splat(0.25f) * trough, trough, s);
+  return lit * mix(one, past, q->near * alone * (one - f->moss));
 }
 
 #endif

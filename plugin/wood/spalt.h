@@ -38,8 +38,7 @@ typedef struct {
 } spalt_eye;
 
 #define SPALT_LONG 2.5f /* along the fibre, to a width of 1 */
-#define SPALT_SOFT 0.2f /* colonies: over how much of one bleaching comes where no line holds it   \
-                         */
+#define SPALT_SOFT 0.2f /* colonies: over how much of one bleaching comes without a line */
 #define SPALT_FLAT 1.0f /* of an octave that a part of its lattice's size takes, and takes on */
 
 /* d: from a level of the noise. */

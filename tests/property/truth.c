@@ -23,12 +23,11 @@ double truth_error(const points *p, int component) {
   return (double)out[TRUTH_SAMPLES] - truth;
 }
 
-double truth_lit(points *p, const sozai_texture *t, const double light[3], const double view[3],
-                 double size) {
-  enum { PLACES = 24 };
+double truth_lit_at(points *p, const sozai_texture *t, const double light[3], const double view[3],
+                    double size, int places) {
   double near = 0, far = 0;
   uniform_seed(5);
-  for (int place = 0; place < PLACES; place++) {
+  for (int place = 0; place < places; place++) {
     double x = 160 * (uniform() - 0.5), y = 800 * (uniform() - 0.5), turn = 6.2831853 * uniform();
     double co = cos(turn), si = sin(turn);
     points_clear(p);
@@ -50,6 +49,11 @@ double truth_lit(points *p, const sozai_texture *t, const double light[3], const
     far += (double)p->out[RADIANCE + 1][TRUTH_SAMPLES];
   }
   return far / near;
+}
+
+double truth_lit(points *p, const sozai_texture *t, const double light[3], const double view[3],
+                 double size) {
+  return truth_lit_at(p, t, light, view, size, 24);
 }
 
 void truth_add(truth_errors *e, const points *p) {

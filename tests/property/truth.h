@@ -20,7 +20,10 @@ void truth_ask(points *p, const sozai_texture *t, unsigned long long components,
 double truth_error(const points *p, int component);
 
 /* Mean radiance (green) of footprints of that size under a light and towards a view, over that of
- * 1,024 points in each; at 24 places of the plane x, y. */
+ * 1,024 points in each; at so many places of the plane x, y. */
+double truth_lit_at(points *p, const sozai_texture *t, const double light[3], const double view[3],
+                    double size, int places);
+/* At 24. */
 double truth_lit(points *p, const sozai_texture *t, const double light[3], const double view[3],
                  double size);
 

@@ -30,7 +30,7 @@ SPECIES_ALL(DECLARE)
   CHOICE("grain", "interlocked"), NUMBER("interlocked_slope", slope),                              \
       NUMBER("interlocked_years", years), NUMBER("interlocked_length", length),                    \
       NUMBER("interlocked_irregularity", irregularity)
-/* Of wood that is sought for its figure: that moves with the eye, too, as fibres' gloss does, in the
+/* Of wood that is sought for its figure: it moves with the eye, too, as fibres' gloss does, in the
  * wood's own hue. reflectance: in its brightest channel; less of dark wood. */
 #define LUSTRE(reflectance)                                                                        \
   CHOICE("reflection", "fibre_cone"), NUMBER("specular_tint", 1.0),                                \
