@@ -35,6 +35,14 @@ for cut in flat end; do
   works render wood --preset mizunara --cut "$cut" -o "$scratch/$cut.exr" --res 64x48 --spp 4
   check "$cut: finite" "$picture" finite "$scratch/$cut.exr"
 done
+# Without a cut it is flat-sawn, 100 mm from the pith; with one, where the parameter says.
+for how in "" "-p cut=flat -p cut_distance=100" "-p cut=flat" "-p cut_distance=60"; do
+  # shellcheck disable=SC2086 # several words, or none
+  works render wood --preset keyaki $how -o "$scratch/sawn${how//[^0-9a-z]/-}.exr" --res 64x48 --spp 2
+done
+check "a board by itself" "$picture" same "$scratch/sawn.exr" "$scratch/sawn-p-cut-flat--p-cut-distance-100.exr"
+check "a board sawn by name" "$picture" same "$scratch/sawn-p-cut-flat.exr" "$scratch/sawn-p-cut-distance-60.exr"
+check "which is another" not "$picture" same "$scratch/sawn.exr" "$scratch/sawn-p-cut-flat.exr"
 # A board's length runs along the grain, and its end grain is across it.
 check "flat: fibres along +y" "$picture" between "$scratch/flat.exr" 32 24 fiber.y 0.95 1
 check "end: fibres along +z" "$picture" between "$scratch/end.exr" 32 24 fiber.z 0.95 1

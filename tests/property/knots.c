@@ -123,6 +123,40 @@ static void radius_bark_and_scar(void **state) {
         100 * worst, least, most, bark, cap);
 }
 
+/* A branch that lives, or has never been shed, on a board wider than the stem: beyond the tree's
+ * years it ends as others do, in wood, and not at a plane. */
+static void ends_beyond_the_tree(void **state) {
+  (void)state;
+  enum { FROM = 110, TO = 700, ACROSS = 1200 };
+  static const double deaths[] = {-1, 40};
+  double fall = 0, first = TO, last = 0;
+  points p = {0};
+  for (int n = 0; n < 2; n++) {
+    one_branch(deaths[n], -1, PI / 2, 0);
+    sozai_texture *t = with_tables(1, 1);
+    assert_non_null(t);
+    double radius = deaths[n] < 0 ? 24 : 16, before = radius, end = 0;
+    for (int z = FROM; z < TO; z++) {
+      points_clear(&p);
+      for (int i = 0; i < ACROSS; i++) points_add(&p, 0, 0.05 * (i - ACROSS / 2 + 0.5), z, 0);
+      points_ask(&p, t);
+      double edge = 0;
+      for (int i = 0; i < ACROSS; i++) edge += 0.025 * (double)p.out[KNOT][i];
+      fall = fmax(fall, (before - edge) / radius);
+      before = edge;
+      if (edge > 0) end = z;
+    }
+    first = fmin(first, (end - 120) / radius);
+    last = fmax(last, (end - 120) / radius);
+    textures->destroy(t);
+  }
+  points_free(&p);
+  CHECK(fall < 0.5 && first >= 0 && last < 7,
+        "knots of a stem of 120 mm end %.1f to %.1f of their radii beyond it (0 to 7), and lose at "
+        "most %.2f of the radius in a millimetre (0.5)\n",
+        first, last, fall);
+}
+
 /* The axis and the years of its rings. */
 static void axis_and_years(void **state) {
   (void)state;
@@ -555,12 +589,13 @@ static int setup(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(radius_bark_and_scar),     cmocka_unit_test(axis_and_years),
-      cmocka_unit_test(branches_cross_the_board), cmocka_unit_test(a_measured_tree),
+      cmocka_unit_test(radius_bark_and_scar),  cmocka_unit_test(ends_beyond_the_tree),
+      cmocka_unit_test(axis_and_years),        cmocka_unit_test(branches_cross_the_board),
+      cmocka_unit_test(a_measured_tree),
 
-      cmocka_unit_test(rings_never_cross),        cmocka_unit_test(a_walk_stays_on_its_fibre),
-      cmocka_unit_test(against_1024_samples),     cmocka_unit_test(bark_at_the_end),
-      cmocka_unit_test(alone_as_among_others),    cmocka_unit_test(refusals),
+      cmocka_unit_test(rings_never_cross),     cmocka_unit_test(a_walk_stays_on_its_fibre),
+      cmocka_unit_test(against_1024_samples),  cmocka_unit_test(bark_at_the_end),
+      cmocka_unit_test(alone_as_among_others), cmocka_unit_test(refusals),
   };
   return cmocka_run_group_tests(tests, setup, wood_teardown);
 }
