@@ -101,8 +101,7 @@ static bool render_recipe(session *s, recipe *r, const request *q, int kind, fai
   return ok;
 }
 
-/* Where arches fill the face of a board a foot wide: nearer to the pith they are one narrow tongue.
- */
+/* Where arches fill the face of a board: nearer to the pith they are one narrow tongue. */
 #define BOARD_FROM_PITH "100" /* mm */
 
 static bool saw(recipe *r, const request *q, const session *s, failure *why) {
@@ -110,8 +109,8 @@ static bool saw(recipe *r, const request *q, const session *s, failure *why) {
   bool board = !q->look.shape || strcmp(q->look.shape, "board") == 0;
   const sozai_texture_info *info = recipe_info(r, s->plugin.textures, why);
   if (!info || !board) return info != NULL;
-  bool free = !r->file && !recipe_sets(r, "cut") && !recipe_sets(r, "cut_distance");
-  if (free && parameter_of(info, "cut_distance") &&
+  bool unsawn = !r->file && !recipe_sets(r, "cut") && !recipe_sets(r, "cut_distance");
+  if (unsawn && parameter_of(info, "cut_distance") &&
       !recipe_set(r, "cut_distance", BOARD_FROM_PITH, 0, why))
     return false;
   return session_saw_flat(r, info, why);
@@ -175,7 +174,8 @@ int run_render(int argc, char **argv) {
       {"scale", 0, OPTION_NUMBER, &q.scale, "MM", "mm per unit of a mesh (default: 1)", 1e-6, 1e6},
       {"up", 0, OPTION_TEXT, &q.look.up, "AXIS", "y or z (default: z; for a mesh, y)", 0, 0},
       {"cut", 0, OPTION_TEXT, &q.cut, "CUT",
-       "how it lies in the log, as -p cut= (default: flat, 100 mm from the pith, for a\n"
+       "how it lies in the log, as -p cut= (default: flat, " BOARD_FROM_PITH
+       " mm from the pith, for a\n"
        "                               board that no file describes, else the file's, else log)",
        0, 0},
       {"res", 0, OPTION_SIZE, &q.resolution, "WxH",

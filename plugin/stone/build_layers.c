@@ -365,8 +365,7 @@ static void share_bends(stone_cells *grains, const body *crystals, stone_cells *
   specks->bends_shared = grains->bends_shared = 1;
 }
 
-#define PITTED_DEEP                                                                                \
-  0.19f /* of the bumps that a hammer leaves most places are on top (property.stone_light) */
+#define PITTED_DEEP 0.19f /* of a hammer's bumps, most of which is on top: property.stone_light */
 
 /* How deep the mean place lies, as surface_below has it of heights that domes have and not a normal
  * distribution. share: of the face that is domes. */

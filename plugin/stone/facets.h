@@ -50,10 +50,8 @@ INLINE field facets_simplex(const vf at[3], vu seed) {
   return f;
 }
 
-#define FACETS_GONE 1.9f /* as NOISE_GONE */
-#define FACETS_MEET                                                                                \
-  0.9f /* how fast slopes of places in a footprint come to differ, by its width                    \
-        */
+#define FACETS_GONE 1.9f   /* as NOISE_GONE */
+#define FACETS_MEET 0.9f   /* how fast slopes come to differ, by the footprint's width */
 #define FACETS_ALONE 0.04f /* cells: narrower footprints see one place */
 #define FACETS_PLACES 4    /* that wider ones see, the middles of their quarters */
 

@@ -85,10 +85,42 @@ static void detail_fades(void **state) {
   }
 }
 
+/* Past the largest colonies a footprint sees what is to be expected of them all. */
+static void wide_spalting(void **state) {
+  (void)state;
+  enum { NEAR = 100000 };
+  static const char *const amounts[] = {"0.4", "0.8", "1"};
+  double worst = 0;
+  for (int k = 0; k < 3; k++) {
+    char text[64];
+    snprintf(text, sizeof text, "cut=end; heartwood_years=9000; spalt=%s", amounts[k]);
+    sozai_texture *t = wood_make("spalted_beech", text);
+    points p = {0};
+    uniform_seed(53);
+    for (int i = 0; i < NEAR + 500; i++) {
+      points_add(&p, 8000 * (uniform() - 0.5), 8000 * (uniform() - 0.5), 40 * (uniform() - 0.5),
+                 i < NEAR ? 1 : 2000);
+    }
+    points_ask_only(&p, t, ONLY3(ALBEDO));
+    for (int c = 0; c < 3; c++) {
+      double near = 0, far = 0;
+      for (unsigned i = 0; i < NEAR; i++) near += points_value(&p, ALBEDO + c, i) / NEAR;
+      for (unsigned i = NEAR; i < p.count; i++) far += points_value(&p, ALBEDO + c, i) / 500;
+      print_message("spalt=%s, channel %d: %.4f near by, %.4f under 2 m\n", amounts[k], c, near,
+                    far);
+      worst = fmax(worst, fabs(far - near));
+    }
+    points_free(&p);
+    textures->destroy(t);
+  }
+  CHECK(worst < 0.004, "apart by %.4f at most (0.004)\n", worst);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(against_1024_samples),
       cmocka_unit_test(detail_fades),
+      cmocka_unit_test(wide_spalting),
   };
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

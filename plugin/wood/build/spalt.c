@@ -7,9 +7,9 @@
 #include "../../core/scalar.h"
 #include "../parameters.h"
 
-/* how bleached the first's and the second's shares are, measured */
-#define SPALT_BLEACH 0.724
-#define SPALT_BLEACH_SECOND 0.483
+/* how bleached the first's and the second's shares are, measured (property.filter) */
+#define SPALT_BLEACH 0.524
+#define SPALT_BLEACH_SECOND 0.395
 
 /* Of a colony whose edge is at `level` of a noise with the first octave at `scale`: the
  * share of wood within, and mm of edge to a mm^2 of wood, times the colonies' size; returns

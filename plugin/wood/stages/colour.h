@@ -45,6 +45,12 @@ INLINE vf heart_at(const wood_constants *w, const block *k) {
                      vsqrt(k->section.f.bb) * k->ring.inverse_width);
 }
 
+/* A tissue's colour in both, which is `own` in heartwood. pale: where there is sapwood; sap:
+ * whether any lane has some. */
+INLINE vf or_sapwood(vm pale, int sap, vf heart, float beyond, vf own) {
+  return sap ? sel(pale, mix(splat(beyond), own, heart), own) : own;
+}
+
 /* The colours of both, of heartwood with its pigment or of sapwood. */
 INLINE void season_colours(const wood_constants *w, const block *k, vf heart, vf early[3],
                            vf late[3]) {
@@ -81,8 +87,7 @@ INLINE void tissue_soft(const wood_constants *w, const block *k, vf heart, vf ti
   for (int c = 0; c < 3; c++) {
     vf own = splat(m->colour[c]);
     if (w->has_pigment) own = mix(own, splat(w->pigment[c]), splat(PIGMENT_SOFT) * k->pigment);
-    if (sap) own = sel(pale, mix(splat(m->sap[c]), own, heart), own);
-    tissue[c] = tissue[c] + soft * own;
+    tissue[c] = tissue[c] + soft * or_sapwood(pale, sap, heart, m->sap[c], own);
   }
 }
 
@@ -92,8 +97,7 @@ INLINE void tissue_open(const wood_constants *w, vf open, vf heart, vf tissue[3]
   int sap = any(pale);
   UNROLL(3)
   for (int c = 0; c < 3; c++) {
-    vf own = splat(w->vessel[c]);
-    if (sap) own = sel(pale, mix(splat(w->vessel_sap[c]), own, heart), own);
+    vf own = or_sapwood(pale, sap, heart, w->vessel_sap[c], splat(w->vessel[c]));
     tissue[c] = tissue[c] + own * open;
   }
 }
@@ -142,8 +146,7 @@ INLINE void tissue_rays(const wood_constants *w, int ends, const block *k, vf he
   }
   UNROLL(3)
   for (int c = 0; c < 3; c++) {
-    vf own = splat(w->ray[c]);
-    if (sap) own = sel(pale, mix(splat(w->ray_sap[c]), own, heart), own);
+    vf own = or_sapwood(pale, sap, heart, w->ray_sap[c], splat(w->ray[c]));
     vf ray = own * lit;
     if (w->has_cells) {
       vf contrast = vmin(k->cell_contrast, cells_room(w, own));
