@@ -95,36 +95,6 @@ INLINE vf noise_value2(const noise_axis *x, const noise_axis *z, vu seed, vf *dx
   return p + q * z->w;
 }
 
-#ifdef SPREADS
-/* noise_value2 of lanes that share a cell: see noise_axial3_shared. right, up: the hash terms from
- * one corner to the next along x and z. */
-INLINE vf noise_value2_shared(vu base, uint32_t right, uint32_t up, const noise_axis *x,
-                              const noise_axis *z, vf *dx, vf *dz) {
-  const vu corner = {0, right, up, right + up};
-  vf a = hash_signed(base + corner), b = next_lane(a) - a;
-  spread value = spread_of(a), along = spread_of(b);
-  vf low = splat(along.of[0]), high = splat(along.of[2]);
-  vf p = splat(value.of[0]) + low * x->w, q = splat(value.of[2]) + high * x->w - p;
-  *dx = mix(low, high, z->w) * x->dw;
-  *dz = q * z->dw;
-  return p + q * z->w;
-}
-#endif
-
-/* noise_value2 of a lattice so wide that neighbours mostly share a cell. right, up: what x and z
- * were split by. */
-INLINE vf noise_value2_near(const noise_axis *x, uint32_t right, const noise_axis *z, uint32_t up,
-                            vu seed, vf *dx, vf *dz) {
-#ifdef SPREADS
-  vu base = x->low + z->low + seed;
-  if (alike((vi)base)) return noise_value2_shared(base, right, up, x, z, dx, dz);
-#else
-  (void)right;
-  (void)up;
-#endif
-  return noise_value2(x, z, seed, dx, dz);
-}
-
 /* Axial noise in y alone: gradients are numbers within +-1. */
 INLINE vf noise_axial1(const noise_stem *y, vu seed, vf *dy) {
   vf g0 = hash_signed(y->low + seed), g1 = hash_signed(y->high + seed);
@@ -144,23 +114,36 @@ INLINE vf noise_axial2(const noise_stem *y, const noise_axis *t, vu seed, vf *dy
 
 /* Axial noise in y with gradients varying over x and z. */
 #ifndef WITHIN_A_POINT
-#ifdef SPREADS
+#ifdef HOLDS
 /* Of lanes that share a cell, as neighbours mostly do: its corners are hashed one to
- * a lane, x fastest, then z, and what is alike for all is taken once. base: the hash
- * term of the first corner. */
-INLINE vf noise_axial3_shared(vu base, const noise_axis *x, const noise_stem *y,
-                              const noise_axis *z, vf *dx, vf *dy, vf *dz) {
-  const vu corner = {0,      HASH_X,          HASH_Z,          HASH_X + HASH_Z,
-                     HASH_Y, HASH_Y + HASH_X, HASH_Y + HASH_Z, HASH_Y + HASH_X + HASH_Z};
-  vf a = hash_signed(base + corner), b = next_lane(a) - a; /* along x */
+ * a lane, x fastest, and what is alike for all is taken once. */
+typedef struct {
+  spread value; /* of the corners, */
+  spread right; /* the next one's less it, */
+  spread turn;  /* and what that is at the next pair less what it is here */
+} cell_corners;
+
+/* base: the hash term of the first corner; beside: of the others over it. */
+INLINE cell_corners noise_corners_at(vu base, vu beside) {
+  vf a = hash_signed(base + beside), b = next_lane(a) - a;
+  return (cell_corners){spread_of(a), spread_of(b), spread_of(third_lane(b) - b)};
+}
+
+/* Corners of noise_axial3: along x, then z. */
+INLINE vu noise_beside3(void) {
+  return (vu){0,      HASH_X,          HASH_Z,          HASH_X + HASH_Z,
+              HASH_Y, HASH_Y + HASH_X, HASH_Y + HASH_Z, HASH_Y + HASH_X + HASH_Z};
+}
+
+INLINE vf noise_axial3_in(const cell_corners *at, const noise_axis *x, const noise_stem *y,
+                          const noise_axis *z, vf *dx, vf *dy, vf *dz) {
   vf g[2], gx[2], gz[2];
-  spread value = spread_of(a), right = spread_of(b), turn = spread_of(third_lane(b) - b);
   UNROLL(2)
   for (int c = 0; c < 2; c++) {
     int k = 4 * c;
-    vf low = splat(right.of[k]), p = splat(value.of[k]) + low * x->w;
-    vf q = splat(value.of[k + 2]) + splat(right.of[k + 2]) * x->w - p;
-    gx[c] = (low + splat(turn.of[k]) * z->w) * x->dw;
+    vf low = splat(at->right.of[k]), p = splat(at->value.of[k]) + low * x->w;
+    vf q = splat(at->value.of[k + 2]) + splat(at->right.of[k + 2]) * x->w - p;
+    gx[c] = (low + splat(at->turn.of[k]) * z->w) * x->dw;
     gz[c] = q * z->dw;
     g[c] = p + q * z->w;
   }
@@ -175,7 +158,10 @@ INLINE vf noise_axial3(const noise_axis *x, const noise_stem *y, const noise_axi
                        vf *dx, vf *dy, vf *dz) {
 #ifdef SPREADS
   vu base = x->low + y->low + z->low + seed;
-  if (alike((vi)base)) return noise_axial3_shared(base, x, y, z, dx, dy, dz);
+  if (alike((vi)base)) {
+    cell_corners at = noise_corners_at(base, noise_beside3());
+    return noise_axial3_in(&at, x, y, z, dx, dy, dz);
+  }
 #endif
   vf x0, z0, x1, z1;
   vf g0 = noise_value2(x, z, y->low + seed, &x0, &z0);

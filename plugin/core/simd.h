@@ -454,12 +454,22 @@ INLINE int alike(vi i) {
 #endif
 }
 
-/* What one lane holds, for all: by way of memory, whence a wide unit loads it into every
- * lane at no cost to the ports that calculate. The compiler would rather permute. */
+/* Whether all lanes hold that number. */
+INLINE int all_are(vi i, int32_t x) {
 #if defined(SOZAI_ISA_AVX512) && LANES == 16
-#define SPREADS
+  return _mm512_cmpneq_epi32_mask((__m512i)i, _mm512_set1_epi32(x)) == 0;
+#else
+  return !any(not_(eqi(i, splati(x))));
+#endif
+}
+
+/* What one lane holds, for all: by way of memory, whence a wide unit loads it into every
+ * lane at no cost to the ports that calculate. The compiler would rather permute. HOLDS: where it
+ * pays if it is held for several blocks; SPREADS: even for one. */
+#if (defined(SOZAI_ISA_AVX512) && LANES == 16) || (defined(SOZAI_ISA_AVX2) && LANES == 8)
+#define HOLDS
 typedef struct {
-  float of[16] __attribute__((aligned(64)));
+  float of[LANES] __attribute__((aligned(4 * LANES)));
 } spread;
 
 INLINE spread spread_of(vf x) {
@@ -468,11 +478,17 @@ INLINE spread spread_of(vf x) {
   __asm__("" : "+m"(s));
   return s;
 }
-/* Every even lane's neighbour; and in each four the third lane in place of all. */
+#endif
+/* Every even lane's neighbour; in each four the third lane in place of all; and the upper two in
+ * place of the lower. */
+#if defined(SOZAI_ISA_AVX512) && LANES == 16
+#define SPREADS
 INLINE vf next_lane(vf x) { return (vf)_mm512_movehdup_ps((__m512)x); }
 INLINE vf third_lane(vf x) { return (vf)_mm512_permute_ps((__m512)x, 0xaa); }
-/* In each four the upper two lanes in place of the lower. */
 INLINE vf upper_lanes(vf x) { return (vf)_mm512_permute_ps((__m512)x, 0xee); }
+#elif defined(HOLDS)
+INLINE vf next_lane(vf x) { return (vf)_mm256_movehdup_ps((__m256)x); }
+INLINE vf third_lane(vf x) { return (vf)_mm256_permute_ps((__m256)x, 0xaa); }
 #endif
 
 /* gather2 and gather4 where lanes mostly ask for the same row. */

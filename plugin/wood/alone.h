@@ -102,14 +102,16 @@ INLINE fibre_sum fibre_alone(const wood_constants *w, vu own, const fibre_eye *n
 
 #else
 
-INLINE stem_pith pith_alone(const wood_constants *w, vu own, vf y) { return pith_at(w, own, y); }
+INLINE stem_pith pith_alone(const wood_constants *w, vu own, vf y) {
+  return pith_at(w, own, y, NULL);
+}
 
 INLINE undulation_sum undulation_alone(const wood_constants *w, vu own, vf y, vf footprint,
                                        stem_place *p) {
   undulation_sum sum = undulation_none();
   for (int o = 0; o < 2; o++) {
     undulation_octave octave = undulation_octave_of(w, o);
-    undulation_add(&octave, own, y, footprint, p, &sum);
+    undulation_add(&octave, own, y, footprint, NULL, p, &sum);
   }
   return sum;
 }
@@ -118,7 +120,7 @@ INLINE void grain_noise_alone(const wood_constants *w, vu own, vf y, const noise
                               vf extent, grain_place *p) {
   for (int o = 0; o < 2; o++) {
     grain_octave octave = grain_octave_of(w, o);
-    grain_noise(&octave, own, y, at, extent, p);
+    grain_noise(&octave, own, y, at, extent, NULL, p);
   }
 }
 

@@ -159,12 +159,12 @@ INLINE stem_place stem_with_figure(const wood_constants *w, vf x, vf y, vf z) {
   vf zero = splat(0.0f);
   vu own = splatu(0);
   undulation_sum u = undulation_none();
-  p.pith = pith_at(w, own, y);
+  p.pith = pith_at(w, own, y, NULL);
   p.lost = p.lost_slope = p.eye = zero;
   stem_about(x, z, &p);
   for (int o = 0; o < 2; o++) {
     undulation_octave octave = undulation_octave_of(w, o);
-    undulation_add(&octave, own, y, zero, &p, &u);
+    undulation_add(&octave, own, y, zero, NULL, &p, &u);
   }
   figure_add(w, own, y, zero, zero, &p, &u);
   stem_rho(w, y, &u, &p);

@@ -136,7 +136,8 @@ typedef struct {
   int irregular;
 } interlocked_year;
 
-INLINE interlocked_year grain_interlocked_year(const wood_constants *w, vu own, vf t) {
+INLINE interlocked_year grain_interlocked_year(const wood_constants *w, vu own, vf t,
+                                               noise_held *held) {
   interlocked_year q;
   vf zero = splat(0.0f), psi = t * splat(w->interlocked_frequency);
   q.psi_t = splat(w->interlocked_frequency);
@@ -146,18 +147,18 @@ INLINE interlocked_year grain_interlocked_year(const wood_constants *w, vu own, 
   q.irregular = w->interlocked_irregularity > 0.0f;
   if (q.irregular) {
     float much = w->interlocked_irregularity;
-    vu seed = wood_seed(w, own, SEED_RIBBON);
-    vf slope, f = splat(w->interlocked_frequency * 1.13f);
+    vf n[3], slope[3], f = splat(w->interlocked_frequency * 1.13f);
     noise_axis at = noise_split_cubic(t * f, HASH_X);
+    noise_value1_thrice(&at, wood_seed(w, own, SEED_RIBBON), held, n, slope);
     vf k = splat(0.45f / HASH_ONE * much);
-    psi = psi + k * noise_value1(&at, seed, &slope);
-    q.psi_t = q.psi_t + k * f * slope;
+    psi = psi + k * n[0];
+    q.psi_t = q.psi_t + k * f * slope[0];
     vf fade = splat(0.35f / HASH_ONE * much) * q.a;
-    q.a = q.a + fade * noise_value1(&at, seed + splatu(HASH_Y), &slope);
-    q.a_t = fade * f * slope;
+    q.a = q.a + fade * n[1];
+    q.a_t = fade * f * slope[1];
     vf turns = splat(0.2f / HASH_ONE * much);
-    q.begin = turns * noise_value1(&at, seed + splatu(HASH_Z), &slope);
-    q.begin_t = turns * f * slope;
+    q.begin = turns * n[2];
+    q.begin_t = turns * f * slope[2];
     sine_cosine_turns(q.begin, &q.sb, &q.cb);
   }
   sine_cosine_turns(psi, &q.st, &q.ct);
@@ -209,9 +210,9 @@ INLINE grain_octave grain_octave_of(const wood_constants *w, int o) {
 }
 
 INLINE void grain_noise(const grain_octave *q, vu own, vf y, const noise_axis *at, vf extent,
-                        grain_place *p) {
+                        noise_held *held, grain_place *p) {
   noise_stem ay = noise_split_axial(y * q->often, HASH_Y);
-  vf ny, nt, n = noise_axial2(&ay, at, q->seed + own, &ny, &nt);
+  vf ny, nt, n = noise_axial2_held(&ay, at, q->seed + own, held, &ny, &nt);
   vf slope = q->steep * ny;
   p->d = p->d + q->far * n;
   p->g = p->g + slope;

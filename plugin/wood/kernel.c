@@ -150,8 +150,8 @@ INLINE void evaluate_section(int boards, const wood_constants *restrict w,
   if (w->has_interlocked) EACH(stage_interlocked(w, boards, &blocks[k]));
   if (w->has_slope_noise) {
     grain_octave slopes[2] = {grain_octave_of(w, 0), grain_octave_of(w, 1)};
-    EACH(stage_grain_noise(&slopes[0], boards, &blocks[k]));
-    EACH(stage_grain_noise(&slopes[1], boards, &blocks[k]));
+    EACH(stage_grain_noise(&slopes[0], boards, 0, &blocks[k]));
+    EACH(stage_grain_noise(&slopes[1], boards, 1, &blocks[k]));
   }
   EACH(stage_turn(&blocks[k]));
   EACH(stage_section(w, io, &blocks[k]));
@@ -311,6 +311,7 @@ typedef struct {
   surface_relief reliefs[BLOCKS];
   knot_place knots[BLOCKS];
   wide_rings wides[BLOCKS];
+  wood_held held;
 } wood_blocks;
 
 INLINE void evaluate_blocks(const wood_constants *w, const wood_io *io, const wood_wants *want,
@@ -326,6 +327,7 @@ INLINE void evaluate_blocks(const wood_constants *w, const wood_io *io, const wo
 INLINE void evaluate_points(const wood_constants *w, const kernel_io *io, const wood_wants *want,
                             int boards, uint32_t from, uint32_t to) {
   wood_blocks b;
+  wood_held_none(&b.held);
   const wood_io part = {io->in, io->out};
   const uint8_t *active = io->in->active;
   for (uint32_t i = from; i < to; i++) {
@@ -333,6 +335,7 @@ INLINE void evaluate_points(const wood_constants *w, const kernel_io *io, const 
     b.blocks[0].i = i;
     b.blocks[0].n = 1;
     b.blocks[0].o = 0;
+    b.blocks[0].held = &b.held;
     b.blocks[0].knot = w->knots ? b.knots : NULL;
     evaluate_blocks(w, &part, want, boards, &b, 1);
   }
@@ -362,6 +365,7 @@ static __attribute__((noinline)) void evaluate_some(const wood_constants *w, con
 INLINE void evaluate_points(const wood_constants *w, const kernel_io *io, const wood_wants *want,
                             int boards, uint32_t from, uint32_t to) {
   wood_blocks b;
+  wood_held_none(&b.held);
   float spare[BLOCKS * LANES]; /* where components go that nobody asked for */
   wood_io part;
   part.in = io->in;
@@ -373,6 +377,7 @@ INLINE void evaluate_points(const wood_constants *w, const kernel_io *io, const 
       k->i = i;
       k->n = to - i < LANES ? to - i : LANES;
       k->o = i - first;
+      k->held = &b.held;
       k->knot = w->knots ? &b.knots[count] : NULL;
     }
     if (i > to || io->in->active) {

@@ -28,7 +28,7 @@ static void ring_radius(const wood_constants *w, uint32_t count, const float *t,
     vi j = whole - turns * splati(WOOD_RINGS);
     vf rho = to_float(turns) * splat(w->ring_period) + gather(w->start, j) +
              phase / gather(w->inverse_width, j);
-    stem_pith pith = pith_at(w, splatu(0), height);
+    stem_pith pith = pith_at(w, splatu(0), height, NULL);
     vf r = rho * (splat(1.0f) + outline_at(w, c, s, &unused));
     for (int k = 0; k < 8; k++) {
       stem_place p = stem_with_figure(w, r * c + pith.x, height, r * s + pith.z);
@@ -43,7 +43,7 @@ static void pith(const wood_constants *w, uint32_t count, const float *y, float 
                  float *out_z) {
   for (uint32_t i = 0; i < count; i += LANES) {
     uint32_t n = count - i < LANES ? count - i : LANES;
-    stem_pith p = pith_at(w, splatu(0), finite_coordinate(load_lanes(y, i, n)));
+    stem_pith p = pith_at(w, splatu(0), finite_coordinate(load_lanes(y, i, n)), NULL);
     for (uint32_t k = 0; k < n; k++) {
       out_x[i + k] = lane(p.x, k);
       out_z[i + k] = lane(p.z, k);

@@ -290,7 +290,8 @@ INLINE vf rays_share(const wood_constants *w, const ray_place *p, const ray_cell
 #define RAY_SWAY_FROM 20.0f /* mm */
 
 /* turn: theta' / 2 pi. c, s: the direction from the pith. */
-INLINE ray_turn ray_turn_of(const wood_constants *w, vu own, vf rho, vf turn, vf y, vf c, vf s) {
+INLINE ray_turn ray_turn_of(const wood_constants *w, vu own, vf rho, vf turn, vf y, vf c, vf s,
+                            noise_held *held) {
   ray_turn p;
   vi unused;
   /* by c and s, or the two sides of a board with the pith in it would mirror each other */
@@ -300,7 +301,7 @@ INLINE ray_turn ray_turn_of(const wood_constants *w, vu own, vf rho, vf turn, vf
    * together all round the stem, so that a cut along them leaves them and meets them
    * again. Nearer to the pith than RAY_SWAY_FROM they sway by an angle. */
   vu seed = wood_seed(w, own, SEED_RAYS);
-  vf lean, sway, stray = noise_value2_near(&out, HASH_X, &up, HASH_Y, seed, &lean, &sway);
+  vf lean, sway, stray = noise_value2_held(&out, HASH_X, &up, HASH_Y, seed, held, &lean, &sway);
   vf from = splat(RAY_SWAY_FROM), per = splat(w->ray_stray) * vmin(rho / from, splat(1.0f));
   p.lean = lean * per * splat(w->ray_wave_radial);
   p.sway = sway * per * splat(w->ray_wave_along);

@@ -14,7 +14,7 @@
 #define SOZAI_WOOD_STEM_H
 
 #include "../core/filter.h"
-#include "../core/noise.h"
+#include "../core/noise_held.h"
 #include "wood.h"
 
 /* own: a board's offset, 0 where there are no boards. */
@@ -27,15 +27,14 @@ typedef struct {
   vf dx, dz; /* slopes along y */
 } stem_pith;
 
-INLINE stem_pith pith_at(const wood_constants *w, vu own, vf y) {
+/* held: here and below, NULL or what is held of a noise's last cell. */
+INLINE stem_pith pith_at(const wood_constants *w, vu own, vf y, noise_held *held) {
   noise_stem a = noise_split_axial(y * splat(w->pith_frequency), HASH_Y);
   vf amplitude = splat(w->pith_amplitude), slope = splat(w->pith_amplitude * w->pith_frequency);
-  stem_pith p;
-  p.x = amplitude * noise_axial1(&a, wood_seed(w, own, SEED_PITH_X), &p.dx);
-  p.z = amplitude * noise_axial1(&a, wood_seed(w, own, SEED_PITH_Z), &p.dz);
-  p.dx = p.dx * slope;
-  p.dz = p.dz * slope;
-  return p;
+  vf n[2], dy[2];
+  noise_axial1_twice(&a, wood_seed(w, own, SEED_PITH_X),
+                     w->seeds[SEED_PITH_Z] - w->seeds[SEED_PITH_X], held, n, dy);
+  return (stem_pith){amplitude * n[0], amplitude * n[1], dy[0] * slope, dy[1] * slope};
 }
 
 /* w(theta) for the unit direction (c, s), and dw/dtheta. */
@@ -116,8 +115,8 @@ INLINE undulation_octave undulation_octave_of(const wood_constants *w, int o) {
 
 /* Octaves finer than the footprint are left out; p->lost is the variance that
  * went with them. */
-INLINE void undulation_add(const undulation_octave *q, vu own, vf y, vf footprint, stem_place *p,
-                           undulation_sum *u) {
+INLINE void undulation_add(const undulation_octave *q, vu own, vf y, vf footprint, noise_held *held,
+                           stem_place *p, undulation_sum *u) {
   if (q->idle) return;
   vf f = q->section, fy = q->axis;
   noise_stem ay = noise_split_axial(y * fy, HASH_Y);
@@ -137,7 +136,7 @@ INLINE void undulation_add(const undulation_octave *q, vu own, vf y, vf footprin
     p->lost = p->lost + q->variance * gone;
   }
   vf gx, gy, gz;
-  vf v = noise_axial3(&ax, &ay, &az, q->seed + own, &gx, &gy, &gz);
+  vf v = noise_axial3_held(&ax, &ay, &az, q->seed + own, held, &gx, &gy, &gz);
   u->n = u->n + a * v;
   gx = gx * (a * f);
   gz = gz * (a * f);

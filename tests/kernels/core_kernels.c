@@ -8,7 +8,7 @@
 #include "core/filter.h"
 #include "core/hash.h"
 #include "core/maths.h"
-#include "core/noise.h"
+#include "core/noise_held.h"
 #include "core/simd.h"
 
 #define STRING_(x) #x
@@ -113,6 +113,36 @@ CORE(noise_axial3_near, uint32_t cell = i / CELL_POINTS;
      noise_axis x = noise_split(WITHIN(0, cell), HASH_X), z = noise_split(WITHIN(2, 3), HASH_Z);
      noise_stem y = noise_split_axial(WITHIN(1, -2 * (int32_t)cell), HASH_Y); vf dx, dy, dz;
      OUT(0, noise_axial3(&x, &y, &z, splatu(cell *HASH_Z), &dx, &dy, &dz)); OUT(1, dx); OUT(2, dy);
+     OUT(3, dz);)
+/* Held from block to block: four times 64 points to a cell, the third of them anywhere. */
+#define HELD(name, ...)                                                                            \
+  static void run_##name(uint32_t count, const float *const *in, float *const *out) {              \
+    static noise_held held;                                                                        \
+    noise_held_none(&held);                                                                        \
+    for (uint32_t i = 0; i < count; i += LANES) {                                                  \
+      uint32_t group = i / CELL_POINTS, cell = group / 4;                                          \
+      vu seed = splatu(cell * HASH_Z), far = splatu(group % 4 == 2 ? 3 : 0);                       \
+      __VA_ARGS__                                                                                  \
+    }                                                                                              \
+  }
+#define ABOUT(k, cell) (WITHIN(k, cell) + to_float((vi)((vu)BITS(k) & far)))
+HELD(noise_axial1_twice, noise_stem y = noise_split_axial(ABOUT(0, cell), HASH_Y); vf n[2], dy[2];
+     noise_axial1_twice(&y, seed, CORE_SEED, &held, n, dy); OUT(0, n[0]); OUT(1, n[1]);
+     OUT(2, dy[0]); OUT(3, dy[1]);)
+HELD(noise_value1_thrice, noise_axis x = noise_split(ABOUT(0, cell), HASH_X); vf n[3], dx[3];
+     noise_value1_thrice(&x, seed, &held, n, dx); OUT(0, n[0]); OUT(1, n[1]); OUT(2, n[2]);
+     OUT(3, (dx[0] + dx[1]) + dx[2]);)
+HELD(noise_value2_held, noise_axis x = noise_split(ABOUT(0, cell), HASH_X),
+     z = noise_split(ABOUT(1, -5), HASH_Z);
+     vf dx, dz; OUT(0, noise_value2_held(&x, HASH_X, &z, HASH_Z, seed, &held, &dx, &dz));
+     OUT(1, dx); OUT(2, dz);)
+HELD(noise_axial2_held, noise_stem y = noise_split_axial(ABOUT(0, cell), HASH_Y);
+     noise_axis t = noise_split(ABOUT(1, 7), HASH_X); vf dy, dt;
+     OUT(0, noise_axial2_held(&y, &t, seed, &held, &dy, &dt)); OUT(1, dy); OUT(2, dt);)
+HELD(noise_axial3_held, noise_axis x = noise_split(ABOUT(0, cell), HASH_X),
+     z = noise_split(ABOUT(2, 3), HASH_Z);
+     noise_stem y = noise_split_axial(ABOUT(1, -2 * (int32_t)cell), HASH_Y); vf dx, dy, dz;
+     OUT(0, noise_axial3_held(&x, &y, &z, seed, &held, &dx, &dy, &dz)); OUT(1, dx); OUT(2, dy);
      OUT(3, dz);)
 CORE(noise_gradient3, vf g[3]; OUT(0, noise_gradient3(IN(0), IN(1), IN(2), (vu)BITS(3), g));
      OUT(1, g[0]); OUT(2, g[1]); OUT(3, g[2]);)

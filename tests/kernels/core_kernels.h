@@ -72,6 +72,11 @@ enum {
   X(noise_axial2, 3, 3, DOMAIN_LATTICE, DOMAIN_LATTICE, DOMAIN_BITS, 0)                            \
   X(noise_axial3, 4, 4, DOMAIN_LATTICE, DOMAIN_LATTICE, DOMAIN_LATTICE, DOMAIN_BITS)               \
   X(noise_axial3_near, 3, 4, DOMAIN_BITS, DOMAIN_BITS, DOMAIN_BITS, 0)                             \
+  X(noise_axial1_twice, 1, 4, DOMAIN_BITS, 0, 0, 0)                                                \
+  X(noise_value1_thrice, 1, 4, DOMAIN_BITS, 0, 0, 0)                                               \
+  X(noise_value2_held, 2, 3, DOMAIN_BITS, DOMAIN_BITS, 0, 0)                                       \
+  X(noise_axial2_held, 2, 3, DOMAIN_BITS, DOMAIN_BITS, 0, 0)                                       \
+  X(noise_axial3_held, 3, 4, DOMAIN_BITS, DOMAIN_BITS, DOMAIN_BITS, 0)                             \
   X(noise_gradient3, 4, 4, DOMAIN_LATTICE, DOMAIN_LATTICE, DOMAIN_LATTICE, DOMAIN_BITS)            \
   X(noise_gradient3_near, 3, 4, DOMAIN_BITS, DOMAIN_BITS, DOMAIN_BITS, 0)                          \
   X(noise_fractal3, 4, 4, DOMAIN_LATTICE, DOMAIN_LATTICE, DOMAIN_LATTICE, DOMAIN_EXTENT)           \

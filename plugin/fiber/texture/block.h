@@ -12,7 +12,7 @@
 
 /* Work of several blocks goes through a stage side by side: a stage waits for its own
  * results most of the time, and does not for another block's. */
-#define BLOCKS_TOGETHER (LANES == 1 ? 1 : 64 / LANES)
+#define BLOCKS_TOGETHER (LANES == 1 ? 1 : 32 / LANES)
 
 #ifdef __clang__
 #define ROLLED PRAGMA_(clang loop unroll(disable))

@@ -41,12 +41,12 @@ static __attribute__((noinline)) void wide_rings_grid(const wood_constants *w, v
       vf y = p[1] + splat((float)j - 0.5f * (float)(side - 1)) * part;
       stem_place q;
       undulation_sum u = undulation_none();
-      q.pith = pith_at(w, own, y);
+      q.pith = pith_at(w, own, y, NULL);
       q.lost = q.lost_slope = q.eye = zero;
       stem_about(x, z, &q);
       for (int o = 0; o < 2; o++) {
         undulation_octave octave = undulation_octave_of(w, o);
-        undulation_add(&octave, own, y, part, &q, &u);
+        undulation_add(&octave, own, y, part, NULL, &q, &u);
       }
       figure_add(w, own, y, part, splat(share) * k->extent, &q, &u);
       stem_rho(w, y, &u, &q);

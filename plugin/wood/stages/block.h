@@ -39,31 +39,71 @@ typedef struct {
   vf share;            /* 0..1: how far they stand in for the whole */
 } wide_rings;
 
+/* What blocks that follow one another mostly share: the cells of wide noises. */
+typedef struct {
+  noise_held pith, undulation[2], interlocked, slope[2], drift, sway;
+} wood_held;
+
+INLINE void wood_held_none(wood_held *h) {
+  noise_held *all = &h->pith;
+  for (size_t i = 0; i < sizeof *h / sizeof *all; i++) noise_held_none(&all[i]);
+}
+
 /* A place in a cross section of the stem. */
 typedef struct {
   vf c, s, x, z; /* direction from the pith; mm */
   footprint2 f;  /* over (arc, rho) there */
 } section_place;
 
+/* What is there for a few stages only shares its place with what comes after: less memory to go
+ * through. A point alone goes through them in another order. */
+#if LANES == 1
+#define BY_TURNS struct
+#else
+#define BY_TURNS union
+#endif
+
 /* A block of LANES points on its way through the stages. The stages run over a
  * few blocks each before the next begins, and are short: the blocks do not wait
  * for one another, and the processor sees far enough ahead to have the next one
  * begin while this one waits for its own results. */
 typedef struct {
-  uint32_t i, n;      /* the first point, and how many */
-  uint32_t o;         /* the first point, among those of the blocks on their way together */
+  uint32_t i, n; /* the first point, and how many */
+  uint32_t o;    /* the first point, among those of the blocks on their way together */
+  BY_TURNS {
+    undulation_sum undulation;
+    vf in_table; /* rho, within the table of rings */
+    struct {
+      noise_axis at; /* the year, for the grain's noises */
+      wave_phase wave;
+    };
+    fibre_sum bundle;
+    struct {
+      disc pore;
+      matrix2 seen; /* the footprint over (x, z) there */
+    };
+    struct {
+      ray_turn ray_from;
+      ray_cells ray_at;
+      vu ray_on;
+      ray_body ray_in;
+    };
+    struct {
+      vf exponent, strength, incident, rise, tilted, power; /* figure */
+      vf light[3];                                          /* log space */
+      vf streak, pigment;                                   /* share of minerals; depth of bands */
+      vf steep_strength, steep_power; /* of the lobe over the relief's steep part; over power */
+      vf past;                        /* of the light, what comes past the relief */
+    };
+  };
   vf p[3];            /* log space */
   vf nrm[3];          /* normal, log space */
   vf s;               /* footprint */
   vf up2, inverse_up; /* squared length of +y within the surface, its inverse root */
   stem_place stem;
-  undulation_sum undulation;
-  vf in_table; /* rho, within the table of rings */
   ring_place ring;
   vf years, divisor, phase;
-  vf extent;     /* mm, of the footprint along y */
-  noise_axis at; /* the year, for the grain's noises */
-  wave_phase wave;
+  vf extent; /* mm, of the footprint along y */
   grain_place grain;
   section_place section; /* in the reference section */
   vf radius;             /* mm: in either section */
@@ -75,37 +115,26 @@ typedef struct {
   vf b[3], bn;           /* row of the map from surface to rho; that along the normal */
   vf reach;              /* mm: rings_extent */
   vessel_bands bands;
-  disc pore;
-  matrix2 seen; /* the footprint over (x, z) there */
   vessel_cover_t vessels;
   int pores_parted, rows_parted; /* these have been looked up in parts */
-  fibre_sum bundle;
-  fibre_bundle strays;       /* by which vessels' bands do */
-  vf front_rho, front_reach; /* of latewood where it strays */
-  ring_place front_ring;     /* where that crosses a ring's end for any lane */
+  fibre_bundle strays;           /* by which vessels' bands do */
+  vf front_rho, front_reach;     /* of latewood where it strays */
+  ring_place front_ring;         /* where that crosses a ring's end for any lane */
   int crossed;
   vf shift;                     /* of brightness, a factor */
   vf between;                   /* of parenchyma, among a band's vessels, */
   int between_found;            /* if it has been */
   vf margin, tough, rest, soft; /* parenchyma; see stages/parenchyma.h */
   vf late, over_late, cover, ray, albedo[3];
-  vf exponent, strength, incident, rise, tilted, power; /* figure */
-  vf light[3];                                          /* log space */
-  vf streak, pigment;                                   /* share of minerals; depth of bands */
-  vf steep_strength, steep_power; /* of the lobe over the relief's steep part; over power */
-  const lost_slopes *lost;        /* of the relief, where it has one, */
-  vf past;                        /* and of the light, what comes past that */
-  ray_turn ray_from;
-  ray_cells ray_at;
-  vu ray_on;
-  ray_body ray_in;
-  int rays_gone; /* no lane asks for the last two */
+  const lost_slopes *lost; /* of the relief, where it has one */
+  int rays_gone;           /* no lane asks for the last two */
   canal_cover canal;
   vf cells, cell_contrast, lining; /* relative to the tissue's colour and the vessels' */
   vf ray_cells;                    /* and to the rays' */
   spalt_place spalt;
   wood_board board; /* where there are boards */
   knot_place *knot; /* where there are knots, else NULL */
+  wood_held *held;
   wide_rings *wide; /* where a footprint on veneer is wide, else NULL */
 } block;
 

@@ -31,8 +31,8 @@ INLINE void stage_drift(const wood_constants *w, int boards, block *k) {
   vf across, along, keep = splat(w->drift), one = splat(1.0f);
   vf extent = vmax(k->extent, k->s * splat(w->drift_frequency_radial * w->drift_length));
   if (filter_touches(extent, w->drift_length)) keep = keep * filter_keep(extent, w->drift_length);
-  vf n = noise_value2_near(&up, HASH_Y, &out, HASH_X, wood_seed(w, own_of(boards, k), SEED_DRIFT),
-                           &along, &across);
+  vf n = noise_value2_held(&up, HASH_Y, &out, HASH_X, wood_seed(w, own_of(boards, k), SEED_DRIFT),
+                           &k->held->drift, &along, &across);
   /* each board's is its own, and counts as much as the footprint lies on it */
   if (boards && w->boards.layout.kind != LAYOUT_NONE) keep = keep * k->board.unit.own;
   k->shift = k->shift * (one + keep * n);

@@ -29,13 +29,14 @@ INLINE void stage_wave(const wood_constants *w, block *k) {
 }
 
 INLINE void stage_interlocked(const wood_constants *w, int boards, block *k) {
-  interlocked_year q = grain_interlocked_year(w, own_of(boards, k), k->years);
+  interlocked_year q =
+      grain_interlocked_year(w, own_of(boards, k), k->years, &k->held->interlocked);
   grain_interlocked(w, &q, k->p[1], &k->grain);
   if (k->in.moved) bolt_interlocked(w, &q, &k->in);
 }
 
-INLINE void stage_grain_noise(const grain_octave *q, int boards, block *k) {
-  grain_noise(q, own_of(boards, k), k->p[1], &k->at, k->extent, &k->grain);
+INLINE void stage_grain_noise(const grain_octave *q, int boards, int o, block *k) {
+  grain_noise(q, own_of(boards, k), k->p[1], &k->at, k->extent, &k->held->slope[o], &k->grain);
 }
 
 #if LANES == 1

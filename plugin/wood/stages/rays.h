@@ -22,8 +22,8 @@ INLINE ray_place ray_place_here(int boards, const block *k) {
 }
 
 INLINE void stage_ray_turn(const wood_constants *w, int boards, block *k) {
-  k->ray_from =
-      ray_turn_of(w, own_of(boards, k), k->stem.rho, k->turn, k->p[1], k->stem.c, k->stem.s);
+  k->ray_from = ray_turn_of(w, own_of(boards, k), k->stem.rho, k->turn, k->p[1], k->stem.c,
+                            k->stem.s, &k->held->sway);
 }
 
 INLINE void stage_ray_shell(const wood_constants *w, int boards, block *k) {

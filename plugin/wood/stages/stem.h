@@ -13,7 +13,7 @@ INLINE void stage_pith(const wood_constants *w, int boards, block *k) {
 #if LANES == 1
   k->stem.pith = pith_alone(w, own_of(boards, k), k->p[1]);
 #else
-  k->stem.pith = pith_at(w, own_of(boards, k), k->p[1]);
+  k->stem.pith = pith_at(w, own_of(boards, k), k->p[1], &k->held->pith);
 #endif
   k->stem.lost = k->stem.lost_slope = k->stem.eye = splat(0.0f);
   k->undulation = undulation_none();
@@ -22,7 +22,8 @@ INLINE void stage_pith(const wood_constants *w, int boards, block *k) {
 INLINE void stage_about(block *k) { stem_about(k->p[0], k->p[2], &k->stem); }
 
 INLINE void stage_undulation(const undulation_octave *q, int boards, block *k) {
-  undulation_add(q, own_of(boards, k), k->p[1], k->s, &k->stem, &k->undulation);
+  undulation_add(q, own_of(boards, k), k->p[1], k->s, &k->held->undulation[q->o], &k->stem,
+                 &k->undulation);
 }
 
 INLINE void stage_figure(const wood_constants *w, int boards, block *k) {
