@@ -34,6 +34,17 @@ extern const wood_kernel KERNEL_NAME(wood_kernel_);
 /* restrict, from here on: what is stored is no constant, so that those are loaded before the
  * loops and not in them. */
 
+/* One layer of rays, after the turn. */
+INLINE void evaluate_rays(const wood_constants *restrict w, int boards, int layer,
+                          const wood_io *restrict io, block *blocks, uint32_t count) {
+  if (layer) EACH(stage_ray_again(w, &blocks[k]));
+  EACH(stage_ray_shell(w, boards, layer, &blocks[k]));
+  EACH(ray_cell_at(w, &blocks[k].ray_at));
+  EACH(stage_ray_seat(w, boards, layer, &blocks[k]));
+  EACH(stage_ray_body(w, boards, layer, &blocks[k]));
+  EACH(stage_rays(w, boards, layer, io, &blocks[k]));
+}
+
 #if LANES == 1
 /* For a point alone in another order: the chain from the turn through the rays is the longest,
  * and what does not wait for it stands between its steps, where the processor sees both. */
@@ -81,13 +92,13 @@ INLINE void evaluate_one(int boards, const wood_constants *restrict w, const woo
     if (want->bundle) stage_bundles(w, boards, k);
     if (want->bundle && w->drift > 0.0f) stage_drift(w, boards, k);
     if (rays) {
-      stage_ray_shell(w, boards, k);
+      stage_ray_shell(w, boards, 0, k);
       ray_cell_at(w, &k->ray_at);
     }
     if (w->has_front) stage_stray(w, k);
     stage_rings(w, boards, io, k);
   }
-  if (rays) stage_ray_seat(w, boards, k);
+  if (rays) stage_ray_seat(w, boards, 0, k);
   if (want->relief && w->bands.on) stage_bands(w, boards, k);
   if (want->vessel) {
     stage_vessel_parts(w, boards, k);
@@ -99,7 +110,7 @@ INLINE void evaluate_one(int boards, const wood_constants *restrict w, const woo
     } else {
       stage_pores(w, boards, k);
     }
-    if (rays) stage_ray_body(w, boards, k);
+    if (rays) stage_ray_body(w, boards, 0, k);
   }
   if (!want->relief) {
     if (want->lobe) stage_lobe(w, boards, io, k);
@@ -112,7 +123,10 @@ INLINE void evaluate_one(int boards, const wood_constants *restrict w, const woo
     stage_rows(w, boards, k);
     stage_cover(w, boards, io, k);
     if (w->parenchyma.on) stage_parenchyma(w, boards, io, k);
-    if (rays) stage_rays(w, boards, io, k);
+    if (rays) {
+      stage_rays(w, boards, 0, io, k);
+      if (w->ray_layers > 1) evaluate_rays(w, boards, 1, io, k, 1);
+    }
   }
 }
 #else
@@ -202,11 +216,8 @@ INLINE void evaluate_vessels(int boards, const wood_constants *restrict w,
   }
   if (w->has_rays) {
     EACH(stage_ray_turn(w, boards, &blocks[k]));
-    EACH(stage_ray_shell(w, boards, &blocks[k]));
-    EACH(ray_cell_at(w, &blocks[k].ray_at));
-    EACH(stage_ray_seat(w, boards, &blocks[k]));
-    EACH(stage_ray_body(w, boards, &blocks[k]));
-    EACH(stage_rays(w, boards, io, &blocks[k]));
+    evaluate_rays(w, boards, 0, io, blocks, count);
+    if (w->ray_layers > 1) evaluate_rays(w, boards, 1, io, blocks, count);
   }
 }
 

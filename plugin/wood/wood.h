@@ -308,6 +308,7 @@ typedef struct {
 
   /* rays */
   int32_t has_rays;
+  int32_t ray_layers;                      /* 2: as many as these say once more, between them */
   float ray_length, inverse_ray_length;    /* mm: of a shell */
   float ray_sectors, ray_sector_turn;      /* round the pith; radians of one */
   float ray_per_radius;                    /* cells to a sector, to a mm of its shell's radius */

@@ -129,6 +129,40 @@ static void counts(void **state) {
   }
 }
 
+/* Rays that have no room in one layer of cells stand in two, which know nothing of each other: as
+ * thick as asked for, and under a wide footprint as many as under points. */
+static void crowded(void **state) {
+  (void)state;
+  static const struct {
+    double density, height, width, tall, step;
+  } cases[] = {{0.6, 2.6, 230, 40, 0.03}, {0.1, 8.5, 370, 90, 0.06}};
+  for (int k = 0; k < 2; k++) {
+    char text[512];
+    snprintf(text, sizeof text, ROUND "ray_density=%g; ray_height=%g; ray_width=%g; ray_length=60",
+             cases[k].density, cases[k].height, cases[k].width);
+    sozai_texture *t = wood_make(NULL, text);
+    face f = {.r = 90, .wide = 400, .tall = cases[k].tall, .step = cases[k].step};
+    unroll(&f, t);
+    double cover = 0;
+    for (int at = 0; at < f.nx * f.ny; at++) cover += (double)f.ray[at] / f.nx / f.ny;
+    free(f.ray);
+    points p = {0};
+    points_add(&p, f.r, 0, 0, 60);
+    p.normal[0][0] = 1;
+    points_ask(&p, t);
+    double wide = p.out[RAY][0];
+    points_free(&p);
+    textures->destroy(t);
+    double broad = fmin(fmax((cases[k].height - 3) / 9, 0), 1), filled = (10 + 2 * broad) / 15;
+    double each =
+        0.5 * cases[k].density * cases[k].height * 1e-3 * cases[k].width * filled * 11 / 12;
+    double both = 2 * each - each * each;
+    CHECK(fabs(cover - both) < 0.1 * both && wide > 0.75 * both && wide < both,
+          "%g/mm2, %g by %g um: cover %.4f, %.4f from afar; %.4f wanted\n", cases[k].density,
+          cases[k].height, cases[k].width, cover, wide, both);
+  }
+}
+
 /* Half a millimetre along the fibre changes little of a ray 20 mm high, but for its
  * frayed edges. */
 static void carried(void **state) {
@@ -310,8 +344,9 @@ static void filtered(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(counts),    cmocka_unit_test(carried),
-                                     cmocka_unit_test(ribbons),   cmocka_unit_test(columns),
-                                     cmocka_unit_test(end_grain), cmocka_unit_test(filtered)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(counts),  cmocka_unit_test(crowded),
+                                     cmocka_unit_test(carried), cmocka_unit_test(ribbons),
+                                     cmocka_unit_test(columns), cmocka_unit_test(end_grain),
+                                     cmocka_unit_test(filtered)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

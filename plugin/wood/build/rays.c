@@ -11,20 +11,32 @@
 #define RAYS_ONE 20.0
 #define RAYS_ONE_BROAD 40.0
 
+/* Of a cell's arc, that a ray's middle keeps from its edge. */
+#define RAY_ROOM 0.329
+
+/* Rays that are so many times as thick as has room in one layer of cells stand in two. */
+#define RAY_CROWDED 1.25
+
 /* mm: most of a cell's width, by which its rows begin and end unevenly */
 #define RAY_RAGGED 0.009
 
-/* How thick they are: within a cell of `arc`, whatever it was asked for: 0.33 to each side of
- * where they may stand, for 1.3 times the mean, unevenly. Returns half the mean, mm. */
+/* Half the mean thickness that has room in a cell of `arc`: 0.33 to each side of where rays may
+ * stand, for 1.3 times the mean, unevenly. */
+static double thickness_most(double half, double arc, double uneven) {
+  double ragged = limited(RAY_RAGGED / half, 0.0, 0.35);
+  double most = 1.3 * (1.0 + uneven) * (1.0 + ragged), room = RAY_ROOM / most;
+  return (room < 0.2 ? room : 0.2) * arc;
+}
+
+/* How thick they are: no more than has room. Returns half the mean, mm. */
 static double build_thickness(wood_constants *w, double half, double arc, double uneven) {
-  double room = 0.329, ragged = limited(RAY_RAGGED / half, 0.0, 0.35);
-  double most = 1.3 * (1.0 + uneven) * (1.0 + ragged);
-  if (half > 0.2 * arc) half = 0.2 * arc;
-  if (half > room / most * arc) half = room / most * arc;
+  double ragged = limited(RAY_RAGGED / half, 0.0, 0.35);
+  double most = thickness_most(half, arc, uneven);
+  if (half > most) half = most;
   w->ray_half = (float)half;
   w->ray_ragged = (float)ragged;
-  w->ray_room = (float)room;
-  w->ray_thickest = (float)(most * half);
+  w->ray_room = (float)RAY_ROOM;
+  w->ray_thickest = (float)(1.3 * (1.0 + uneven) * (1.0 + ragged) * half);
   return half;
 }
 
@@ -43,16 +55,19 @@ void wood_build_rays(wood_constants *w, const settings *s) {
   double width = 1e-3 * number_at(s, P_RAY_WIDTH), length = number_at(s, P_RAY_LENGTH);
   w->has_rays = density > 0.0;
   if (!w->has_rays) return;
+  /* broad rays are uneven: fibres pass between their cells */
+  double broad = limited((height - 3.0) / 9.0, 0.0, 1.0), uneven = 0.55 * broad;
   /* a cell holds the tallest, one and a half times the mean, with some to spare;
    * a radius meets three quarters of the rays */
   double cell = 1.65 * height, arc = 0.75 / (density * cell);
+  w->ray_layers = 0.5 * width > RAY_CROWDED * thickness_most(0.5 * width, arc, uneven) ? 2 : 1;
+  density /= w->ray_layers;
+  arc *= w->ray_layers;
   w->ray_length = (float)length;
   w->inverse_ray_length = (float)(1.0 / length);
   w->inverse_ray_arc = (float)(1.0 / arc);
   w->inverse_ray_cell = (float)(1.0 / cell);
   w->ray_tall = (float)(0.5 * height / cell);
-  /* broad rays are uneven: fibres pass between their cells */
-  double broad = limited((height - 3.0) / 9.0, 0.0, 1.0), uneven = 0.55 * broad;
   w->ray_uneven = (float)uneven;
   /* a footprint with few of them in it is not one with their mean */
   w->ray_sides = broad > 0.5 ? 2 : 1;

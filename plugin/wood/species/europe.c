@@ -371,7 +371,7 @@ static const sozai_value values_plane[] = {
     NUMBER("heartwood_years", 80.0),
     NUMBER("heartwood_edge", INDISTINCT),
     NUMBER("specular", 0.07),
-    RAYS(0.3, 2.6, 230.0, 60.0),
+    RAYS(0.6, 2.6, 230.0, 60.0),
     SRGB("ray_colour", 195, 148, 109),
     AGED(182, 136, 92, 4.0),
     FIBRES(20.0, 520.0),

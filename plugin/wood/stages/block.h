@@ -87,6 +87,8 @@ typedef struct {
       ray_cells ray_at;
       vu ray_on;
       ray_body ray_in;
+      vf ray_first; /* of the first layer where there are two: ray_in.a, */
+      vu ray_first_on;
     };
     struct {
       vf exponent, strength, incident, rise, tilted, power; /* figure */

@@ -20,7 +20,7 @@ INLINE void stage_cells(const wood_constants *w, int boards, block *k) {
   k->lining = splat(0.0f);
   k->ray_cells = splat(0.0f);
   if (w->has_rays && !k->rays_gone && any(gt(k->ray, splat(0.0f)))) {
-    ray_place p = ray_place_here(boards, k);
+    ray_place p = ray_place_here(boards, 0, k);
     vf far, fade = rays_fade(w, &p, &far); /* what is expected of rays has no cells */
     k->ray_cells = (splat(1.0f) - fade) * cells_ray(w, &p, k->ray_on, &k->ray_in, &face);
   }
