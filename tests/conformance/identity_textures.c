@@ -71,6 +71,22 @@ static int make_woods(void) {
   return r;
 }
 
+/* Rays in two layers, and the cells in them. */
+static int make_crowded(void) {
+  static const char *const presets[] = {"plane", "silky_oak"};
+  static const char *const cuts[] = {"quarter", "flat", "end"};
+  int r = 0;
+  for (uint32_t i = 0; !r && i < 6; i++) {
+    const sozai_value values[] = {
+        {.id = "cut", .kind = SOZAI_KIND_CHOICE, .text = cuts[i % 3u]},
+        {.id = "cell_contrast", .kind = SOZAI_KIND_FLOAT, .number = {0.7}},
+        {.id = "tree", .kind = SOZAI_KIND_TEXT, .text = trees[i % 2u ? 3 : 0]},
+        {.id = "log_height", .kind = SOZAI_KIND_FLOAT, .number = {2000}}};
+    r = make("wood", presets[i / 3u], values, sizeof values / sizeof *values);
+  }
+  return r;
+}
+
 /* Each way of finding a unit, with everything that a layout can have. */
 static int make_layouts(void) {
   static const char *const layouts[] = {"strip",   "herringbone", "versailles", "hexagon",
@@ -165,6 +181,7 @@ static int make_all(void) {
   texture_count = 0;
   int r = make_woods();
   if (!r) r = make_layouts();
+  if (!r) r = make_crowded();
   wood_count = texture_count;
   if (!r) r = make_stones();
   stone_count = texture_count - wood_count;
