@@ -86,9 +86,10 @@ INLINE vf noise_value1(const noise_axis *x, vu seed, vf *dx) {
 
 /* Value noise in two dimensions, within +-HASH_ONE. */
 INLINE vf noise_value2(const noise_axis *x, const noise_axis *z, vu seed, vf *dx, vf *dz) {
-  vu s0 = z->low + seed, s1 = z->high + seed;
-  vf a = hash_signed(x->low + s0), b = hash_signed(x->high + s0) - a;
-  vf c = hash_signed(x->low + s1), d = hash_signed(x->high + s1) - c;
+  /* one sum and three steps, which are constants, to the corners */
+  vu s = x->low + z->low + seed, right = x->high - x->low, up = z->high - z->low;
+  vf a = hash_signed(s), b = hash_signed(s + right) - a;
+  vf c = hash_signed(s + up), d = hash_signed(s + (right + up)) - c;
   vf p = a + b * x->w, q = c + d * x->w - p;
   *dx = mix(b, d, z->w) * x->dw;
   *dz = q * z->dw;
