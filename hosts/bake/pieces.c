@@ -196,14 +196,20 @@ static bool append(pieces *p, const header *h, const void *pixels) {
          fflush(p->writing) == 0;
 }
 
+static bool has_any(const pieces *p) {
+  for (uint64_t i = 0; i < p->unit_count; i++)
+    if (p->units[i].journal) return true;
+  return false;
+}
+
 bool pieces_add(pieces *p, uint64_t unit, const void *pixels, uint64_t bytes, failure *why) {
   header h = {.magic = MAGIC, .unit = unit, .bytes = bytes};
   h.check = checksum_bytes(begin_check(&h), pixels, (size_t)bytes);
   if (!append(p, &h, pixels)) {
     int error = errno;
     if (ftruncate(fileno(p->writing), (off_t)p->written) != 0) error = errno;
-    return fail(why, EXIT_FAILURE, "cannot write to %s: %s; what is done is kept, --resume goes on",
-                p->folder, strerror(error));
+    return fail(why, EXIT_FAILURE, "cannot write to %s: %s; %s", p->folder, strerror(error),
+                has_any(p) ? "what is done is kept, --resume goes on" : "nothing is done yet");
   }
   p->units[unit] = (piece){p->reading_index + 1, p->written + sizeof h, bytes};
   p->written += sizeof h + bytes;

@@ -113,15 +113,24 @@ check "a damaged journal" cmp one.exr damaged.exr
 
 # ---- a full disk: here a limit on the size of files -----------------------------------------------
 (
-  ulimit -f 100
+  ulimit -f $((2 * bytes / 3 / 1024))
   exec "$sozai" "${exr[@]}" -o full.exr 2>full.txt
 )
 same "a full disk" 1 $?
 same "in one line" 1 "$(grep -c '' full.txt)"
-check "that says so: $(cat full.txt)" grep -q 'cannot write.*full.exr.bake.*too large.*--resume' full.txt
+check "that says so: $(cat full.txt)" grep -q 'cannot write.*full.exr.bake.*too large; what is done is kept.*--resume' full.txt
 check "no picture" test ! -e full.exr
 works "${exr[@]}" -o full.exr --resume
 check "and on" cmp one.exr full.exr
+(
+  ulimit -f 4
+  exec "$sozai" "${exr[@]}" -o none.exr 2>full.txt
+)
+same "a disk that is full from the first on" 1 $?
+same "in one line" 1 "$(grep -c '' full.txt)"
+check "that promises nothing: $(cat full.txt)" grep -q 'cannot write.*too large; nothing is done yet' full.txt
+works "${exr[@]}" -o none.exr
+check "and anew" cmp one.exr none.exr
 works "${exr[@]}" -o end.exr --shard 1/1
 (
   ulimit -f $(($(stat -c %s one.exr) / 2048))
