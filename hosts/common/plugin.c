@@ -62,11 +62,14 @@ static bool open_found(plugin *p, const char *library, failure *why) {
   return true;
 }
 
-bool plugin_open(plugin *p, failure *why) { return open_found(p, NULL, why); }
-
 bool plugin_open_beside(plugin *p, const char *library, failure *why) {
-  return open_found(p, library, why);
+  if (open_found(p, library, why)) return true;
+  const char *asked = getenv("SOZAI_PLUGIN");
+  if (asked && *asked) why->exit_code = EXIT_BAD_INPUT;
+  return false;
 }
+
+bool plugin_open(plugin *p, failure *why) { return plugin_open_beside(p, NULL, why); }
 
 void plugin_close(plugin *p) {
   if (p->entry) p->entry->deinit();

@@ -250,6 +250,7 @@ static int exit_code_of(int32_t result) {
   case SOZAI_ERROR_LIMIT:
   case SOZAI_ERROR_FILE:
   case SOZAI_ERROR_COLOUR:
+  case SOZAI_ERROR_UNSUPPORTED: /* an instruction set, by SOZAI_CPU */
     return EXIT_BAD_INPUT;
   default:
     return EXIT_FAILURE;

@@ -30,7 +30,7 @@ refuses 2 "wood" wood
 refuses 2 "--filter" --filter
 refuses 2 "--filter|(|" --filter '('
 refuses 2 "no such entry" --filter 'no such entry'
-SOZAI_PLUGIN=$scratch/none.so refuses 1 "none.so" --quick --filter create
+SOZAI_PLUGIN=$scratch/none.so refuses 2 "none.so" --quick --filter create
 
 works --quick --json --filter '^wood\.(full\.batch1024|full\.batch1|time.*|create|load|load_alone)$'
 check "it is JSON" "$json_check" "$scratch/out"

@@ -27,6 +27,7 @@ same "rows" 4 "$(wc -l <"$scratch/out")"
 
 refuses 2 "ring_width|-1|0.2|30" eval wood -p ring_width=-1 <<<"$header"
 refuses 2 "ring_widht" eval wood -p ring_widht=1 <<<"$header"
+SOZAI_CPU=z80 refuses 2 "SOZAI_CPU|z80|scalar" eval wood <<<"$header"
 refuses 2 "none.ocio" eval wood --config "$scratch/none.ocio" <<<"$header"
 refuses 2 "nope" render wood --view nope -o "$scratch/x.png"
 check "no picture of it" test ! -e "$scratch/x.png"

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # refused.sh SOZAI FOLDER SCRATCH
 # A plugin that cannot be used is refused with a line that says why, and exit
-# code 1: a missing file, no library, one of another ABI, one that does not
+# code 2: a missing file, no library, one of another ABI, one that does not
 # initialise, one without textures, one without an entry.
 set -uo pipefail
 readonly sozai=$1 folder=$2 scratch=$3
@@ -16,8 +16,8 @@ refused() { # plugin, words that the message must hold
   message=$(SOZAI_PLUGIN=$plugin "$sozai" list 2>&1 >"$scratch/out")
   code=$?
   echo "$message"
-  if ((code != 1)) || [[ -s $scratch/out || $message == *$'\n'* ]]; then
-    echo "FAILED: exit code $code, wanted 1, one line, and no output"
+  if ((code != 2)) || [[ -s $scratch/out || $message == *$'\n'* ]]; then
+    echo "FAILED: exit code $code, wanted 2, one line, and no output"
     failures=1
   fi
   for word in "$plugin" "$@"; do
