@@ -129,7 +129,7 @@ typedef struct {
   vf margin, tough, rest, soft; /* parenchyma; see stages/parenchyma.h */
   vf late, over_late, cover, ray, albedo[3];
   const lost_slopes *lost; /* of the relief, where it has one */
-  int rays_gone;           /* no lane asks for the last two */
+  int rays_gone;           /* no lane asks for ray_on and ray_in */
   canal_cover canal;
   vf cells, cell_contrast, lining; /* relative to the tissue's colour and the vessels' */
   vf ray_cells;                    /* and to the rays' */
