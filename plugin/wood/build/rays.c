@@ -20,23 +20,28 @@
 /* mm: most of a cell's width, by which its rows begin and end unevenly */
 #define RAY_RAGGED 0.009
 
-/* Half the mean thickness that has room in a cell of `arc`: 0.33 to each side of where rays may
- * stand, for 1.3 times the mean, unevenly. */
+/* By how much the rows of its cells make a ray thicker and thinner. */
+static double ragged_of(double half) { return limited(RAY_RAGGED / half, 0.0, 0.35); }
+
+/* The thickest over the mean. */
+static double thickest_of(double half, double uneven) {
+  return 1.3 * (1.0 + uneven) * (1.0 + ragged_of(half));
+}
+
+/* Half the mean thickness that has room in a cell of `arc`. */
 static double thickness_most(double half, double arc, double uneven) {
-  double ragged = limited(RAY_RAGGED / half, 0.0, 0.35);
-  double most = 1.3 * (1.0 + uneven) * (1.0 + ragged), room = RAY_ROOM / most;
+  double room = RAY_ROOM / thickest_of(half, uneven);
   return (room < 0.2 ? room : 0.2) * arc;
 }
 
 /* How thick they are: no more than has room. Returns half the mean, mm. */
 static double build_thickness(wood_constants *w, double half, double arc, double uneven) {
-  double ragged = limited(RAY_RAGGED / half, 0.0, 0.35);
-  double most = thickness_most(half, arc, uneven);
+  double most = thickness_most(half, arc, uneven), thickest = thickest_of(half, uneven);
+  w->ray_ragged = (float)ragged_of(half);
   if (half > most) half = most;
   w->ray_half = (float)half;
-  w->ray_ragged = (float)ragged;
   w->ray_room = (float)RAY_ROOM;
-  w->ray_thickest = (float)(1.3 * (1.0 + uneven) * (1.0 + ragged) * half);
+  w->ray_thickest = (float)(thickest * half);
   return half;
 }
 
