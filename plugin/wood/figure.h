@@ -10,7 +10,7 @@
  *   quilt  pillows with creases between them: u = a (sqrt(n^2 + e^2) - e), n a
  *          gradient noise; the creases are where it changes sign
  *   eyes   dimples that go on through the years: towards the pith by
- *          h ((1 - q)^3 + (1 - 4 q)^3) / 2, where these are positive, q the square
+ *          h (1 - q)^3, where that is positive, q the square
  *          of the distance from a radial line, over R^2, in an oblique ellipse.
  *          They stand in cells of (theta, y) within shells of r, as rays do.
  */

@@ -36,10 +36,10 @@ INLINE eye_shape eye_shape_of(vu h, vf x, vf y) {
 INLINE vf eye_widened(vf r2, vf s2) { return r2 + splat(0.6667f) * s2; }
 
 /* How dark an eye is, 0 to 1: an outline, half a radius off, and a pin in the middle. square: of
- * the distance from the middle; side: of the outline, a factor, mean 1; r2: the radius'; s2: the
- * footprint's side's. A small footprint widens the outline, a wide one fills it: a disc of the
- * outline's variance, which is an eighth of the radius' square, and a square's twelfth. What it
- * has in all stays. */
+ * the distance from the middle; side: of the outline, a factor, mean 1; r2: that radius', which is
+ * less than the dimple's; s2: the footprint's side's. A small footprint widens the outline, a wide
+ * one fills it: a disc of the outline's variance, which is an eighth of the radius' square, and a
+ * square's twelfth. What it has in all stays. */
 INLINE vf eye_outline(vf square, vf side, vf r2, vf s2) {
   vf one = splat(1.0f), zero = splat(0.0f);
   vf wide = eye_widened(r2, s2), q = square / wide;
@@ -183,7 +183,7 @@ INLINE vf eye_dark(const wood_constants *w, const eye_cell *cell, const eye_plac
            splat(2.0f * WOOD_EYE_DARKS / 255.0f) * to_float((vi)(cell->g >> 2 & splatu(255u)));
   vf per = inverse_root(e->r2);
   eye_shape shape = eye_shape_of(hash_mix(cell->g ^ splatu(HASH_Y)), e->a * per, e->b * per);
-  vf dark = eye_outline(shape.square * e->r2, shape.side, e->r2, s2);
+  vf dark = eye_outline(shape.square * e->r2, shape.side, splat(WOOD_EYE_RIM) * e->r2, s2);
   return vmin(eyes_told(w, footprint) * dark * grown * own, splat(1.0f));
 }
 
@@ -201,10 +201,9 @@ INLINE void figure_eyes(const wood_constants *w, vu own, int layer, vf y, vf foo
     keep = filter_keep(footprint, 2.0f * w->eye_radius);
   }
   vf depth = sel(there, splat(w->eye_depth) * e.radius * keep, zero);
-  vf left = vmax(one - e.q, zero), core = vmax(one - splat(4.0f) * e.q, zero);
-  vf left2 = left * left, core2 = core * core;
-  vf dent = depth * splat(0.5f) * (left2 * left + core2 * core);
-  vf fall = splat(3.0f) * depth * (left2 + splat(4.0f) * core2) * age / e.r2;
+  vf left = vmax(one - e.q, zero), left2 = left * left;
+  vf dent = depth * left2 * left;
+  vf fall = splat(6.0f) * depth * left2 * age / e.r2;
   vf along = fall * e.a, out_r = along * e.turned - dent * age_r;
   vf dark = eye_dark(w, &cell, &e, age, footprint, s2);
   p->eye = vmax(p->eye, sel(there, dark, zero));

@@ -301,7 +301,8 @@ static const sozai_parameter eye_density = {
 static const sozai_parameter eye_diameter = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "eye_diameter", .label = "Eye diameter", .group = "grain", .unit = "mm",
-   .doc = "Of a bird's eye, across the stem, the mean; from 0.35 to 1.5 times as much.",
+   .doc = "Of a bird's eye's dimple, across the stem, the mean; from 0.35 to 1.5 times as much. Its stain is half "
+   "as wide.",
    .hard_min = 0.3, .hard_max = 40, .soft_min = 1, .soft_max = 8, .default_number = {3.5}};
 
 static const sozai_parameter eye_depth = {

@@ -26,8 +26,9 @@
 #include "surface/surface.h"
 
 #define WOOD_EYE_LONG 1.25f  /* a bird's eye along the stem, to a width of 1 */
+#define WOOD_EYE_RIM 0.28f   /* the square of what is stained to its dimple's, across */
 #define WOOD_EYE_PIN 0.6f    /* how dark its middle is, to its outline; */
-#define WOOD_EYE_DARK 0.68f  /* of the darkest there might be, on both sides alike, in the mean, */
+#define WOOD_EYE_DARK 0.76f  /* of the darkest there might be, on both sides alike, in the mean, */
 #define WOOD_EYE_DARKS 0.22f /* and how far from that */
 #define WOOD_EYE_MEAN (4.0f / 15.0f + WOOD_EYE_PIN / 20.0f) /* and both in the mean over it */
 #define WOOD_RINGS 256                                      /* rings before the table repeats */

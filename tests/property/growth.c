@@ -247,9 +247,9 @@ static void eyes_are_as_many_as_asked_for(void **state) {
         for (int k = 0; k < 8; k++)
           deepest &= year[at] > year[beside[k]] || (year[at] == year[beside[k]] && at < beside[k]);
         found += deepest;
-        /* a quarter of the mean eye's width up and down */
-        if (deepest && at >= 2 * nx && at < nx * (ny - 2))
-          outline += 0.5 * (double)(shade[at - 2 * nx] + shade[at + 2 * nx]);
+        /* an eighth of the mean eye's width up and down */
+        if (deepest && at >= nx && at < nx * (ny - 1))
+          outline += 0.5 * (double)(shade[at - nx] + shade[at + nx]);
         else
           outline += deepest * (double)shade[at];
       }
@@ -279,14 +279,13 @@ static void eyes_are_as_many_as_asked_for(void **state) {
       free(stack);
     }
     textures->destroy(t);
-    /* a tenth of the depth lies where (1 - q)^3 + (1 - 4q)^3 is a fifth: at 0.64 of
-     * the radius */
+    /* a tenth of the depth lies where (1 - q)^3 is a tenth: at 0.73 of the radius */
     print_message("%g/cm2 of %g mm: %.0f eyes, %.0f wanted; %.2f mm across at a tenth\n",
                   cases[k].density, cases[k].diameter, found, want, width / pieces);
     double darker = 1 - outline / found * places / all;
     CHECK(darker > 0.05, "their outlines reflect %.3f less than the wood\n", darker);
     assert_true(fabs(found - want) < 3 * sqrt(want) + 0.03 * want);
-    assert_true(fabs(width / pieces - 0.64 * cases[k].diameter) < 0.15 * cases[k].diameter);
+    assert_true(fabs(width / pieces - 0.73 * cases[k].diameter) < 0.15 * cases[k].diameter);
   }
 }
 

@@ -78,7 +78,7 @@ static int32_t build_eyes(wood_constants *w, const settings *s) {
   /* in the mean over a face: the layers' radii squared are 1.07 of the mean's, eyes nine
    * tenths grown; to 0.68 the cells' edges cut, as the filter's test found */
   const double eyes = 0.68 * (double)WOOD_EYE_DARK;
-  double area = 3.14159265 * WOOD_EYE_LONG * eyes * w->eye_radius * w->eye_radius;
+  double area = 3.14159265 * WOOD_EYE_LONG * WOOD_EYE_RIM * eyes * w->eye_radius * w->eye_radius;
   w->eye_mean = (float)(0.01 * density * area * WOOD_EYE_MEAN);
   w->eye_cell = (float)cell;
   w->inverse_eye_cell = (float)(1.0 / cell);

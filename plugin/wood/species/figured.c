@@ -41,7 +41,8 @@ static const sozai_value values_birdseye_maple[] = {
     LATEWOOD(0.06, 0.7),
     NUMBER("slope_noise", 0.03),
     NUMBER("slope_noise_length", 45.0),
-    EYES(1.0, 3.4, 0.2, 70.0),
+    QUILT(0.05, 18.0, 14.0),
+    EYES(1.1, 5.2, 0.25, 70.0),
     LUSTRE(0.04),
     MAPLE_TISSUE,
 };

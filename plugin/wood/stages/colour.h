@@ -13,7 +13,7 @@
 #include "pigment.h"
 #include "spalt.h"
 
-#define EYE_STAIN 0.27f /* of what latewood reflects, what the outline of a bird's eye does not */
+#define EYE_STAIN 0.3f /* of what latewood reflects, what the outline of a bird's eye does not */
 
 /* Shares of early- and latewood, times how bright their fibres are. */
 typedef struct {
