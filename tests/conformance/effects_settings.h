@@ -40,7 +40,7 @@ static const setting settings[] = {
     {"wood", "sugi", "construction=lvl"},
     {"wood", "onigurumi", "cut=flat"},
     {"wood", "onigurumi", "heartwood_years=20"},
-    {"wood", "birdseye_maple", "cut=flat"},
+    {"wood", "birdseye_maple", "cut=flat; eye_depth=0.2"},
     {"wood", "spalted_beech", "cut=flat"},
     {"wood", "karamatsu", "cut=flat"},
     {"wood", "makaba", "cut=flat"},
