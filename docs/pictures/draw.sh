@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # draw.sh [FOLDER] [PICTURE...]: pictures of these pages, by the command. FOLDER: the script's
-# own, unless given. PICTURE: stones, fibres, log, and of a whole gallery gallery, figured, plies,
+# own, unless given. PICTURE: stones, fibres, log, barks, and of a whole gallery gallery, figured, plies,
 # knots, layouts and trees; none: all. SOZAI: the program, unless build/bin/sozai.
 # Blender's: hosts/blender/examples/draw.sh.
 set -euo pipefail
@@ -73,6 +73,24 @@ draw_log() {
   cp "$scratch/log/log.png" "$folder/log.png"
 }
 
+# Akamatsu, kuromatsu, sugi, hinoki; Douglas fir, mizunara, keyaki, shirakaba: their feet
+draw_barks() {
+  local number=0 species age zoom
+  while read -r species age zoom; do
+    "$sozai" grow tree --species "$species" --age "$age" -p foliage=none -p orders=1 \
+      --camera 25,2,20 --target 0,900,0 --zoom "$zoom" --res 300x400 --spp 32 \
+      -o "$scratch/bark$((number += 1)).png"
+  done <<<'akamatsu 60 16
+kuromatsu 60 16
+sugi 60 18
+hinoki 60 18
+douglas_fir 80 14
+mizunara 90 16
+keyaki 90 12
+shirakaba 60 18'
+  oiiotool "$scratch"/bark{1,2,3,4,5,6,7,8}.png --mosaic 4x2 "${untold[@]}" -d uint8 -o "$folder/barks.png"
+}
+
 # Sheets of the whole gallery, as they are there but for figured.
 draw_sheet() {
   [[ -d $scratch/gallery ]] || "$sozai" gallery --all -o "$scratch/gallery"
@@ -85,13 +103,13 @@ draw_sheet() {
 }
 
 names=("$@")
-(($#)) || names=(stones fibres log gallery figured plies knots layouts trees)
+(($#)) || names=(stones fibres log barks gallery figured plies knots layouts trees)
 for name in "${names[@]}"; do
   case $name in
-    stones | fibres | log) "draw_$name" ;;
+    stones | fibres | log | barks) "draw_$name" ;;
     gallery | figured | plies | knots | layouts | trees) draw_sheet "$name" ;;
     *)
-      echo "no picture $name: stones, fibres, log, gallery, figured, plies, knots, layouts or trees" >&2
+      echo "no picture $name: stones, fibres, log, barks, gallery, figured, plies, knots, layouts or trees" >&2
       exit 1
       ;;
   esac

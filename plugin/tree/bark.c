@@ -69,9 +69,13 @@ static float between(float age, float from, float to) {
   return s * s * (3.0f - 2.0f * s);
 }
 
+float bark_old(const tree_plan *p, float age) {
+  return between(age, p->rhytidome_from, p->rhytidome_age);
+}
+
 void bark_colour(const tree_plan *p, float age, float out[3]) {
   float grown = between(age, 0.0f, p->periderm_age);
-  float old = between(age, p->rhytidome_from, p->rhytidome_age);
+  float old = bark_old(p, age);
   for (int c = 0; c < 3; c++) {
     float shoot = p->colours[COLOUR_SHOOT][c], bark = p->colours[COLOUR_BARK][c];
     float now = shoot + grown * (bark - shoot);

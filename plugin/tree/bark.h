@@ -26,6 +26,8 @@ float bark_year(const bark_growth *g, float along);
 /* The bark's age at each node. A dead branch's grows no older. */
 void bark_ages(const tree *t, const tree_branch *b, float *out);
 
+/* How much of bark so many years old is rhytidome, 0 to 1. */
+float bark_old(const tree_plan *p, float age);
 /* Of bark so many years old: sRGB, display-referred. */
 void bark_colour(const tree_plan *p, float age, float out[3]);
 

@@ -21,7 +21,7 @@
 static const sozai_generator_info *describe(void) {
   static sozai_generator_info info = {
       .size = sizeof(sozai_generator_info),
-      .revision = 8,
+      .revision = 9,
       .id = "tree",
       .label = "Tree",
       .doc = "A tree grown year by year, or measured: stem, branches, shoots and leaves, and the "

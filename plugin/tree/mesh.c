@@ -72,11 +72,12 @@ int32_t tree_mesh(const tree *t, const sozai_host *host, uint32_t level, mesh_bl
   uint64_t points = 0, triangles = 0;
   tube_shape tube;
   leaf_shape leaf;
+  mesh_pen pen = {.bark = furrows_of(&t->plan)};
   int32_t r = host_progress(host, 0.0, "making the mesh");
   if (r) return r;
   for (uint32_t i = 0; i < t->branch_count; i++) {
     uint64_t p, n;
-    if (!tube_shape_of(t, i, level, &tube)) continue;
+    if (!tube_shape_of(t, &pen.bark, i, level, &tube)) continue;
     tube_size(&tube, &p, &n);
     points += p;
     triangles += n;
@@ -86,10 +87,10 @@ int32_t tree_mesh(const tree *t, const sozai_host *host, uint32_t level, mesh_bl
   mesh_block *m =
       mesh_block_make(host, points + leaves * leaf.points, triangles + leaves * leaf.triangles, 1);
   if (!m) return points >> 32 ? SOZAI_ERROR_UNSUPPORTED : SOZAI_ERROR_MEMORY;
-  mesh_pen pen = {.mesh = m};
+  pen.mesh = m;
   uint64_t ends[3] = {0, 0, 0};
   for (uint32_t i = 0; !r && i < t->branch_count; i++) {
-    if (tube_shape_of(t, i, level, &tube)) tube_write(&pen, t, i, &tube);
+    if (tube_shape_of(t, &pen.bark, i, level, &tube)) tube_write(&pen, t, i, &tube);
     if (i + 1 == t->stems) ends[0] = pen.triangle;
     if (++done % REPORT_EACH == 0)
       r = host_progress(host, (double)done / (double)work, "making the mesh");
@@ -139,7 +140,7 @@ int32_t tree_curves(const tree *t, const sozai_host *host, uint32_t level, curve
   int32_t r = host_progress(host, 0.0, "making curves");
   if (r) return r;
   for (uint32_t i = 0; i < t->branch_count; i++) {
-    if (!tube_shape_of(t, i, level, &tube)) continue;
+    if (!tube_shape_of(t, NULL, i, level, &tube)) continue;
     curves++;
     points += strided(t->branches[i].nodes, tube.stride);
   }
@@ -149,7 +150,7 @@ int32_t tree_curves(const tree *t, const sozai_host *host, uint32_t level, curve
   if (!c) return SOZAI_ERROR_MEMORY;
   uint64_t curve = 0, point = 0, ends[3] = {0, 0, 0};
   for (uint32_t i = 0; i < t->branch_count; i++) {
-    if (tube_shape_of(t, i, level, &tube)) {
+    if (tube_shape_of(t, NULL, i, level, &tube)) {
       write_curve(c, curve++, &point, t, tube.stride, i);
     }
     if (i + 1 == t->stems) ends[0] = curve;

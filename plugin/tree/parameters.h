@@ -96,7 +96,13 @@
  X3(RHYTIDOME_COLOUR, "rhytidome_colour", "Old bark", "colour", 0.38, 0.31, 0.27, "Of bark that is rhytidome, dead outer bark, from rhytidome_age on: of an old stem's foot.") \
  N(PERIDERM_AGE, "periderm_age", "Age of periderm", "colour", "years", 0, 100, 1, 20, 5, "Years until a shoot's skin has given way to periderm and bark has bark_colour.") \
  N(RHYTIDOME_FROM, "rhytidome_from", "Onset of rhytidome", "colour", "years", 0, 1000, 1, 100, 12, "Years until bark begins to turn from bark_colour to rhytidome_colour.") \
- N(RHYTIDOME_AGE, "rhytidome_age", "Age of rhytidome", "colour", "years", 0, 1000, 1, 200, 45, "Years until it has; before rhytidome_from: it turns all at once.")
+ N(RHYTIDOME_AGE, "rhytidome_age", "Age of rhytidome", "colour", "years", 0, 1000, 1, 200, 45, "Years until it has; before rhytidome_from: it turns all at once.") \
+ N(BARK_DEPTH, "bark_depth", "Bark depth", "bark", "mm", 0, 200, 0, 40, 5, "From rhytidome's furrows up to its plates, where it is rhytidome_age old; 0: smooth. At most 0.16 of the stem's radius.") \
+ N(BARK_WIDTH, "bark_width", "Bark width", "bark", "mm", 4, 1000, 10, 100, 16, "From furrow to furrow round the stem, the mean: of plates or strips.") \
+ N(BARK_LENGTH, "bark_length", "Bark length", "bark", "mm", 4, 10000, 20, 500, 240, "And along it.") \
+ N(BARK_PLATES, "bark_plates", "Bark plates", "bark", "", 0, 1, 0, 1, 0.4, "0: rounded ridges; 1: flat plates with narrow furrows between.") \
+ N(BARK_SHADE, "bark_shade", "Bark shade", "bark", "", 0, 1, 0, 0.8, 0.5, "How much darker furrows' bottoms are than the highest plates, as a share of the mean.") \
+ N(BARK_REACH, "bark_reach", "Bark reach", "bark", "m", 0, 130, 1, 20, 12, "Up to this height plates and furrows are cut into a mesh, from half of it less and less; above it bark is as thick as they are in the mean.")
 /* clang-format on */
 
 enum {

@@ -117,6 +117,12 @@ void plan_make(tree_plan *p, const settings *s) {
   p->periderm_age = (float)number_at(s, T_PERIDERM_AGE);
   p->rhytidome_from = (float)number_at(s, T_RHYTIDOME_FROM);
   p->rhytidome_age = (float)number_at(s, T_RHYTIDOME_AGE);
+  p->bark_depth = (float)number_at(s, T_BARK_DEPTH);
+  p->bark_width = (float)number_at(s, T_BARK_WIDTH);
+  p->bark_length = (float)number_at(s, T_BARK_LENGTH);
+  p->bark_plates = (float)number_at(s, T_BARK_PLATES);
+  p->bark_shade = (float)number_at(s, T_BARK_SHADE);
+  p->bark_reach = (float)(1000.0 * number_at(s, T_BARK_REACH));
   for (int i = 0; i < 1024; i++) {
     double a = (i + 0.5) * (360.0 / 1024.0) * RADIANS;
     p->round[i][0] = (float)scalar_cos(a);

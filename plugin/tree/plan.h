@@ -42,6 +42,7 @@ typedef struct {
   float leaf_width, leaf_stalk;
   float colours[COLOURS][3];
   float periderm_age, rhytidome_from, rhytidome_age;
+  float bark_depth, bark_width, bark_length, bark_plates, bark_shade, bark_reach; /* furrows.h */
   float round[1024][2]; /* cosine and sine all round, for random angles */
 } tree_plan;
 

@@ -130,6 +130,34 @@ static void every_species(void **unused) {
   }
 }
 
+/* Furrows leave no gap, and make the mesh finer at the first levels alone. */
+static void old_bark(void **unused) {
+  (void)unused;
+  static const char *const kinds[] = {"kuromatsu", "douglas_fir", "keyaki", "shirakaba"};
+  for (int s = 0; s < 4; s++) {
+    sozai_geometry *g = grow(kinds[s], "age=70 orders=1", NULL);
+    sozai_geometry *smooth = grow(kinds[s], "age=70 orders=1 bark_depth=0", NULL);
+    uint64_t before = UINT64_MAX;
+    for (uint32_t level = 0; level <= 8; level++) {
+      const sozai_mesh *m = mesh_of(g, level), *plain = mesh_of(smooth, level);
+      sound(m);
+      if (level < 3) closed(m, &m->parts[0]);
+      assert_true(volume(m, &m->parts[0]) > volume(plain, &plain->parts[0]));
+      assert_true(m->triangle_count <= before);
+      assert_true((m->triangle_count > plain->triangle_count) == (level < 2));
+      if (level < 3)
+        print_message("%-12s level %u: %llu triangles, %llu if smooth\n", kinds[s], level,
+                      (unsigned long long)m->triangle_count,
+                      (unsigned long long)plain->triangle_count);
+      before = m->triangle_count;
+      geometry()->release_mesh(m);
+      geometry()->release_mesh(plain);
+    }
+    geometry()->release(g);
+    geometry()->release(smooth);
+  }
+}
+
 /* A branch's first ring lies within its parent's tube. */
 static void joints_inside(void **unused) {
   (void)unused;
@@ -259,8 +287,8 @@ static void dead_ones_splinter(void **unused) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(every_species), cmocka_unit_test(joints_inside),
-      cmocka_unit_test(feet_are_level), cmocka_unit_test(roots_have_normals),
-      cmocka_unit_test(dead_ones_splinter)};
+      cmocka_unit_test(every_species),      cmocka_unit_test(old_bark),
+      cmocka_unit_test(joints_inside),      cmocka_unit_test(feet_are_level),
+      cmocka_unit_test(roots_have_normals), cmocka_unit_test(dead_ones_splinter)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -24,12 +24,14 @@ static const sozai_value cherry[] = {
     SHOOT(0.36, 0.27, 0.22),
     PERIDERM(4, 0.36, 0.27, 0.25),
     RHYTIDOME(20, 60, 0.29, 0.27, 0.26),
+    FURROWS(3, 37, 22, 0.5),
     TRIPLE("leaf_colour", 0.29, 0.43, 0.17)};
 SPECIES(cherry, "Yamazakura (Prunus jamasakura)",
         "Mountain cherry: low limbs spread wide and rise.", SATAKE "; leaves 80 to 120 mm");
 
 static const sozai_value cherry_paper[] = {
     NUMBER("age", 12),
+    NUMBER("bark_depth", 0),
     HEIGHT(13, 0.06, 1.1),
     DIAMETER(700, 0.025, 1.1),
     STEM(1.0, 0.2, 0.03),
@@ -67,6 +69,7 @@ static const sozai_value keyaki[] = {
     SHOOT(0.40, 0.28, 0.21),
     PERIDERM(5, 0.46, 0.43, 0.39),
     RHYTIDOME(30, 90, 0.46, 0.40, 0.34),
+    FURROWS(4, 45, 50, 0.9),
     TRIPLE("leaf_colour", 0.27, 0.42, 0.17)};
 SPECIES(
     keyaki, "Keyaki (Zelkova serrata)",
@@ -89,6 +92,7 @@ static const sozai_value buna[] = {HEIGHT(28, 0.025, 1.3),
                                    SHOOT(0.37, 0.29, 0.23),
                                    PERIDERM(4, 0.55, 0.55, 0.52),
                                    RHYTIDOME(60, 150, 0.58, 0.58, 0.55),
+                                   NUMBER("bark_depth", 0),
                                    TRIPLE("leaf_colour", 0.25, 0.42, 0.16)};
 SPECIES(
     buna, "Buna (Fagus crenata)",
@@ -111,6 +115,7 @@ static const sozai_value mizunara[] = {
     SHOOT(0.43, 0.36, 0.27),
     PERIDERM(5, 0.45, 0.42, 0.38),
     RHYTIDOME(12, 45, 0.40, 0.37, 0.34),
+    FURROWS(18, 32, 355, 0.4),
     TRIPLE("leaf_colour", 0.26, 0.39, 0.16)};
 SPECIES(mizunara, "Mizunara (Quercus crispula)",
         "Japanese oak: stout crooked limbs, leaves bunched towards the shoots' ends.", SATAKE);
@@ -130,6 +135,7 @@ static const sozai_value shirakaba[] = {
     SHOOT(0.33, 0.24, 0.20),
     PERIDERM(9, 0.86, 0.84, 0.79),
     RHYTIDOME(40, 85, 0.27, 0.25, 0.24),
+    FURROWS(10, 55, 90, 0.75),
     TRIPLE("leaf_colour", 0.34, 0.48, 0.18)};
 SPECIES(
     shirakaba, "Shirakaba (Betula platyphylla)",
@@ -152,6 +158,7 @@ static const sozai_value momiji[] = {
     SHOOT(0.40, 0.37, 0.22),
     PERIDERM(8, 0.41, 0.40, 0.33),
     RHYTIDOME(25, 70, 0.46, 0.44, 0.41),
+    FURROWS(2, 14, 145, 0.1),
     TRIPLE("leaf_colour", 0.36, 0.46, 0.17)};
 SPECIES(momiji, "Iroha-momiji (Acer palmatum)",
         "Japanese maple: arching tiers of opposite shoots, leaves of five lobes.", SATAKE);

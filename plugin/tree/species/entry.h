@@ -52,6 +52,10 @@
 #define PERIDERM(age, r, g, b) NUMBER("periderm_age", age), TRIPLE("bark_colour", r, g, b)
 #define RHYTIDOME(from, age, r, g, b)                                                              \
   NUMBER("rhytidome_from", from), NUMBER("rhytidome_age", age), TRIPLE("rhytidome_colour", r, g, b)
+/* Of rhytidome: mm deep; of its plates or strips, mm wide and long; how flat, 0 to 1. */
+#define FURROWS(deep, wide, tall, flat)                                                            \
+  NUMBER("bark_depth", deep), NUMBER("bark_width", wide), NUMBER("bark_length", tall),             \
+      NUMBER("bark_plates", flat)
 #define STEM(form, butt, sway) NUMBER("stem_form", form), NUMBER("butt", butt), NUMBER("sway", sway)
 
 #endif

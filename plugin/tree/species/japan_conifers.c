@@ -27,6 +27,7 @@ SPECIES(sugi_h4, "Sugi, planted 1992",
 
 static const sozai_value sugi_paper[] = {
     NUMBER("age", 7),
+    NUMBER("bark_depth", 0),
     CROWN(0.25, 2.9, 0, 0.5, 0.5, 0),
     NUMBER("crown_a_down", 0.26),
     CHOICE("azimuth", "random"),
@@ -56,6 +57,7 @@ static const sozai_value hinoki[] = {
     SHOOT(0.30, 0.31, 0.17),
     PERIDERM(5, 0.42, 0.27, 0.20),
     RHYTIDOME(15, 55, 0.41, 0.33, 0.28),
+    FURROWS(4, 22, 280, 0.6),
     TRIPLE("leaf_colour", 0.20, 0.36, 0.17)};
 SPECIES(hinoki, "Hinoki (Chamaecyparis obtusa)",
         "Hinoki cypress: scale leaves in flat sprays, a rounder cone than sugi.",
@@ -76,6 +78,7 @@ static const sozai_value akamatsu[] = {
     SHOOT(0.46, 0.38, 0.22),
     PERIDERM(4, 0.56, 0.32, 0.21),
     RHYTIDOME(12, 40, 0.39, 0.34, 0.31),
+    FURROWS(12, 40, 75, 0.7),
     TRIPLE("leaf_colour", 0.25, 0.37, 0.17)};
 SPECIES(akamatsu, "Akamatsu (Pinus densiflora)",
         "Japanese red pine: a whorl a year, red crooked limbs, grey-brown plates at the foot, "
@@ -98,6 +101,7 @@ static const sozai_value kuromatsu[] = {
     SHOOT(0.42, 0.34, 0.21),
     PERIDERM(5, 0.36, 0.31, 0.27),
     RHYTIDOME(8, 35, 0.25, 0.22, 0.20),
+    FURROWS(22, 45, 80, 0.75),
     TRIPLE("leaf_colour", 0.16, 0.28, 0.14)};
 SPECIES(kuromatsu, "Kuromatsu (Pinus thunbergii)",
         "Japanese black pine: stouter and more crooked than the red, with stiff dark needles.",
@@ -117,6 +121,7 @@ static const sozai_value karamatsu[] = {
     SHOOT(0.52, 0.34, 0.21),
     PERIDERM(5, 0.40, 0.28, 0.22),
     RHYTIDOME(18, 55, 0.36, 0.30, 0.27),
+    FURROWS(10, 29, 55, 0.6),
     TRIPLE("leaf_colour", 0.36, 0.50, 0.22)};
 SPECIES(karamatsu, "Karamatsu (Larix kaempferi)",
         "Japanese larch: a light open cone, needles in tufts on short shoots.",
@@ -136,6 +141,7 @@ static const sozai_value todomatsu[] = {
     SHOOT(0.44, 0.36, 0.26),
     PERIDERM(5, 0.48, 0.47, 0.44),
     RHYTIDOME(35, 90, 0.41, 0.38, 0.35),
+    FURROWS(2, 37, 55, 0.5),
     TRIPLE("leaf_colour", 0.16, 0.32, 0.19)};
 SPECIES(todomatsu, "Todomatsu (Abies sachalinensis)",
         "Sakhalin fir: regular whorls, flat dark sprays, a dense cone.",

@@ -19,6 +19,7 @@ static const sozai_value norway_spruce[] = {
     SHOOT(0.50, 0.34, 0.20),
     PERIDERM(5, 0.41, 0.28, 0.21),
     RHYTIDOME(25, 80, 0.34, 0.29, 0.28),
+    FURROWS(5, 29, 34, 0.8),
     TRIPLE("leaf_colour", 0.17, 0.30, 0.16)};
 SPECIES(norway_spruce, "Norway spruce (Picea abies)",
         "Regular whorls that sweep down and out, hung with drooping sprays.", MITCHELL FARJON);
@@ -38,6 +39,7 @@ static const sozai_value scots_pine[] = {
     SHOOT(0.44, 0.40, 0.26),
     PERIDERM(4, 0.58, 0.37, 0.24),
     RHYTIDOME(12, 45, 0.37, 0.32, 0.29),
+    FURROWS(16, 45, 80, 0.7),
     TRIPLE("leaf_colour", 0.24, 0.36, 0.25)};
 SPECIES(scots_pine, "Scots pine (Pinus sylvestris)",
         "Whorls, orange bark above grey-brown plates, short blue-green needles.", MITCHELL FARJON);
@@ -56,6 +58,7 @@ static const sozai_value douglas_fir[] = {
     SHOOT(0.42, 0.38, 0.24),
     PERIDERM(5, 0.39, 0.38, 0.35),
     RHYTIDOME(18, 60, 0.33, 0.27, 0.23),
+    FURROWS(35, 55, 245, 0.35),
     TRIPLE("leaf_colour", 0.20, 0.34, 0.18)};
 SPECIES(douglas_fir, "Douglas fir (Pseudotsuga menziesii)",
         "A tall cone of loose whorls with branches between them.",

@@ -1,0 +1,256 @@
+/* SPDX-License-Identifier: Apache-2.0
+ * Relief of old bark: plates as wide, as long and as high as asked for, as dark in the mean as
+ * even bark, no further up than it reaches, and lit as it lies. */
+#include <math.h>
+#include <stdio.h>
+
+#include "tree.h"
+
+/* A straight stem, all of it rhytidome. */
+#define EVEN                                                                                       \
+  "age=60 orders=1 sway=0 butt=0 diameter_max=700 rhytidome_from=0 rhytidome_age=0 "               \
+  "rhytidome_colour=0.4,0.5,0.3 "
+
+/* The stem's rings, each of `sides` points and one that repeats the first. */
+typedef struct {
+  const sozai_mesh *mesh;
+  uint64_t first, sides, count;
+} rings;
+
+static rings rings_of(const sozai_mesh *m) {
+  rings r = {.mesh = m, .first = 1};
+  while (m->uv[2 * (r.first + r.sides)] < 1.0f) r.sides++;
+  while (m->owner[r.first + (r.count + 1) * (r.sides + 1)] == 0) r.count++;
+  return r;
+}
+
+static const float *point(const rings *r, uint64_t i, uint64_t k) {
+  return r->mesh->points + 3 * (r->first + i * (r->sides + 1) + k);
+}
+
+/* mm, of a point from the axis, which a straight stem's has where x = z = 0. */
+static double out_of(const rings *r, uint64_t i, uint64_t k) {
+  const float *p = point(r, i, k);
+  return hypot((double)p[0], (double)p[2]);
+}
+
+static double narrowest(const rings *r, uint64_t i) {
+  double least = 1e9;
+  for (uint64_t k = 0; k < r->sides; k++) least = fmin(least, out_of(r, i, k));
+  return least;
+}
+
+static double mean_of(const rings *r, uint64_t i) {
+  double sum = 0;
+  for (uint64_t k = 0; k < r->sides; k++) sum += out_of(r, i, k);
+  return sum / (double)r->sides;
+}
+
+static double height_of(const rings *r, uint64_t i) { return (double)point(r, i, 0)[1]; }
+
+/* mm: a stem stands on roots, which are gone there */
+#define ROOTS 800
+
+/* ---- sizes --------------------------------------------------------------------- */
+
+static void plates_as_wide_and_long_as_asked(void **unused) {
+  (void)unused;
+  static const struct {
+    double width, length, flat;
+  } cases[] = {{30, 30, 0.5}, {25, 100, 0.5}, {60, 90, 0}, {40, 40, 1}};
+  for (int c = 0; c < 4; c++) {
+    char values[256];
+    snprintf(values, sizeof values,
+             EVEN "bark_depth=20 bark_plates=%g bark_width=%g bark_length=%g", cases[c].flat,
+             cases[c].width, cases[c].length);
+    sozai_geometry *g = grow("sugi", values, NULL);
+    const sozai_mesh *m = mesh_of(g, 0);
+    rings r = rings_of(m);
+    double round = 0, up = 0, wide = 0, tall = 0;
+    for (uint64_t i = 0; i + 1 < r.count && height_of(&r, i + 1) < 5500; i++) {
+      /* furrows are lower than half the mean */
+      double low = narrowest(&r, i), next = narrowest(&r, i + 1);
+      low += 0.5 * (mean_of(&r, i) - low), next += 0.5 * (mean_of(&r, i + 1) - next);
+      if (height_of(&r, i) < ROOTS) continue;
+      for (uint64_t k = 0; k < r.sides; k++) {
+        int here = out_of(&r, i, k) > low;
+        round += here && out_of(&r, i, k + 1) <= low;
+        up += here && out_of(&r, i + 1, k) <= next;
+        wide += 2 * 3.14159265 * low / (double)r.sides;
+        tall += height_of(&r, i + 1) - height_of(&r, i);
+      }
+    }
+    print_message("plates of %g x %g mm: %.1f x %.1f mm\n", cases[c].width, cases[c].length,
+                  wide / round, tall / up);
+    assert_true(fabs(wide / round / cases[c].width - 1) < 0.15);
+    assert_true(fabs(tall / up / cases[c].length - 1) < 0.15);
+    geometry()->release_mesh(m);
+    geometry()->release(g);
+  }
+}
+
+/* Over the stem's radius, which is that under bark. */
+static void as_deep_as_asked(void **unused) {
+  (void)unused;
+  static const struct {
+    const char *values;
+    double depth;
+  } cases[] = {{EVEN "bark_length=60 bark_depth=12", 12},
+               {EVEN "bark_length=60 bark_depth=25 bark_plates=1 bark_width=60", 25},
+               {EVEN "bark_length=60 bark_depth=150", 1e9}};
+  for (int c = 0; c < 3; c++) {
+    sozai_geometry *g = grow("sugi", cases[c].values, NULL);
+    const sozai_curves *axis = curves_of(g, 0);
+    double mean[9] = {0}, most = 0, least = 1e9, bare = 0;
+    for (uint32_t level = 0; level <= 8; level += 2) {
+      const sozai_mesh *m = mesh_of(g, level);
+      rings r = rings_of(m);
+      double sum = 0, count = 0;
+      for (uint64_t i = 0; i < r.count; i++) {
+        double y = height_of(&r, i);
+        if (y < ROOTS || y > 5500) continue;
+        uint64_t n = axis->first[0];
+        while ((double)axis->points[3 * n + 4] < y) n++;
+        double y0 = (double)axis->points[3 * n + 1], y1 = (double)axis->points[3 * n + 4];
+        bare = (double)axis->radii[n] +
+               ((double)axis->radii[n + 1] - (double)axis->radii[n]) * (y - y0) / (y1 - y0);
+        /* shares of what there may be at most */
+        double depth = fmin(cases[c].depth, 0.16 * bare);
+        for (uint64_t k = 0; k < r.sides; k++) {
+          double thick = (out_of(&r, i, k) - bare) / depth;
+          sum += thick, count++;
+          if (level == 0) most = fmax(most, thick), least = fmin(least, thick);
+        }
+      }
+      mean[level] = sum / count;
+      geometry()->release_mesh(m);
+    }
+    print_message("%s: %.3f to %.3f of it, mean %.3f; from afar %.3f\n",
+                  cases[c].values + sizeof EVEN - 1, least, most, mean[0], mean[2]);
+    assert_true(least > -0.01 && least < 0.05 && most > 0.9 && most < 1.01);
+    for (int level = 2; level <= 8; level += 2) assert_true(fabs(mean[level] - mean[2]) < 0.01);
+    assert_true(fabs(mean[2] - mean[0]) < 0.02);
+    geometry()->release_curves(axis);
+    geometry()->release(g);
+  }
+}
+
+/* ---- colour -------------------------------------------------------------------- */
+
+static void dark_in_furrows(void **unused) {
+  (void)unused;
+  sozai_geometry *g = grow("sugi", EVEN "bark_depth=15 bark_shade=0.4", NULL);
+  const sozai_mesh *m = mesh_of(g, 0);
+  rings r = rings_of(m);
+  double sum = 0, count = 0, least = 1, most = 0, thin = 0, dark = 0, both = 0;
+  for (uint64_t i = 0; i < r.count && height_of(&r, i) < 5500; i++) {
+    double low = narrowest(&r, i);
+    for (uint64_t k = 0; k < r.sides; k++) {
+      const float *c = m->colours + 3 * (r.first + i * (r.sides + 1) + k);
+      double tone = (double)c[1] / 0.5;
+      assert_true(fabs((double)c[0] - 0.4 * tone) < 1e-5 && fabs((double)c[2] - 0.3 * tone) < 1e-5);
+      least = fmin(least, tone), most = fmax(most, tone);
+      sum += tone, count++;
+      int t = out_of(&r, i, k) - low < 4, d = tone < 0.92;
+      thin += t, dark += d, both += t && d;
+    }
+  }
+  print_message("bark of %.4f of its colour, %.3f to %.3f; %.3f of dark is low\n", sum / count,
+                least, most, both / dark);
+  assert_true(fabs(sum / count - 1) < 0.015);
+  assert_true(most - least > 0.36 && most - least < 0.401 && most < 1.4);
+  assert_true(both > 0.9 * dark && both > 0.5 * thin);
+  geometry()->release_mesh(m);
+  geometry()->release(g);
+}
+
+/* ---- where it is ----------------------------------------------------------------- */
+
+/* How far a ring is from round. */
+static double rough(const rings *r, uint64_t i) {
+  double most = 0;
+  for (uint64_t k = 0; k < r->sides; k++) most = fmax(most, out_of(r, i, k));
+  return most - narrowest(r, i);
+}
+
+static void no_higher_than_it_reaches(void **unused) {
+  (void)unused;
+  sozai_geometry *g = grow("sugi", EVEN "bark_depth=15 bark_reach=3", NULL);
+  const sozai_mesh *m = mesh_of(g, 0);
+  rings r = rings_of(m);
+  double low = 0, middle = 0, above = 0;
+  for (uint64_t i = 0; i < r.count; i++) {
+    double y = height_of(&r, i), d = rough(&r, i);
+    if (y > ROOTS && y < 1500)
+      low = fmax(low, d);
+    else if (y > 2200 && y < 2300)
+      middle = fmax(middle, d);
+    else if (y > 3000)
+      above = fmax(above, d);
+  }
+  print_message("rings off round by %.1f mm, %.1f half way, %.3f above\n", low, middle, above);
+  assert_true(low > 12 && middle > 4 && middle < 11 && above < 0.01);
+  geometry()->release_mesh(m);
+  geometry()->release(g);
+  static const char *const smooth[] = {EVEN "bark_depth=0", EVEN "bark_reach=0",
+                                       "age=60 orders=1 sway=0 butt=0 rhytidome_from=90"};
+  for (int c = 0; c < 3; c++) {
+    g = grow("sugi", smooth[c], NULL);
+    m = mesh_of(g, 0);
+    r = rings_of(m);
+    for (uint64_t i = 0; i < r.count; i++)
+      assert_true(height_of(&r, i) < ROOTS || rough(&r, i) < 0.01);
+    assert_true(r.sides < 40);
+    geometry()->release_mesh(m);
+    geometry()->release(g);
+  }
+}
+
+/* ---- normals ----------------------------------------------------------------------- */
+
+static void lit_as_it_lies(void **unused) {
+  (void)unused;
+  static const char *const kinds[] = {"akamatsu", "mizunara", "keyaki", "sugi"};
+  for (int s = 0; s < 4; s++) {
+    sozai_geometry *g = grow(kinds[s], "age=70 orders=1", NULL);
+    const sozai_mesh *m = mesh_of(g, 0);
+    rings r = rings_of(m);
+    double sum = 0, areas = 0, astray = 0;
+    for (uint64_t t = 0; t < m->parts[0].count; t++) {
+      const uint32_t *at = m->indices + 3 * t;
+      double a[3], b[3], n[3], area = 0;
+      if (m->owner[at[0]]) break;
+      /* the ends have none of their own */
+      if (at[0] <= r.sides + 1 || at[2] >= r.first + (r.count - 1) * (r.sides + 1)) continue;
+      for (uint64_t c = 0; c < 3; c++) {
+        a[c] = (double)m->points[3 * at[1] + c] - (double)m->points[3 * at[0] + c];
+        b[c] = (double)m->points[3 * at[2] + c] - (double)m->points[3 * at[0] + c];
+      }
+      for (int c = 0; c < 3; c++) {
+        n[c] = a[(c + 1) % 3] * b[(c + 2) % 3] - a[(c + 2) % 3] * b[(c + 1) % 3];
+        area += n[c] * n[c];
+      }
+      area = sqrt(area);
+      if (!(area > 0)) continue;
+      for (int k = 0; k < 3; k++) {
+        double dot = 0;
+        for (uint64_t c = 0; c < 3; c++) dot += n[c] / area * (double)m->normals[3 * at[k] + c];
+        sum += area * dot, areas += area;
+        if (dot < 0.5) astray += area;
+      }
+    }
+    print_message("%-10s normals along faces' by %.3f in the mean, %.4f of them half or less\n",
+                  kinds[s], sum / areas, astray / areas);
+    assert_true(sum / areas > 0.9 && astray / areas < 0.05);
+    geometry()->release_mesh(m);
+    geometry()->release(g);
+  }
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(plates_as_wide_and_long_as_asked), cmocka_unit_test(as_deep_as_asked),
+      cmocka_unit_test(dark_in_furrows), cmocka_unit_test(no_higher_than_it_reaches),
+      cmocka_unit_test(lit_as_it_lies)};
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
