@@ -30,7 +30,7 @@ typedef struct {
 /* ---- where bark is furrowed ------------------------------------------------ */
 
 static const float furrowed_from[] = {30.0f, 100.0f}; /* mm of radius: stems, and limbs on them */
-#define LIMBS_COARSER 1.75f                          /* whose points stand farther apart */
+#define LIMBS_COARSER 1.75f                           /* whose points stand farther apart */
 #define SIDES_MOST 320u
 #define PARTS_MOST 256u   /* of what lies between two nodes */
 #define LEAST_FURROW 0.8f /* mm: what is shallower is as deep as its mean */
