@@ -68,6 +68,20 @@ static const tree_organ *leaf_of(const tree *t, uint64_t i, uint32_t stride) {
   return &t->organs[i];
 }
 
+/* Each leaf's own, and more alike of one shoot; the mean is the species'. */
+static void leaf_colour(const tree *t, const tree_organ *o, float out[3]) {
+  uint32_t shoot = hash1(t->branches[o->branch].key ^ 0x1eafc010u);
+  uint32_t leaf = hash1((uint32_t)(o - t->organs) ^ t->plan.seed);
+  float light = tree_unit(shoot) + tree_unit(leaf) - 1.0f;
+  float yellow = tree_unit(hash1(shoot)) + tree_unit(hash1(leaf)) - 1.0f;
+  float varied = t->plan.leaf_variation, warm = 0.5f * varied * yellow;
+  const float tone[3] = {1.0f + warm, 1.0f, 1.0f - warm};
+  for (int c = 0; c < 3; c++) {
+    float now = t->plan.colours[COLOUR_LEAF][c] * (1.0f + varied * light) * tone[c];
+    out[c] = now < 1.0f ? now : 1.0f;
+  }
+}
+
 int32_t tree_mesh(const tree *t, const sozai_host *host, uint32_t level, mesh_block **out) {
   uint64_t points = 0, triangles = 0;
   tube_shape tube;
@@ -96,9 +110,10 @@ int32_t tree_mesh(const tree *t, const sozai_host *host, uint32_t level, mesh_bl
       r = host_progress(host, (double)done / (double)work, "making the mesh");
   }
   ends[1] = pen.triangle;
-  for (int c = 0; c < 3; c++) pen.colour[c] = t->plan.colours[COLOUR_LEAF][c];
   for (uint64_t i = 0; !r && i < leaves; i++) {
-    leaf_write(&pen, leaf_of(t, i, leaf.stride), &leaf);
+    const tree_organ *o = leaf_of(t, i, leaf.stride);
+    leaf_colour(t, o, pen.colour);
+    leaf_write(&pen, o, &leaf);
     if (++done % REPORT_EACH == 0)
       r = host_progress(host, (double)done / (double)work, "making the mesh");
   }
@@ -165,9 +180,9 @@ int32_t tree_curves(const tree *t, const sozai_host *host, uint32_t level, curve
     for (int k = 0; k < 3; k++) {
       c->points[3 * point + (uint64_t)k] = o->base[k];
       c->points[3 * point + 3 + (uint64_t)k] = o->base[k] + leaf.longer * o->axis[k];
-      for (uint64_t n = 0; n < 2; n++)
-        c->colours[3 * (point + n) + (uint64_t)k] = t->plan.colours[COLOUR_LEAF][k];
     }
+    leaf_colour(t, o, &c->colours[3 * point]);
+    leaf_colour(t, o, &c->colours[3 * point + 3]);
     c->radii[point] = half * leaf.wider;
     c->radii[point + 1] = 0.1f * half * leaf.wider;
     point += 2;

@@ -94,6 +94,7 @@
  X3(SHOOT_COLOUR, "shoot_colour", "Shoots", "colour", 0.33, 0.31, 0.18, "Of the year's shoots; what grows older turns to bark_colour.") \
  X3(LEAF_COLOUR, "leaf_colour", "Leaves", "colour", 0.22, 0.34, 0.15, "Of leaves and needles.") \
  X3(RHYTIDOME_COLOUR, "rhytidome_colour", "Old bark", "colour", 0.38, 0.31, 0.27, "Of bark that is rhytidome, dead outer bark, from rhytidome_age on: of an old stem's foot.") \
+ N(LEAF_VARIATION, "leaf_variation", "Leaf variation", "colour", "", 0, 1, 0, 0.4, 0.15, "How far leaves are off leaf_colour at most, lighter or darker, as a share; half of it by shoots. Yellower or bluer by half as much.") \
  N(PERIDERM_AGE, "periderm_age", "Age of periderm", "colour", "years", 0, 100, 1, 20, 5, "Years until a shoot's skin has given way to periderm and bark has bark_colour.") \
  N(RHYTIDOME_FROM, "rhytidome_from", "Onset of rhytidome", "colour", "years", 0, 1000, 1, 100, 12, "Years until bark begins to turn from bark_colour to rhytidome_colour.") \
  N(RHYTIDOME_AGE, "rhytidome_age", "Age of rhytidome", "colour", "years", 0, 1000, 1, 200, 45, "Years until it has; before rhytidome_from: it turns all at once.") \

@@ -114,6 +114,7 @@ void plan_make(tree_plan *p, const settings *s) {
       p->colours[c][i] = (float)s->list[T_BARK_COLOUR + c].number[i];
     }
   }
+  p->leaf_variation = (float)number_at(s, T_LEAF_VARIATION);
   p->periderm_age = (float)number_at(s, T_PERIDERM_AGE);
   p->rhytidome_from = (float)number_at(s, T_RHYTIDOME_FROM);
   p->rhytidome_age = (float)number_at(s, T_RHYTIDOME_AGE);

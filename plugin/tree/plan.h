@@ -41,6 +41,7 @@ typedef struct {
   tree_side side[4]; /* [2], [3]: of shoots; [0]: of leaves */
   float leaf_width, leaf_stalk;
   float colours[COLOURS][3];
+  float leaf_variation;
   float periderm_age, rhytidome_from, rhytidome_age;
   float bark_depth, bark_width, bark_length, bark_plates, bark_shade, bark_reach; /* furrows.h */
   float round[1024][2]; /* cosine and sine all round, for random angles */

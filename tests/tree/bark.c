@@ -225,7 +225,8 @@ static void at_every_level(void **unused) {
   static const char *const kinds[] = {"akamatsu", "shirakaba"};
   for (int k = 0; k < 2; k++) {
     /* furrows.c looks at what furrows make of it */
-    sozai_geometry *g = grow(kinds[k], "age=40 leaves_most=30000 bark_depth=0", NULL);
+    sozai_geometry *g =
+        grow(kinds[k], "age=40 leaves_most=30000 bark_depth=0 leaf_variation=0", NULL);
     float foot[3];
     print_message("%s\n", kinds[k]);
     for (uint32_t level = 0; level <= 8; level++) mesh_as_curves(g, level, foot);
@@ -266,12 +267,50 @@ static void measured(void **unused) {
   geometry()->release(g);
 }
 
+/* ---- leaves ---------------------------------------------------------------------------- */
+
+/* Each of one colour, and all of leaf_colour in the mean. */
+static void leaves_vary(void **unused) {
+  (void)unused;
+  static const char *const kinds[] = {"keyaki", "akamatsu"};
+  for (int k = 0; k < 2; k++) {
+    sozai_geometry *g = grow(kinds[k], "age=12 foliage=full leaf_variation=0.2", NULL);
+    double means[3] = {0};
+    for (uint32_t level = 0; level < 3; level++) {
+      const sozai_mesh *m = mesh_of(g, level);
+      const sozai_part *leaves = &m->parts[m->part_count - 1];
+      double sum = 0, count = 0, least = 9, most = 0, reddest = 0;
+      for (uint64_t i = leaves->first; i < leaves->first + leaves->count; i++) {
+        const uint32_t *at = m->indices + 3 * i;
+        const float *c = m->colours + 3 * at[0];
+        assert_memory_equal(c, m->colours + 3 * at[1], 12);
+        assert_memory_equal(c, m->colours + 3 * at[2], 12);
+        double tone = (double)c[1] / (double)leaves->colour[1];
+        double red = (double)c[0] / (double)leaves->colour[0] / tone;
+        double blue = (double)c[2] / (double)leaves->colour[2] / tone;
+        assert_true(fabs(red + blue - 2) < 1e-4);
+        reddest = fmax(reddest, red);
+        least = fmin(least, tone), most = fmax(most, tone);
+        sum += tone, count++;
+      }
+      means[level] = sum / count;
+      print_message("%-10s level %u: %.3f to %.3f, mean %.4f; red to %.3f\n", kinds[k], level,
+                    least, most, means[level], reddest);
+      assert_true(least > 0.8 && least < 0.84 && most < 1.2 && most > 1.16);
+      assert_true(reddest > 1.07 && reddest < 1.1 && fabs(means[level] - 1) < 0.01);
+      geometry()->release_mesh(m);
+    }
+    geometry()->release(g);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(as_the_species_says),
                                      cmocka_unit_test(as_dendrology_says),
                                      cmocka_unit_test(older_towards_the_base),
                                      cmocka_unit_test(joints_are_of_one_age),
                                      cmocka_unit_test(at_every_level),
+                                     cmocka_unit_test(leaves_vary),
                                      cmocka_unit_test(at_once),
                                      cmocka_unit_test(measured)};
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -32,6 +32,7 @@ SPECIES(cherry, "Yamazakura (Prunus jamasakura)",
 static const sozai_value cherry_paper[] = {
     NUMBER("age", 12),
     NUMBER("bark_depth", 0),
+    NUMBER("leaf_variation", 0),
     HEIGHT(13, 0.06, 1.1),
     DIAMETER(700, 0.025, 1.1),
     STEM(1.0, 0.2, 0.03),

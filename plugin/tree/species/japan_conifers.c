@@ -28,6 +28,7 @@ SPECIES(sugi_h4, "Sugi, planted 1992",
 static const sozai_value sugi_paper[] = {
     NUMBER("age", 7),
     NUMBER("bark_depth", 0),
+    NUMBER("leaf_variation", 0),
     CROWN(0.25, 2.9, 0, 0.5, 0.5, 0),
     NUMBER("crown_a_down", 0.26),
     CHOICE("azimuth", "random"),

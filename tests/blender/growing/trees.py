@@ -45,7 +45,7 @@ def normals_of(obj, wanted):
 
 
 def colours_of(obj, wanted):
-    """At the points, bark's by its age; which its material and no leaf's reads."""
+    """At the points, bark's by its age and leaf by leaf; which materials read."""
     there = obj.data.attributes["colour"]
     colours = numpy.empty((len(there.data), 4), "f4")
     there.data.foreach_get("color", colours.ravel())
@@ -54,12 +54,15 @@ def colours_of(obj, wanted):
     bark, twig, leaf = (numpy.unique(wanted.colours[numpy.unique(t)], axis=0) for t in
                         numpy.split(wanted.triangles, numpy.cumsum([p.triangles for p in
                                                                     wanted.parts])[:2]))
-    check("bark of many ages, leaves of one colour", len(bark) > 20 and len(twig) > 20 and
-          len(leaf) == 1, (len(bark), len(twig), len(leaf)))
+    check("bark of many ages, leaves of many colours", len(bark) > 20 and len(twig) > 20 and
+          len(leaf) > 100, (len(bark), len(twig), len(leaf)))
     sources = [m.node_tree.nodes["Principled BSDF"].inputs["Base Color"].links for m in
                obj.data.materials]
-    check("bark's and shoots' materials read them", [bool(s) for s in sources] ==
-          [True, True, False] and sources[0][0].from_node.attribute_name == "colour")
+    check("materials read them", all(s and s[0].from_node.attribute_name == "colour" for s in
+                                     sources), [bool(s) for s in sources])
+    through = obj.data.materials[2].node_tree.nodes["Translucent BSDF"].inputs["Color"].links
+    check("and what comes through leaves", through and
+          through[0].from_node.attribute_name == "colour")
 
 
 def tree():

@@ -92,11 +92,14 @@ def surface(name, colour, roughness, sheet=False, at_points=False):
     material, build = builder(name)
     principled = build.node("ShaderNodeBsdfPrincipled", "surface")
     if at_points:
-        attribute = build.node("ShaderNodeAttribute", "bark by its age", attribute_name=COLOUR)
+        attribute = build.node("ShaderNodeAttribute", "leaf by leaf" if sheet else "bark by its age",
+                               attribute_name=COLOUR)
         build.link(attribute.outputs["Color"], principled.inputs["Base Color"])
     shader = principled.outputs["BSDF"]
     if sheet:
         through = build.node("ShaderNodeBsdfTranslucent", "light through it", 1)
+        if at_points:
+            build.link(attribute.outputs["Color"], through.inputs["Color"])
         both = build.node("ShaderNodeMixShader", "how much of it")
         both.inputs["Fac"].default_value = 0.3
         build.link(shader, both.inputs[1])
@@ -113,8 +116,7 @@ def surface(name, colour, roughness, sheet=False, at_points=False):
 
 def tree_part(name, part, key):
     leaf = key == "leaf"
-    return surface("%s %s" % (name, part.name), part.colour, 0.5 if leaf else 0.85, leaf,
-                   not leaf)
+    return surface("%s %s" % (name, part.name), part.colour, 0.5 if leaf else 0.85, leaf, True)
 
 
 def follow_part(material, part):
