@@ -73,21 +73,21 @@ draw_log() {
   cp "$scratch/log/log.png" "$folder/log.png"
 }
 
-# Akamatsu, kuromatsu, sugi, hinoki; Douglas fir, mizunara, keyaki, shirakaba: their feet
+# Akamatsu, kuromatsu, sugi, hinoki; Douglas fir, mizunara, yamazakura, shirakaba: their feet
 draw_barks() {
-  local number=0 species age zoom
-  while read -r species age zoom; do
+  local number=0 species age height zoom
+  while read -r species age height zoom; do
     "$sozai" grow tree --species "$species" --age "$age" -p foliage=none -p orders=1 \
-      --camera 25,2,20 --target 0,900,0 --zoom "$zoom" --res 300x400 --spp 32 \
+      --camera 25,2,20 --target "0,$height,0" --zoom "$zoom" --res 300x400 --spp 32 \
       -o "$scratch/bark$((number += 1)).png"
-  done <<<'akamatsu 60 16
-kuromatsu 60 16
-sugi 60 18
-hinoki 60 18
-douglas_fir 80 14
-mizunara 90 16
-keyaki 90 12
-shirakaba 60 18'
+  done <<<'akamatsu 32 2200 13
+kuromatsu 60 900 16
+sugi 60 900 18
+hinoki 60 900 18
+douglas_fir 80 900 14
+mizunara 90 900 16
+cherry 40 900 15
+shirakaba 60 1500 13'
   oiiotool "$scratch"/bark{1,2,3,4,5,6,7,8}.png --mosaic 4x2 "${untold[@]}" -d uint8 -o "$folder/barks.png"
 }
 

@@ -73,12 +73,21 @@ float bark_old(const tree_plan *p, float age) {
   return between(age, p->rhytidome_from, p->rhytidome_age);
 }
 
-void bark_colour(const tree_plan *p, float age, float out[3]) {
+float bark_periderm(const tree_plan *p, float age) {
+  return between(age, 0.0f, p->periderm_age) * (1.0f - bark_old(p, age));
+}
+
+void bark_colours(const tree_plan *p, float age, float bare[3], float turned[3]) {
   float grown = between(age, 0.0f, p->periderm_age);
-  float old = bark_old(p, age);
   for (int c = 0; c < 3; c++) {
     float shoot = p->colours[COLOUR_SHOOT][c], bark = p->colours[COLOUR_BARK][c];
-    float now = shoot + grown * (bark - shoot);
-    out[c] = now + old * (p->colours[COLOUR_RHYTIDOME][c] - now);
+    bare[c] = shoot + grown * (bark - shoot);
+    turned[c] = p->colours[COLOUR_RHYTIDOME][c] - bare[c];
   }
+}
+
+void bark_colour(const tree_plan *p, float age, float out[3]) {
+  float old = bark_old(p, age), turned[3];
+  bark_colours(p, age, out, turned);
+  for (int c = 0; c < 3; c++) out[c] += old * turned[c];
 }

@@ -28,7 +28,11 @@ void bark_ages(const tree *t, const tree_branch *b, float *out);
 
 /* How much of bark so many years old is rhytidome, 0 to 1. */
 float bark_old(const tree_plan *p, float age);
-/* Of bark so many years old: sRGB, display-referred. */
+/* How much of it is periderm. */
+float bark_periderm(const tree_plan *p, float age);
+/* Of bark so many years old: sRGB, display-referred; and apart, as it would be without rhytidome,
+ * and what that adds. */
+void bark_colours(const tree_plan *p, float age, float bare[3], float turned[3]);
 void bark_colour(const tree_plan *p, float age, float out[3]);
 
 #endif

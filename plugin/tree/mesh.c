@@ -86,7 +86,7 @@ int32_t tree_mesh(const tree *t, const sozai_host *host, uint32_t level, mesh_bl
   uint64_t points = 0, triangles = 0;
   tube_shape tube;
   leaf_shape leaf;
-  mesh_pen pen = {.bark = furrows_of(&t->plan)};
+  mesh_pen pen = {.bark = bark_surface_of(&t->plan)};
   int32_t r = host_progress(host, 0.0, "making the mesh");
   if (r) return r;
   for (uint32_t i = 0; i < t->branch_count; i++) {

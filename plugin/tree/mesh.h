@@ -7,7 +7,7 @@
 #define SOZAI_TREE_MESH_H
 
 #include "../generator.h"
-#include "furrows.h"
+#include "bark_surface.h"
 #include "tree.h"
 
 /* Numbers of parts, in this order. */
@@ -23,7 +23,7 @@ typedef struct {
   mesh_block *mesh;
   uint64_t point, triangle;
   float colour[3]; /* of the points to come */
-  furrows bark;
+  bark_surface bark;
 } mesh_pen;
 
 uint32_t pen_point(mesh_pen *pen, const float p[3], const float n[3], float u, float v,
@@ -37,11 +37,12 @@ void pen_triangle(mesh_pen *pen, uint32_t a, uint32_t b, uint32_t c);
 typedef struct {
   uint32_t sides, rings, stride; /* of nodes */
   int collar;                    /* two more rings where it leaves its parent */
-  float step;                    /* mm, from ring to ring where bark is furrowed; 0: nowhere */
+  uint32_t level;                /* of detail */
+  int fine;                      /* more sides and rings, where there is bark to be seen */
 } tube_shape;
 
 /* Whether a branch is drawn at that level, and how. bark: NULL for its axis alone. */
-int tube_shape_of(const tree *t, const furrows *bark, uint32_t branch, uint32_t level,
+int tube_shape_of(const tree *t, const bark_surface *bark, uint32_t branch, uint32_t level,
                   tube_shape *out);
 void tube_size(const tube_shape *s, uint64_t *points, uint64_t *triangles);
 void tube_write(mesh_pen *pen, const tree *t, uint32_t branch, const tube_shape *s);

@@ -123,6 +123,11 @@ void plan_make(tree_plan *p, const settings *s) {
   p->bark_length = (float)number_at(s, T_BARK_LENGTH);
   p->bark_plates = (float)number_at(s, T_BARK_PLATES);
   p->bark_shade = (float)number_at(s, T_BARK_SHADE);
+  p->bark_turning = (float)number_at(s, T_BARK_TURNING);
+  p->lenticel_density = (float)number_at(s, T_LENTICEL_DENSITY);
+  p->lenticel_length = (float)number_at(s, T_LENTICEL_LENGTH);
+  p->lenticel_height = (float)number_at(s, T_LENTICEL_HEIGHT);
+  p->lenticel_shade = (float)number_at(s, T_LENTICEL_SHADE);
   p->bark_reach = (float)(1000.0 * number_at(s, T_BARK_REACH));
   for (int i = 0; i < 1024; i++) {
     double a = (i + 0.5) * (360.0 / 1024.0) * RADIANS;

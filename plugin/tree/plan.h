@@ -44,6 +44,8 @@ typedef struct {
   float leaf_variation;
   float periderm_age, rhytidome_from, rhytidome_age;
   float bark_depth, bark_width, bark_length, bark_plates, bark_shade, bark_reach; /* furrows.h */
+  float bark_turning;                                                       /* bark_surface.h */
+  float lenticel_density, lenticel_length, lenticel_height, lenticel_shade; /* lenticels.h */
   float round[1024][2]; /* cosine and sine all round, for random angles */
 } tree_plan;
 

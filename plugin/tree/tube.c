@@ -6,6 +6,7 @@
  */
 #include "../core/hash1.h"
 #include "bark.h"
+#include "foot.h"
 #include "mesh.h"
 #include "parameters.h"
 #include "turn.h"
@@ -17,28 +18,9 @@ static uint32_t sides_of(float r, uint32_t level) {
   return n < 3 ? 3 : n;
 }
 
-/* Stems of some size stand on roots: lobes, gone a diameter or two up, on more sides. */
-#define LOBED_FROM 40.0f                        /* mm of radius */
-static const uint32_t lobed_sides[] = {36, 26}; /* by level; from 2 on as any tube */
-
-static int stands_on_roots(const tree_branch *b) { return !b->order && b->radius >= LOBED_FROM; }
-
 typedef struct {
   float p[3], r, age; /* age: of its bark */
 } ring;
-
-/* ---- where bark is furrowed ------------------------------------------------ */
-
-static const float furrowed_from[] = {30.0f, 100.0f}; /* mm of radius: stems, and limbs on them */
-#define LIMBS_COARSER 1.75f                           /* whose points stand farther apart */
-#define SIDES_MOST 320u
-#define PARTS_MOST 256u   /* of what lies between two nodes */
-#define LEAST_FURROW 0.8f /* mm: what is shallower is as deep as its mean */
-
-static int furrowed(const tree *t, const furrows *f, const tree_branch *b) {
-  return f && f->depth > 0.0f && b->order < 2 && b < t->branches + t->stems &&
-         b->radius >= furrowed_from[b->order];
-}
 
 static float apart(const ring *a, const ring *b) {
   float sum = 0.0f;
@@ -46,41 +28,57 @@ static float apart(const ring *a, const ring *b) {
   return __builtin_sqrtf(sum);
 }
 
-static int deep(const tree *t, const furrows *f, const ring *at) {
-  float depth = furrows_depth(f, bark_old(&t->plan, at->age), at->r);
-  return depth > LEAST_FURROW && furrows_cut(f, at->p[1]) > 0.0f;
+/* ---- finer, where there is bark to be seen ---------------------------------- */
+
+#define LIMBS_COARSER 2.0f /* than stems */
+#define SIDES_MOST 320u
+#define PARTS_MOST 512u /* of what lies between two nodes */
+
+/* mm, from point to point round the axis and along it; 0: at will. */
+static void steps_at(const tree *t, const bark_surface *bark, const tree_branch *b, uint32_t level,
+                     const ring *at, float out[2]) {
+  bark_ring all = bark_ring_at(bark, &t->plan, at->age, at->r, at->p[1], level);
+  bark_ring_steps(bark, &all, level, out);
+  for (int i = 0; b->order && i < 2; i++) out[i] *= LIMBS_COARSER;
 }
 
+static float finer(float a, float b) { return a > 0.0f && (a < b || !(b > 0.0f)) ? a : b; }
+
 /* Into how many what lies between two rings is cut. */
-static uint32_t parts_between(const tree *t, const furrows *f, float step, const ring *a,
-                              const ring *b) {
-  if (!(step > 0.0f) || !(deep(t, f, a) || deep(t, f, b))) return 1;
-  float parts = apart(a, b) / step;
+static uint32_t parts_between(const tree *t, const bark_surface *bark, const tree_branch *b,
+                              const tube_shape *s, const ring *from, const ring *to) {
+  float low[2], high[2];
+  if (!s->fine) return 1;
+  steps_at(t, bark, b, s->level, from, low);
+  steps_at(t, bark, b, s->level, to, high);
+  float step = finer(low[1], high[1]);
+  if (!(step > 0.0f)) return 1;
+  float parts = apart(from, to) / step;
   return parts < (float)PARTS_MOST ? (uint32_t)parts + 1 : PARTS_MOST;
 }
 
 static uint32_t lay_rings(const tree *t, const tree_branch *b, const tube_shape *s, ring *out);
 
-/* More sides and rings, so many that they show it; fewer at the next level, then none. */
-static void cut_finer(const tree *t, const furrows *f, const tree_branch *b, uint32_t level,
+/* More sides and rings, so many that they show it. */
+static void cut_finer(const tree *t, const bark_surface *bark, const tree_branch *b,
                       tube_shape *s) {
-  float steps[2], wider = (float)(level + 1) * (b->order ? LIMBS_COARSER : 1.0f);
   ring rings[RINGS_MOST];
-  uint32_t n = lay_rings(t, b, s, rings), more = 0, any = 0;
-  furrows_steps(f, steps);
-  for (uint32_t i = 0; i + 1 < n; i++) {
-    more += parts_between(t, f, steps[1] * wider, &rings[i], &rings[i + 1]) - 1;
-    any |= (uint32_t)deep(t, f, &rings[i]);
+  uint32_t n = lay_rings(t, b, s, rings);
+  float round = 0.0f, steps[2];
+  for (uint32_t i = 0; i < n; i++) {
+    steps_at(t, bark, b, s->level, &rings[i], steps);
+    round = finer(round, steps[0]);
   }
-  if (!any) return;
-  s->step = steps[1] * wider;
-  s->rings += more;
-  float round = 6.2831853f * b->radius / (steps[0] * wider);
-  uint32_t most = SIDES_MOST / (level + 1), sides = round < (float)most ? (uint32_t)round : most;
-  if (sides > s->sides) s->sides = sides;
+  if (!(round > 0.0f)) return;
+  s->fine = 1;
+  for (uint32_t i = 0; i + 1 < n; i++)
+    s->rings += parts_between(t, bark, b, s, &rings[i], &rings[i + 1]) - 1;
+  float sides = 6.2831853f * b->radius / round;
+  uint32_t most = SIDES_MOST / (s->level + 1), whole = sides < (float)most ? (uint32_t)sides : most;
+  if (whole > s->sides) s->sides = whole;
 }
 
-int tube_shape_of(const tree *t, const furrows *bark, uint32_t branch, uint32_t level,
+int tube_shape_of(const tree *t, const bark_surface *bark, uint32_t branch, uint32_t level,
                   tube_shape *out) {
   const tree_branch *b = &t->branches[branch];
   if (b->nodes < 2) return 0;
@@ -93,11 +91,13 @@ int tube_shape_of(const tree *t, const furrows *bark, uint32_t branch, uint32_t 
   out->stride = level < 2 ? 1 : level < 4 ? 2 : 4;
   if (branch == 0 && level == 1) out->stride = 2;
   out->sides = sides_of(b->radius, level);
-  if (level < 2 && stands_on_roots(b)) out->sides = lobed_sides[level];
+  uint32_t more = foot_sides(b, level);
+  if (more) out->sides = more;
   out->collar = level < 2 && b->order == 1 && b->radius > 1.0f;
   out->rings = (b->nodes - 2) / out->stride + 2 + (out->collar ? 2u : 0u);
-  out->step = 0.0f;
-  if (level < 2 && furrowed(t, bark, b)) cut_finer(t, bark, b, level, out);
+  out->level = level;
+  out->fine = 0;
+  if (level < 2 && bark && bark_surface_on(bark, t, b)) cut_finer(t, bark, b, out);
   return 1;
 }
 
@@ -191,52 +191,6 @@ static void cross(const float a[3], const float b[3], float out[3]) {
   out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/* The radius at the foot, as a share. */
-static float lobed(const tree *t, const tree_branch *b, float height, const float round[2]) {
-  if (!stands_on_roots(b)) return 1.0f;
-  float near_ground = 1.0f - height / (3.0f * b->radius);
-  if (near_ground <= 0.0f) return 1.0f;
-  uint32_t h = hash1(t->plan.seed ^ 0x0badcafeu);
-  const float *turn = t->plan.round[h >> 22];
-  float c = round[0] * turn[0] - round[1] * turn[1], d = round[1] * turn[0] + round[0] * turn[1];
-  /* cos 5x and cos 3x of one angle */
-  float c2 = c * c, five = c * (16.0f * c2 * c2 - 20.0f * c2 + 5.0f),
-        three = d * (3.0f - 4.0f * d * d);
-  return 1.0f + near_ground * near_ground * (0.16f * five + 0.1f * three + 0.1f);
-}
-
-/* The k-th side's place on the ring, from the axis, and its normal. */
-static float lobe(const tree *t, const tree_branch *b, float height, uint32_t k, uint32_t sides,
-                  float out[2]) {
-  const float *round[3]; /* of the side before, its own, and of the one behind */
-  float r[3];
-  for (uint32_t i = 0; i < 3; i++)
-    round[i] = t->plan.round[(k + sides - 1 + i) % sides * 1024u / sides];
-  out[0] = round[1][0], out[1] = round[1][1];
-  if (!stands_on_roots(b)) return 1.0f;
-  for (int i = 0; i < 3; i++) r[i] = lobed(t, b, height, round[i]);
-  if (r[0] == r[2]) return r[1];
-  /* square to the line from the side before to the one behind */
-  float x = r[2] * round[2][0] - r[0] * round[0][0], y = r[2] * round[2][1] - r[0] * round[0][1];
-  float s = 1.0f / __builtin_sqrtf(x * x + y * y);
-  out[0] = s * y, out[1] = -s * x;
-  return r[1];
-}
-
-#define UPRIGHT 0.7f /* a stem that leans further is no foot but a trunk along the ground */
-
-/* A stem's foot lies flat on the ground, however it leans; its rings come round to it by and by. */
-static void stand(const tree_branch *b, float height, float along[3]) {
-  float share = height / (3.0f * b->radius), sum = 0.0f;
-  if (b->order || share >= 1.0f || !(along[1] > UPRIGHT)) return;
-  for (int c = 0; c < 3; c++) {
-    along[c] = c == 1 ? 1.0f + share * (along[1] - 1.0f) : share * along[c];
-    sum += along[c] * along[c];
-  }
-  sum = 1.0f / __builtin_sqrtf(sum);
-  for (int c = 0; c < 3; c++) along[c] *= sum;
-}
-
 /* Where a tube ends: of a dead branch, whose tip has broken off, in a splinter. */
 #define SPLINTER 1.2f /* radii long */
 
@@ -247,33 +201,34 @@ static void end_point(const tree_branch *b, const ring *last, const float along[
   }
 }
 
-/* How a ring lies. */
+/* How a ring lies, and what its bark is like. */
 typedef struct {
   float level[3], side[3]; /* its plane */
-  float depth, old, cut;   /* mm, of its furrows; shares: rhytidome; of furrows that are cut */
+  bark_ring bark;
 } ring_frame;
 
 static void write_ring(mesh_pen *pen, const tree *t, uint32_t branch, const tube_shape *s,
                        const ring *at, const ring_frame *f, float v) {
   const tree_branch *b = &t->branches[branch];
-  const furrows *bark = &pen->bark;
-  int fine = s->step > 0.0f && f->depth > LEAST_FURROW && f->cut > 0.0f;
-  float even[3];
+  const bark_ring *bark = &f->bark;
+  int plain = !(bark->depth > 0.0f || bark->marks > 0.0f);
+  float even[3], bare[3], turned[3];
   for (int c = 0; c < 3; c++) even[c] = pen->colour[c];
+  if (!plain) bark_colours(&t->plan, at->age, bare, turned);
   for (uint32_t k = 0; k <= s->sides; k++) {
     const float *round = t->plan.round[k % s->sides * 1024u / s->sides];
-    float n[3], p[3], out[2], r = at->r * lobe(t, b, at->p[1], k, s->sides, out);
+    float n[3], p[3], out[2], r = at->r * foot_radius(t, b, at->p[1], k, s->sides, out);
     for (int c = 0; c < 3; c++) {
       n[c] = out[0] * f->level[c] + out[1] * f->side[c];
       p[c] = at->p[c] + r * (round[0] * f->level[c] + round[1] * f->side[c]);
     }
-    if (f->depth > 0.0f) {
-      float off = fine ? f->cut * (furrows_height(bark, p) - bark->mean) : 0.0f;
-      float tone = 1.0f + bark->shade * f->old * off;
-      r += f->depth * (bark->mean + off);
+    if (!plain) {
+      bark_point q = bark_at(&pen->bark, bark, p);
+      r += q.thick;
       for (int c = 0; c < 3; c++) {
         p[c] = at->p[c] + r * (round[0] * f->level[c] + round[1] * f->side[c]);
-        pen->colour[c] = tone * even[c] < 1.0f ? tone * even[c] : 1.0f;
+        float now = q.tone * (bare[c] + q.old * turned[c]);
+        pen->colour[c] = now < 1.0f ? now : 1.0f;
       }
     }
     pen_point(pen, p, n, (float)k / (float)s->sides, v, branch);
@@ -281,7 +236,7 @@ static void write_ring(mesh_pen *pen, const tree *t, uint32_t branch, const tube
   for (int c = 0; c < 3; c++) pen->colour[c] = even[c];
 }
 
-/* Normals of what is furrowed: of each point square to the lines between its neighbours. */
+/* Normals of finer tubes: of each point square to the lines between its neighbours. */
 static void set_normals(mesh_block *m, uint64_t first, const tube_shape *s) {
   uint64_t across = s->sides + 1;
   for (uint64_t i = 0; i < s->rings; i++) {
@@ -335,18 +290,18 @@ void tube_write(mesh_pen *pen, const tree *t, uint32_t branch, const tube_shape 
   const tree_branch *b = &t->branches[branch];
   ring rings[RINGS_MOST], at, before = {.r = 0.0f};
   uint32_t count = lay_rings(t, b, s, rings), base = 0;
-  int rough = furrowed(t, &pen->bark, b);
+  int barked = bark_surface_on(&pen->bark, t, b);
   float along[3], v = 0.0f, end[3];
-  ring_frame f = {.depth = 0.0f};
+  ring_frame f = {.bark = {.depth = 0.0f}};
   for (uint32_t i = 0; i < count; i++) {
     uint32_t parts =
-        i + 1 < count ? parts_between(t, &pen->bark, s->step, &rings[i], &rings[i + 1]) : 1;
+        i + 1 < count ? parts_between(t, &pen->bark, b, s, &rings[i], &rings[i + 1]) : 1;
     for (uint32_t part = 0; part < parts; part++) {
       float share = (float)part / (float)parts;
       at = rings[i];
       if (part) between(&rings[i], &rings[i + 1], share, 1.0f, &at);
       turn_between(rings, count, i, share, along);
-      stand(b, at.p[1], along);
+      foot_stand(b, at.p[1], along);
       if (i == 0 && part == 0) {
         turn_level(along, f.level);
       } else {
@@ -360,16 +315,12 @@ void tube_write(mesh_pen *pen, const tree *t, uint32_t branch, const tube_shape 
       } else {
         v += 0.01f * apart(&before, &at);
       }
-      if (rough) {
-        f.old = bark_old(&t->plan, at.age);
-        f.depth = furrows_depth(&pen->bark, f.old, at.r);
-        f.cut = furrows_cut(&pen->bark, at.p[1]);
-      }
+      if (barked) f.bark = bark_ring_at(&pen->bark, &t->plan, at.age, at.r, at.p[1], s->level);
       write_ring(pen, t, branch, s, &at, &f, v);
       before = at;
     }
   }
-  if (s->step > 0.0f) set_normals(pen->mesh, base + 1, s);
+  if (s->fine) set_normals(pen->mesh, base + 1, s);
   end_point(b, &rings[count - 1], along, end);
   write_triangles(pen, s, base, pen_point(pen, end, along, 0.5f, v, branch));
 }

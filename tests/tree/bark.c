@@ -224,9 +224,10 @@ static void at_every_level(void **unused) {
   (void)unused;
   static const char *const kinds[] = {"akamatsu", "shirakaba"};
   for (int k = 0; k < 2; k++) {
-    /* furrows.c looks at what furrows make of it */
+    /* furrows.c and lenticels.c look at what those make of it */
     sozai_geometry *g =
-        grow(kinds[k], "age=40 leaves_most=30000 bark_depth=0 leaf_variation=0", NULL);
+        grow(kinds[k], "age=40 leaves_most=30000 bark_depth=0 lenticel_density=0 leaf_variation=0",
+             NULL);
     float foot[3];
     print_message("%s\n", kinds[k]);
     for (uint32_t level = 0; level <= 8; level++) mesh_as_curves(g, level, foot);

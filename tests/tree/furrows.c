@@ -1,38 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0
  * Relief of old bark: plates as wide, as long and as high as asked for, as dark in the mean as
  * even bark, no further up than it reaches, and lit as it lies. */
-#include <math.h>
 #include <stdio.h>
 
-#include "tree.h"
+#include "stem_rings.h"
 
 /* A straight stem, all of it rhytidome. */
 #define EVEN                                                                                       \
   "age=60 orders=1 sway=0 butt=0 diameter_max=700 rhytidome_from=0 rhytidome_age=0 "               \
   "rhytidome_colour=0.4,0.5,0.3 "
-
-/* The stem's rings, each of `sides` points and one that repeats the first. */
-typedef struct {
-  const sozai_mesh *mesh;
-  uint64_t first, sides, count;
-} rings;
-
-static rings rings_of(const sozai_mesh *m) {
-  rings r = {.mesh = m, .first = 1};
-  while (m->uv[2 * (r.first + r.sides)] < 1.0f) r.sides++;
-  while (m->owner[r.first + (r.count + 1) * (r.sides + 1)] == 0) r.count++;
-  return r;
-}
-
-static const float *point(const rings *r, uint64_t i, uint64_t k) {
-  return r->mesh->points + 3 * (r->first + i * (r->sides + 1) + k);
-}
-
-/* mm, of a point from the axis, which a straight stem's has where x = z = 0. */
-static double out_of(const rings *r, uint64_t i, uint64_t k) {
-  const float *p = point(r, i, k);
-  return hypot((double)p[0], (double)p[2]);
-}
 
 static double narrowest(const rings *r, uint64_t i) {
   double least = 1e9;
@@ -45,11 +21,6 @@ static double mean_of(const rings *r, uint64_t i) {
   for (uint64_t k = 0; k < r->sides; k++) sum += out_of(r, i, k);
   return sum / (double)r->sides;
 }
-
-static double height_of(const rings *r, uint64_t i) { return (double)point(r, i, 0)[1]; }
-
-/* mm: a stem stands on roots, which are gone there */
-#define ROOTS 800
 
 /* ---- sizes --------------------------------------------------------------------- */
 
@@ -146,7 +117,7 @@ static void dark_in_furrows(void **unused) {
   for (uint64_t i = 0; i < r.count && height_of(&r, i) < 5500; i++) {
     double low = narrowest(&r, i);
     for (uint64_t k = 0; k < r.sides; k++) {
-      const float *c = m->colours + 3 * (r.first + i * (r.sides + 1) + k);
+      const float *c = m->colours + 3 * index_of(&r, i, k);
       double tone = (double)c[1] / 0.5;
       assert_true(fabs((double)c[0] - 0.4 * tone) < 1e-5 && fabs((double)c[2] - 0.3 * tone) < 1e-5);
       least = fmin(least, tone), most = fmax(most, tone);
@@ -162,6 +133,47 @@ static void dark_in_furrows(void **unused) {
   assert_true(both > 0.9 * dark && both > 0.5 * thin);
   geometry()->release_mesh(m);
   geometry()->release(g);
+}
+
+/* Half turned: black and white, so that red is how much is rhytidome. */
+static double turned_at(const char *turning, double *low, double *high) {
+  char values[400];
+  snprintf(values, sizeof values,
+           "age=60 orders=1 sway=0 butt=0 diameter_max=700 periderm_age=0 rhytidome_from=20 "
+           "rhytidome_age=100 bark_colour=0,0,0 rhytidome_colour=1,1,1 bark_depth=15 bark_shade=0 "
+           "bark_plates=0.5 bark_turning=%s",
+           turning);
+  sozai_geometry *g = grow("sugi", values, NULL);
+  const sozai_mesh *m = mesh_of(g, 0);
+  rings r = rings_of(m);
+  double sum = 0, count = 0, lows = 0, highs = 0;
+  *low = *high = 0;
+  for (uint64_t i = 0; i < r.count && height_of(&r, i) < 3000; i++) {
+    double least = narrowest(&r, i), mean = mean_of(&r, i);
+    if (height_of(&r, i) < ROOTS) continue;
+    for (uint64_t k = 0; k < r.sides; k++) {
+      double red = (double)m->colours[3 * index_of(&r, i, k)];
+      sum += red, count++;
+      if (out_of(&r, i, k) < least + 0.3 * (mean - least)) *low += red, lows++;
+      if (out_of(&r, i, k) > mean + 0.3 * (mean - least)) *high += red, highs++;
+    }
+  }
+  *low /= lows, *high /= highs;
+  print_message("turning %s: %.3f of it, %.3f in furrows, %.3f on plates\n", turning, sum / count,
+                *low, *high);
+  geometry()->release_mesh(m);
+  geometry()->release(g);
+  return sum / count;
+}
+
+static void turns_in_furrows_or_on_plates(void **unused) {
+  (void)unused;
+  double low, high, even = turned_at("0", &low, &high);
+  assert_true(fabs(low - high) < 0.01);
+  assert_true(fabs(turned_at("1", &low, &high) - even) < 0.06);
+  assert_true(low > even + 0.2 && high < even - 0.1);
+  assert_true(fabs(turned_at("-1", &low, &high) - even) < 0.06);
+  assert_true(low < even - 0.2 && high > even + 0.1);
 }
 
 /* ---- where it is ----------------------------------------------------------------- */
@@ -248,9 +260,11 @@ static void lit_as_it_lies(void **unused) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(plates_as_wide_and_long_as_asked), cmocka_unit_test(as_deep_as_asked),
-      cmocka_unit_test(dark_in_furrows), cmocka_unit_test(no_higher_than_it_reaches),
-      cmocka_unit_test(lit_as_it_lies)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(plates_as_wide_and_long_as_asked),
+                                     cmocka_unit_test(as_deep_as_asked),
+                                     cmocka_unit_test(dark_in_furrows),
+                                     cmocka_unit_test(turns_in_furrows_or_on_plates),
+                                     cmocka_unit_test(no_higher_than_it_reaches),
+                                     cmocka_unit_test(lit_as_it_lies)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -136,7 +136,8 @@ static void old_bark(void **unused) {
   static const char *const kinds[] = {"kuromatsu", "douglas_fir", "keyaki", "shirakaba"};
   for (int s = 0; s < 4; s++) {
     sozai_geometry *g = grow(kinds[s], "age=70 orders=1", NULL);
-    sozai_geometry *smooth = grow(kinds[s], "age=70 orders=1 bark_depth=0", NULL);
+    sozai_geometry *smooth =
+        grow(kinds[s], "age=70 orders=1 bark_depth=0 lenticel_density=0", NULL);
     uint64_t before = UINT64_MAX;
     for (uint32_t level = 0; level <= 8; level++) {
       const sozai_mesh *m = mesh_of(g, level), *plain = mesh_of(smooth, level);

@@ -25,6 +25,7 @@ static const sozai_value cherry[] = {
     PERIDERM(4, 0.36, 0.27, 0.25),
     RHYTIDOME(20, 60, 0.29, 0.27, 0.26),
     FURROWS(3, 37, 22, 0.5),
+    LENTICELS(3, 60, 6, 0.45),
     TRIPLE("leaf_colour", 0.29, 0.43, 0.17)};
 SPECIES(cherry, "Yamazakura (Prunus jamasakura)",
         "Mountain cherry: low limbs spread wide and rise.", SATAKE "; leaves 80 to 120 mm");
@@ -137,6 +138,8 @@ static const sozai_value shirakaba[] = {
     PERIDERM(9, 0.86, 0.84, 0.79),
     RHYTIDOME(40, 85, 0.27, 0.25, 0.24),
     FURROWS(10, 55, 90, 0.75),
+    NUMBER("bark_turning", 0.8),
+    LENTICELS(2.5, 35, 4, 0.75),
     TRIPLE("leaf_colour", 0.34, 0.48, 0.18)};
 SPECIES(
     shirakaba, "Shirakaba (Betula platyphylla)",

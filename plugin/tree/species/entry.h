@@ -56,6 +56,10 @@
 #define FURROWS(deep, wide, tall, flat)                                                            \
   NUMBER("bark_depth", deep), NUMBER("bark_width", wide), NUMBER("bark_length", tall),             \
       NUMBER("bark_plates", flat)
+/* Of periderm: to a dm2; mm across and along the stem; how dark, 0 to 1. */
+#define LENTICELS(often, across, along, dark)                                                      \
+  NUMBER("lenticel_density", often), NUMBER("lenticel_length", across),                            \
+      NUMBER("lenticel_height", along), NUMBER("lenticel_shade", dark)
 #define STEM(form, butt, sway) NUMBER("stem_form", form), NUMBER("butt", butt), NUMBER("sway", sway)
 
 #endif

@@ -80,6 +80,7 @@ static const sozai_value akamatsu[] = {
     PERIDERM(4, 0.56, 0.32, 0.21),
     RHYTIDOME(12, 40, 0.39, 0.34, 0.31),
     FURROWS(12, 40, 75, 0.7),
+    NUMBER("bark_turning", -1),
     TRIPLE("leaf_colour", 0.25, 0.37, 0.17)};
 SPECIES(akamatsu, "Akamatsu (Pinus densiflora)",
         "Japanese red pine: a whorl a year, red crooked limbs, grey-brown plates at the foot, "

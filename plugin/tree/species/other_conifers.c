@@ -40,6 +40,7 @@ static const sozai_value scots_pine[] = {
     PERIDERM(4, 0.58, 0.37, 0.24),
     RHYTIDOME(12, 45, 0.37, 0.32, 0.29),
     FURROWS(16, 45, 80, 0.7),
+    NUMBER("bark_turning", -1),
     TRIPLE("leaf_colour", 0.24, 0.36, 0.25)};
 SPECIES(scots_pine, "Scots pine (Pinus sylvestris)",
         "Whorls, orange bark above grey-brown plates, short blue-green needles.", MITCHELL FARJON);
