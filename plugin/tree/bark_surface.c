@@ -10,6 +10,8 @@ static const float shown_from[] = {30.0f, 120.0f}; /* mm of radius: stems, and l
   0.8f /* mm: what is shallower is as deep as its mean; twice as deep, all is cut */
 #define LEAST_MARK 0.03f /* what is paler is as dark as its mean */
 
+#define CUT_BELOW 3u /* levels of detail: from then on bark is as its mean */
+
 /* Of bark half turned, how much more is rhytidome in furrows than all round, at most. */
 #define TURNS_FIRST 0.5f
 
@@ -26,7 +28,7 @@ bark_ring bark_ring_at(const bark_surface *s, const tree_plan *p, float age, flo
                        uint32_t level) {
   bark_ring at = {.old = bark_old(p, age)};
   at.depth = furrows_depth(&s->furrows, at.old, r);
-  if (level < 2 && at.depth > LEAST_FURROW) {
+  if (level < CUT_BELOW && at.depth > LEAST_FURROW) {
     at.first = 4.0f * TURNS_FIRST * p->bark_turning * at.old * (1.0f - at.old);
     float grown = at.depth / LEAST_FURROW - 1.0f;
     at.cut = furrows_cut(&s->furrows, y) * (grown < 1.0f ? grown : 1.0f);
@@ -45,7 +47,7 @@ void bark_ring_steps(const bark_surface *s, const bark_ring *at, uint32_t level,
   out[0] = out[1] = 0.0f;
   if (at->cut > 0.0f) {
     furrows_steps(&s->furrows, out);
-    for (int i = 0; i < 2; i++) out[i] *= (float)(level + 1);
+    for (int i = 0; i < 2; i++) out[i] *= 1.0f + 0.5f * (float)level;
   }
   if (!(at->marks > 0.0f)) return;
   lenticels_steps(&s->lenticels, more);

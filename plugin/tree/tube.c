@@ -97,7 +97,7 @@ int tube_shape_of(const tree *t, const bark_surface *bark, uint32_t branch, uint
   out->rings = (b->nodes - 2) / out->stride + 2 + (out->collar ? 2u : 0u);
   out->level = level;
   out->fine = 0;
-  if (level < 2 && bark && bark_surface_on(bark, t, b)) cut_finer(t, bark, b, out);
+  if (bark && bark_surface_on(bark, t, b)) cut_finer(t, bark, b, out);
   return 1;
 }
 
