@@ -128,7 +128,14 @@ def sugi():
     camera(s, (0, -1.9 * top, 0.2 * top), (0, 0, 0.49 * top), 52)
 
 
-DRAWN = {"board": board, "floor": floor, "felt": felt, "sugi": sugi}
+def pine():
+    s = scene("pine", 600, 800, sun=(32, 100), sky=0.05)
+    painted(plane(400.0), (0.13, 0.14, 0.07))
+    bpy.ops.sozai.grow_tree(preset="akamatsu", age=34, level=0)
+    camera(s, (1.6, -4.6, 1.7), (0.25, 0, 2.3), 45)
+
+
+DRAWN = {"board": board, "floor": floor, "felt": felt, "sugi": sugi, "pine": pine}
 
 wanted = os.environ["SOZAI_WANTED"].split() or list(DRAWN)
 unknown = [w for w in wanted if w not in DRAWN]
