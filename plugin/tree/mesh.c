@@ -104,9 +104,11 @@ int32_t tree_mesh(const tree *t, const sozai_host *host, uint32_t level, mesh_bl
   pen.mesh = m;
   uint64_t ends[3] = {0, 0, 0};
   for (uint32_t i = 0; !r && i < t->branch_count; i++) {
-    if (tube_shape_of(t, &pen.bark, i, level, &tube)) tube_write(&pen, t, i, &tube);
+    int drawn = tube_shape_of(t, &pen.bark, i, level, &tube);
+    if (drawn) tube_write(&pen, t, i, &tube);
     if (i + 1 == t->stems) ends[0] = pen.triangle;
-    if (++done % REPORT_EACH == 0)
+    /* a stem with bark may be a million points */
+    if (++done % REPORT_EACH == 0 || (drawn && tube.fine))
       r = host_progress(host, (double)done / (double)work, "making the mesh");
   }
   ends[1] = pen.triangle;
