@@ -154,6 +154,24 @@ static void refine_triangle(const scene *s, uint32_t triangle, float u, float v,
   h->normal = vec_length(n) > 1e-6f ? vec_unit(n) : h->geometric;
 }
 
+/* A triangle whose corners' normals lean apart stands for a surface that bulges: its points are
+ * lifted on to the corners' tangent planes, so that the edge of its own shadow is no staircase of
+ * triangles (Hanika 2021, Hacking the Shadow Terminator, Ray Tracing Gems II). */
+static void lift(const scene *s, uint32_t triangle, float u, float v, hit *h) {
+  const uint32_t *t = s->mesh.indices + 3 * (size_t)triangle;
+  vec to[3];
+  float most = 0;
+  for (int i = 0; i < 3; i++) {
+    vec n = point_of(s->mesh.normals, t[i]);
+    if (vec_dot(n, h->geometric) < 0) n = vec_scale(-1, n);
+    float below = fminf(vec_dot(vec_sub(h->point, point_of(s->mesh.points, t[i])), n), 0);
+    to[i] = vec_along(h->point, -below, n);
+    most = fmaxf(most, -below);
+  }
+  h->bulges = most > 0;
+  if (h->bulges) h->lifted = blend(to[0], to[1], to[2], u, v);
+}
+
 static void refine_sphere(const scene *s, hit *h) {
   h->normal = h->geometric = vec_unit(h->point);
   h->point = vec_scale(s->sphere[3], h->normal);
@@ -207,6 +225,7 @@ hit scene_trace(const scene *s, vec origin, vec direction) {
     refine_triangle(s, r.hit.primID, r.hit.u, r.hit.v, &h);
   }
   h.geometric = facing(h.geometric, direction);
+  if (!s->sphere) lift(s, h.triangle, h.u, h.v, &h);
   /* The smooth normal goes with its face; where it turns away from the eye
    * even so, at silhouettes, the face's own is better than none. */
   if (vec_dot(h.normal, h.geometric) < 0) h.normal = vec_scale(-1, h.normal);
@@ -226,7 +245,10 @@ bool scene_sees_all(const scene *s, const hit *from) {
   return s->convex && from->what == HIT_SHAPE;
 }
 
+vec scene_lit_side(const hit *from) { return from->bulges ? from->normal : from->geometric; }
+
 bool scene_blocked_from(const scene *s, const hit *from, vec direction) {
   if (scene_sees_all(s, from)) return false;
-  return scene_blocked(s, vec_along(from->point, s->step, from->geometric), direction);
+  vec start = from->bulges ? from->lifted : from->point;
+  return scene_blocked(s, vec_along(start, s->step, from->geometric), direction);
 }

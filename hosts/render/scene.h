@@ -28,8 +28,10 @@ typedef struct hit {
   int what; /* HIT_* */
   float distance;
   vec point;
-  vec normal;        /* unit, towards the ray's origin */
-  vec geometric;     /* likewise, of the flat triangle */
+  vec normal;    /* unit, towards the ray's origin */
+  vec geometric; /* likewise, of the flat triangle */
+  bool bulges;   /* the smooth normals bend the triangle up: light comes to the surface there, */
+  vec lifted;    /* where the point is then */
   uint32_t triangle; /* of the mesh */
   float u, v;        /* where on it: shares of its second and third corner */
 } hit;
@@ -43,6 +45,8 @@ bool scene_blocked(const scene *s, vec origin, vec direction);
 /* Whether nothing can stand in the way of a ray that leaves a surface on the side of the hit's
  * geometric normal. */
 bool scene_sees_all(const scene *s, const hit *from);
+/* The side that light has to come from. */
+vec scene_lit_side(const hit *from);
 /* Whether the shape stands in the way of such a ray. */
 bool scene_blocked_from(const scene *s, const hit *from, vec direction);
 

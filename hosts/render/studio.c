@@ -40,14 +40,15 @@ void studio_init(studio *st, const render_job *job, const scene *s) {
 }
 
 float studio_key(const studio *st, const scene *s, const hit *h, uint32_t pixel, uint32_t sample) {
-  float u, v, rise = vec_dot(h->geometric, st->light);
+  vec side = scene_lit_side(h);
+  float u, v, rise = vec_dot(side, st->light);
   if (rise <= -st->light_spread) return 0;
   if (rise > st->light_spread && scene_sees_all(s, h)) return 1;
   sample_pair(pixel, sample, PAIR_LIGHT, &u, &v);
   float r = st->light_spread * sqrtf(u), turn = 2 * PI * v;
   vec towards = vec_along(st->light, r * cosf(turn), st->light_s);
   towards = vec_unit(vec_along(towards, r * sinf(turn), st->light_t));
-  if (vec_dot(h->geometric, towards) <= 0) return 0;
+  if (vec_dot(side, towards) <= 0) return 0;
   return scene_blocked_from(s, h, towards) ? 0 : 1;
 }
 
@@ -77,6 +78,7 @@ vec studio_fill(const studio *st, const scene *s, const hit *h, uint32_t pixel, 
   if (st->sky == 0 && !s->has_floor) return sum;
   if (scene_sees_all(s, h)) return open_fill(st, s, h->normal);
   vec_frame(h->normal, &a, &b);
+  vec side = scene_lit_side(h);
   for (uint32_t i = 0; i < SKY_RAYS; i++) {
     float u, v;
     sample_pair(pixel, sample * SKY_RAYS + i, PAIR_SKY, &u, &v);
@@ -84,7 +86,7 @@ vec studio_fill(const studio *st, const scene *s, const hit *h, uint32_t pixel, 
     vec towards = vec_scale(sqrtf(1 - u), h->normal);
     towards = vec_along(towards, r * cosf(turn), a);
     towards = vec_along(towards, r * sinf(turn), b);
-    if (vec_dot(towards, h->geometric) <= 0) continue;
+    if (vec_dot(towards, side) <= 0) continue;
     if (scene_blocked_from(s, h, towards))
       sum = vec_along(sum, st->sky, bounce);
     else if (s->has_floor && vec_dot(towards, st->up) < 0)
