@@ -37,7 +37,7 @@ bark_ring bark_ring_at(const bark_surface *s, const tree_plan *p, float age, flo
 /* mm: how far points may stand apart that show it, round the axis and along it; 0: at will. */
 void bark_ring_steps(const bark_surface *s, const bark_ring *at, uint32_t level, float out[2]);
 
-/* What it is like at one point. */
+/* What it is like at one point. p: mm, across the axis, along it, across. */
 typedef struct {
   float thick; /* mm */
   float old;   /* how much of it is rhytidome */

@@ -23,7 +23,7 @@ typedef struct {
 
 furrows furrows_of(const tree_plan *p);
 
-/* 0 in a furrow, up to 1 on plates, at a place in mm. */
+/* 0 in a furrow, up to 1 on plates, at a place in mm, the second along the stem. */
 float furrows_height(const furrows *f, const float p[3]);
 
 /* mm: how high plates stand over furrows on a stem of radius r. old: how much is rhytidome. */

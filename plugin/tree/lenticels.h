@@ -20,7 +20,7 @@ typedef struct {
 
 lenticels lenticels_of(const tree_plan *p);
 
-/* 1 in one's middle, 0 beside it, at a place in mm. */
+/* 1 in one's middle, 0 beside it, at a place in mm, the second along the stem. */
 float lenticels_mark(const lenticels *l, const float p[3]);
 
 /* How much of its shade they have on bark so old at that height, 0 to 1. */

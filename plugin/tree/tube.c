@@ -223,7 +223,10 @@ static void write_ring(mesh_pen *pen, const tree *t, uint32_t branch, const tube
       p[c] = at->p[c] + r * (round[0] * f->level[c] + round[1] * f->side[c]);
     }
     if (!plain) {
-      bark_point q = bark_at(&pen->bark, bark, p);
+      /* along the axis and not upright: limbs have it along them, too, each its own */
+      float own = b->order ? (float)(b->key & 0xffffu) : 0.0f;
+      const float place[3] = {own + r * round[0], 100.0f * v, r * round[1]};
+      bark_point q = bark_at(&pen->bark, bark, place);
       r += q.thick;
       for (int c = 0; c < 3; c++) {
         p[c] = at->p[c] + r * (round[0] * f->level[c] + round[1] * f->side[c]);

@@ -176,6 +176,52 @@ static void turns_in_furrows_or_on_plates(void **unused) {
   assert_true(low < even - 0.2 && high > even + 0.1);
 }
 
+/* mm, of a point from its ring's middle. */
+static double out_of_limb(const rings *r, uint64_t i, uint64_t k) {
+  double middle[3] = {0}, sum = 0;
+  const float *p = r->mesh->points;
+  for (uint64_t s = 0; s < r->sides; s++)
+    for (uint64_t c = 0; c < 3; c++)
+      middle[c] += (double)p[3 * index_of(r, i, s) + c] / (double)r->sides;
+  for (uint64_t c = 0; c < 3; c++)
+    sum += (middle[c] - (double)p[3 * index_of(r, i, k) + c]) *
+           (middle[c] - (double)p[3 * index_of(r, i, k) + c]);
+  return sqrt(sum);
+}
+
+/* Strips of level limbs run along them, as those of stems do. */
+static void along_limbs(void **unused) {
+  (void)unused;
+  sozai_geometry *g = grow("mizunara",
+                           "age=110 orders=1 elevation_top=5 elevation_base=5 droop=0 upturn=0 "
+                           "wander=0 bark_width=40 bark_length=400 bark_reach=100 rhytidome_age=20",
+                           NULL);
+  const sozai_mesh *m = mesh_of(g, 0);
+  double round = 0, up = 0;
+  unsigned limbs = 0;
+  for (uint64_t i = 1; i < m->point_count && limbs < 6; i++) {
+    if (m->owner[i] == m->owner[i - 1] || m->owner[i] == 0) continue;
+    rings r = rings_from(m, i);
+    if (r.sides < 30 || r.count < 40) continue;
+    limbs++;
+    double last[400], at[400];
+    for (uint64_t n = 10; n < 40; n++) {
+      double mean = 0;
+      for (uint64_t k = 0; k < r.sides; k++) mean += out_of_limb(&r, n, k) / (double)r.sides;
+      for (uint64_t k = 0; k < r.sides; k++) at[k] = out_of_limb(&r, n, k) - mean;
+      for (uint64_t k = 0; k < r.sides; k++) {
+        round += (at[k] > 0) != (at[(k + 1) % r.sides] > 0);
+        up += n > 10 && (at[k] > 0) != (last[k] > 0);
+      }
+      memcpy(last, at, sizeof last);
+    }
+  }
+  print_message("%u limbs: %.0f edges met round them, %.0f along\n", limbs, round, up);
+  assert_true(limbs > 2 && round > 1.8 * up);
+  geometry()->release_mesh(m);
+  geometry()->release(g);
+}
+
 /* ---- where it is ----------------------------------------------------------------- */
 
 /* How far a ring is from round. */
@@ -264,6 +310,7 @@ int main(void) {
                                      cmocka_unit_test(as_deep_as_asked),
                                      cmocka_unit_test(dark_in_furrows),
                                      cmocka_unit_test(turns_in_furrows_or_on_plates),
+                                     cmocka_unit_test(along_limbs),
                                      cmocka_unit_test(no_higher_than_it_reaches),
                                      cmocka_unit_test(lit_as_it_lies)};
   return cmocka_run_group_tests(tests, NULL, NULL);

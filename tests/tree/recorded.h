@@ -5,6 +5,6 @@
     {"sugi_paper", "age=7", 0x3f2fc505abb0e2ecull, 0xf69e921b0c3d2baeull},
     {"akamatsu", "age=14 seed=5", 0xc166f8b7f0ce6885ull, 0xfaf3f197d813d7fdull},
     {"cherry", "age=9 seed=2", 0x881f02d6f1eab080ull, 0xfe270b07d08545b6ull},
-    {"momiji", "age=60 orders=1", 0xaaf2e602e8ed2660ull, 0x09c20f319e2c75f3ull},
-    {"keyaki", "age=50 orders=1 seed=3", 0xd1a5fe3548bd2e8dull, 0x265ba63d120304d6ull},
+    {"momiji", "age=60 orders=1", 0xb078114009e7e162ull, 0x8d9e2c23831b7988ull},
+    {"keyaki", "age=50 orders=1 seed=3", 0x556c92c364c174b9ull, 0xdf5eeba47c516f30ull},
     {"karamatsu", "age=7.5 foliage=sprigs", 0x31323d2d8606459aull, 0x744f9c7cd68e080eull},

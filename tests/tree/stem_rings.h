@@ -16,12 +16,16 @@ typedef struct {
   uint64_t first, sides, count;
 } rings;
 
-static inline rings rings_of(const sozai_mesh *m) {
-  rings r = {.mesh = m, .first = 1};
+static inline rings rings_from(const sozai_mesh *m, uint64_t first) {
+  rings r = {.mesh = m, .first = first + 1};
   while (m->uv[2 * (r.first + r.sides)] < 1.0f) r.sides++;
-  while (m->owner[r.first + (r.count + 1) * (r.sides + 1)] == 0) r.count++;
+  while (r.first + (r.count + 1) * (r.sides + 1) < m->point_count &&
+         m->owner[r.first + (r.count + 1) * (r.sides + 1)] == m->owner[first])
+    r.count++;
   return r;
 }
+
+static inline rings rings_of(const sozai_mesh *m) { return rings_from(m, 0); }
 
 static inline uint64_t index_of(const rings *r, uint64_t i, uint64_t k) {
   return r->first + i * (r->sides + 1) + k;
