@@ -6,11 +6,10 @@
 static const float shown_from[] = {30.0f, 120.0f}; /* mm of radius: stems, and limbs on them */
 #define MARKED_FROM 80.0f                          /* mm of radius: where there are lenticels, */
 #define MARKED_ALL 100.0f                          /* and where they are as dark as ever */
-#define LEAST_FURROW                                                                               \
-  0.8f /* mm: what is shallower is as deep as its mean; twice as deep, all is cut */
-#define LEAST_MARK 0.03f /* what is paler is as dark as its mean */
-
-#define CUT_BELOW 3u /* levels of detail: from then on bark is as its mean */
+/* mm: furrows that are shallower are as deep as their mean; twice as deep, all is cut. */
+#define LEAST_FURROW 0.8f
+#define LEAST_MARK 0.03f /* lenticels that are paler are as dark as their mean */
+#define CUT_BELOW 3u     /* levels of detail: from then on bark is as its mean */
 
 /* Of bark half turned, how much more is rhytidome in furrows than all round, at most. */
 #define TURNS_FIRST 0.5f

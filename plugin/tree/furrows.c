@@ -14,7 +14,6 @@
 #define UNEVEN 0.3f     /* how much plates differ in height */
 #define THICKEST 0.16f  /* of the stem's radius: no bark is thicker */
 
-/* Two whole numbers of 16 bits of a cell, signed. */
 static uint32_t cell_hash(const int32_t c[3], uint32_t seed) {
   return hash1(seed + (uint32_t)c[0] * 0x9e3779b1u + (uint32_t)c[1] * 0x85ebca77u +
                (uint32_t)c[2] * 0xc2b2ae3du);

@@ -10,6 +10,7 @@
 #include "../core/meter.h"
 #include "../core/status.h"
 #include "field.h"
+#include "lenticels.h"
 #include "life.h"
 #include "mesh.h"
 #include "parameters.h"
@@ -231,7 +232,8 @@ static int32_t grow_of_field(tree *t, const sozai_host *host, const tree_field *
 static int32_t grow(void *state, const sozai_host *host, const settings *s) {
   tree *t = state;
   plan_make(&t->plan, s);
-  int32_t r = host_progress(host, 0.0, "growing");
+  int32_t r = lenticels_check(&t->plan);
+  if (!r) r = host_progress(host, 0.0, "growing");
   if (r) return r;
   const char *text = s->list[T_FIELD].text;
   if (!text || !*text) return grow_by_years(t, host, NULL);

@@ -2,6 +2,7 @@
 #include "lenticels.h"
 
 #include "../core/hash1.h"
+#include "../core/status.h"
 #include "bark.h"
 
 #define WIDE 1.25f   /* cells' side across, in lengths of the longest */
@@ -51,6 +52,24 @@ void lenticels_steps(const lenticels *l, float out[2]) {
   if (out[1] < 1.5f) out[1] = 1.5f;
 }
 
+#define LEAST_LAYER 1.5f /* lenticels' heights */
+
+/* mm: a surface cuts so many discs of a mean length of 1 - SHORTER / 2. */
+static float layer_of(const tree_plan *p) {
+  return 1e4f * (1.0f - 0.5f * SHORTER) / (WIDE * WIDE * p->lenticel_length * p->lenticel_density);
+}
+
+int32_t lenticels_check(const tree_plan *p) {
+  if (!(p->lenticel_density > 0.0f)) return SOZAI_OK;
+  float share = layer_of(p) / (LEAST_LAYER * p->lenticel_height);
+  if (share > 0.9999f) return SOZAI_OK;
+  return fail(SOZAI_ERROR_RANGE,
+              "lenticel_density: %.9g/dm2 leaves no room for lenticels of %.9g mm by %.9g mm; 0 to "
+              "%.9g",
+              (double)p->lenticel_density, (double)p->lenticel_length, (double)p->lenticel_height,
+              (double)(p->lenticel_density * share));
+}
+
 /* Places enough for the mean to be known to a thousandth. */
 #define PLACES 65536u
 
@@ -61,9 +80,7 @@ lenticels lenticels_of(const tree_plan *p) {
                  .reach = 0.4f * p->bark_reach,
                  .seed = hash1(p->seed ^ 0x846ca68bu)};
   if (!(l.shade > 0.0f)) return l;
-  /* a surface cuts so many discs of a mean length of 1 - SHORTER / 2 */
-  l.layer = 1e4f * (1.0f - 0.5f * SHORTER) / (WIDE * WIDE * l.length * p->lenticel_density);
-  if (l.layer < 1.5f * l.height) l.layer = 1.5f * l.height;
+  l.layer = layer_of(p);
   float sum = 0.0f;
   for (uint32_t i = 0; i < PLACES; i++) {
     uint32_t h = hash1(i), g = hash1(h);

@@ -18,6 +18,9 @@ typedef struct {
   uint32_t seed;
 } lenticels;
 
+/* Refuses more than there is room for. */
+int32_t lenticels_check(const tree_plan *p);
+
 lenticels lenticels_of(const tree_plan *p);
 
 /* 1 in one's middle, 0 beside it, at a place in mm, the second along the stem. */

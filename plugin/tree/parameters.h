@@ -104,7 +104,7 @@
  N(BARK_PLATES, "bark_plates", "Bark plates", "bark", "", 0, 1, 0, 1, 0.4, "0: rounded ridges; 1: flat plates with narrow furrows between.") \
  N(BARK_SHADE, "bark_shade", "Bark shade", "bark", "", 0, 1, 0, 0.8, 0.5, "How much darker furrows' bottoms are than the highest plates, as a share of the mean.") \
  N(BARK_TURNING, "bark_turning", "Bark turning", "bark", "", -1, 1, -1, 1, 0, "Where bark turns to rhytidome first: in furrows at 1, as birch does; on plates at -1, as red pines do, between whose plates young bark shows; alike at 0.") \
- N(LENTICEL_DENSITY, "lenticel_density", "Lenticel density", "bark", "1/dm2", 0, 100, 0, 12, 0, "Of the bars of birch and cherry bark, on periderm. 0 for none.") \
+ N(LENTICEL_DENSITY, "lenticel_density", "Lenticel density", "bark", "1/dm2", 0, 100, 0, 12, 0, "Of the bars of birch and cherry bark, on periderm; at most 3200 over lenticel_length and lenticel_height in mm. 0 for none.") \
  N(LENTICEL_LENGTH, "lenticel_length", "Lenticel length", "bark", "mm", 1, 300, 5, 80, 25, "Across the stem, of the longest; from half as much.") \
  N(LENTICEL_HEIGHT, "lenticel_height", "Lenticel height", "bark", "mm", 1, 50, 2, 10, 4, "Along it.") \
  N(LENTICEL_SHADE, "lenticel_shade", "Lenticel shade", "bark", "", 0, 1, 0, 0.9, 0.6, "How much darker they are than the bark about them, as a share. Stems 16 cm through and more show them, up to 0.4 of bark_reach.") \

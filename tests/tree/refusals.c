@@ -8,16 +8,21 @@ static void values(void **unused) {
     const char *preset, *values;
     int32_t code;
     const char *words;
-  } wrong[] = {{"sugi", "age=0", SOZAI_ERROR_RANGE, "age: 0 is outside 1 to 300 years"},
-               {"sugi", "age=nan", SOZAI_ERROR_RANGE, "age: nan is outside"},
-               {"sugi", "age=inf", SOZAI_ERROR_RANGE, "age: inf is outside"},
-               {"sugi", "age=1e30", SOZAI_ERROR_RANGE, "age: 1e+30 is outside"},
-               {"sugi", "age=old", SOZAI_ERROR_KIND, "age: cannot read \"old\""},
-               {"sugi", "orders=2.5", SOZAI_ERROR_KIND, "orders"},
-               {"sugi", "orders=9", SOZAI_ERROR_RANGE, "orders: 9 is outside 0 to 4"},
-               {"sugi", "leaf=round", SOZAI_ERROR_RANGE, "leaf: \"round\" is none of: needle"},
-               {"sugi", "height=3", SOZAI_ERROR_UNKNOWN, "tree has no parameter \"height\""},
-               {"baobab", "age=3", SOZAI_ERROR_UNKNOWN, "baobab"}};
+  } wrong[] = {
+      {"sugi", "age=0", SOZAI_ERROR_RANGE, "age: 0 is outside 1 to 300 years"},
+      {"sugi", "age=nan", SOZAI_ERROR_RANGE, "age: nan is outside"},
+      {"sugi", "age=inf", SOZAI_ERROR_RANGE, "age: inf is outside"},
+      {"sugi", "age=1e30", SOZAI_ERROR_RANGE, "age: 1e+30 is outside"},
+      {"sugi", "age=old", SOZAI_ERROR_KIND, "age: cannot read \"old\""},
+      {"sugi", "orders=2.5", SOZAI_ERROR_KIND, "orders"},
+      {"sugi", "orders=9", SOZAI_ERROR_RANGE, "orders: 9 is outside 0 to 4"},
+      {"sugi", "leaf=round", SOZAI_ERROR_RANGE, "leaf: \"round\" is none of: needle"},
+      {"sugi", "height=3", SOZAI_ERROR_UNKNOWN, "tree has no parameter \"height\""},
+      {"sugi", "bark_depth=-1", SOZAI_ERROR_RANGE, "bark_depth: -1 is outside 0 to 200 mm"},
+      {"sugi", "bark_turning=2", SOZAI_ERROR_RANGE, "bark_turning: 2 is outside -1 to 1"},
+      {"sugi", "age=30 lenticel_density=50", SOZAI_ERROR_RANGE,
+       "lenticel_density: 50/dm2 leaves no room for lenticels of 25 mm by 4 mm; 0 to 32"},
+      {"baobab", "age=3", SOZAI_ERROR_UNKNOWN, "baobab"}};
   for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
     sozai_geometry *g = (sozai_geometry *)(uintptr_t)1;
     int32_t r = grow_code(NULL, wrong[i].preset, wrong[i].values, NULL, &g);
