@@ -2,6 +2,7 @@
 #include "furrows.h"
 
 #include "../core/hash1.h"
+#include "../core/scalar.h"
 
 /* Cells to a plate's mean width along a line, from furrow to furrow where they are lower than half
  * the mean: 1.0 to 1.3 over 0.88 as a mesh shows it, measured, as plates are flat or round. */
@@ -19,11 +20,6 @@ static uint32_t cell_hash(const int32_t c[3], uint32_t seed) {
                (uint32_t)c[2] * 0xc2b2ae3du);
 }
 
-static int32_t floor_of(float x) {
-  int32_t i = (int32_t)x;
-  return (float)i > x ? i - 1 : i;
-}
-
 static float smooth(float t) {
   if (!(t > 0.0f)) return 0.0f;
   return t < 1.0f ? t * t * (3.0f - 2.0f * t) : 1.0f;
@@ -36,7 +32,7 @@ static void bends(const float q[3], uint32_t seed, float out[2]) {
   int32_t c[3];
   float w[3], v[2][8];
   for (int k = 0; k < 3; k++) {
-    c[k] = floor_of(q[k]);
+    c[k] = scalar_floor((double)q[k]);
     w[k] = smooth(q[k] - (float)c[k]);
   }
   for (int i = 0; i < 8; i++) {
@@ -62,7 +58,7 @@ static plate plate_at(const float q[3], uint32_t seed) {
   int32_t c[3];
   float from[27][3], nearest = 1e9f, border = 1e9f;
   uint32_t hash[27], at = 0;
-  for (int k = 0; k < 3; k++) c[k] = floor_of(q[k]);
+  for (int k = 0; k < 3; k++) c[k] = scalar_floor((double)q[k]);
   for (uint32_t i = 0; i < 27; i++) {
     const int32_t cell[3] = {c[0] + (int32_t)(i % 3) - 1, c[1] + (int32_t)(i / 3 % 3) - 1,
                              c[2] + (int32_t)(i / 9) - 1};
@@ -131,7 +127,8 @@ furrows furrows_of(const tree_plan *p) {
   furrows f = {.across = 1.0f / (CELL * p->bark_width),
                .along = 1.0f / (CELL * p->bark_length),
                .edge = 0.36f - 0.18f * p->bark_plates,
-               .depth = p->bark_depth,
+               /* a tree too young for any wants no mean of them */
+               .depth = p->age > (double)p->rhytidome_from ? p->bark_depth : 0.0f,
                .shade = p->bark_shade,
                .reach = p->bark_reach,
                .seed = hash1(p->seed ^ 0x7feb352du)};

@@ -2,25 +2,21 @@
 #include "lenticels.h"
 
 #include "../core/hash1.h"
+#include "../core/scalar.h"
 #include "../core/status.h"
 #include "bark.h"
 
 #define WIDE 1.25f   /* cells' side across, in lengths of the longest */
 #define SHORTER 0.5f /* how much shorter than that one may be */
 
-static int32_t floor_of(float x) {
-  int32_t i = (int32_t)x;
-  return (float)i > x ? i - 1 : i;
-}
-
 float lenticels_mark(const lenticels *l, const float p[3]) {
-  int32_t layer = floor_of(p[1] / l->layer);
+  int32_t layer = scalar_floor((double)(p[1] / l->layer));
   uint32_t h = hash1(l->seed + (uint32_t)layer * 0x85ebca77u);
   /* layers lie askew, each its own way */
   float inverse = 1.0f / (WIDE * l->length);
   float x = (0.8f * p[0] - 0.6f * p[2]) * inverse + (float)(h & 0xffffu) * (1.0f / 65536.0f);
   float z = (0.6f * p[0] + 0.8f * p[2]) * inverse + (float)(h >> 16) * (1.0f / 65536.0f);
-  int32_t cx = floor_of(x), cz = floor_of(z);
+  int32_t cx = scalar_floor((double)x), cz = scalar_floor((double)z);
   h = hash1(h + (uint32_t)cx * 0x9e3779b1u + (uint32_t)cz * 0xc2b2ae3du);
   float radius = 0.5f * l->length * (1.0f - SHORTER * (float)(h >> 27) * (1.0f / 31.0f));
   /* within the cell, and the layer */

@@ -20,11 +20,6 @@ typedef struct {
   int writing, wide;
 } grid_pen;
 
-static int32_t floor_of(double x) {
-  int32_t i = (int32_t)x;
-  return (double)i > x ? i - 1 : i;
-}
-
 static void put_cell(grid_pen *g, int32_t x, int32_t y, int32_t z, int32_t knot) {
   int level = g->wide ? KNOT_COARSE : 0;
   int32_t across = g->all->far_across[level], tall = g->all->far_tall[level];
@@ -52,9 +47,9 @@ static void put_knot(grid_pen *g, int32_t n) {
     double x = u * (double)k->c - (double)g->all->low, z = u * (double)k->s - (double)g->all->low;
     double y = (double)k->height + u * (double)k->slope, up = rise + step * (double)k->slope;
     if (k->slope < 0.0f) up = rise - step * (double)k->slope;
-    int32_t x0 = floor_of((x - side) * per_mm), x1 = floor_of((x + side) * per_mm);
-    int32_t z0 = floor_of((z - side) * per_mm), z1 = floor_of((z + side) * per_mm);
-    int32_t y0 = floor_of((y - up) * tall - 0.01), y1 = floor_of((y + up) * tall + 0.01);
+    int32_t x0 = scalar_floor((x - side) * per_mm), x1 = scalar_floor((x + side) * per_mm);
+    int32_t z0 = scalar_floor((z - side) * per_mm), z1 = scalar_floor((z + side) * per_mm);
+    int32_t y0 = scalar_floor((y - up) * tall - 0.01), y1 = scalar_floor((y + up) * tall + 0.01);
     if (y1 - y0 >= g->all->far_tall[level]) y1 = y0 + g->all->far_tall[level] - 1;
     for (int32_t j = y0; j <= y1; j++) {
       for (int32_t i = z0; i <= z1; i++) {
@@ -83,10 +78,10 @@ static void put_parts(wood_knots *all, int32_t *parts, double footprint, const w
   for (double u = -past; u < (double)k->reach + past + step; u += step) {
     double x = u * c - (double)all->low, z = u * s - (double)all->low;
     double y = (double)k->height + u * slope;
-    int32_t x0 = floor_of((x - wide_x) * per_mm), x1 = floor_of((x + wide_x) * per_mm);
-    int32_t z0 = floor_of((z - wide_z) * per_mm), z1 = floor_of((z + wide_z) * per_mm);
-    int32_t y0 = floor_of((y - high) * per_rise - 0.01),
-            y1 = floor_of((y + high) * per_rise + 0.01);
+    int32_t x0 = scalar_floor((x - wide_x) * per_mm), x1 = scalar_floor((x + wide_x) * per_mm);
+    int32_t z0 = scalar_floor((z - wide_z) * per_mm), z1 = scalar_floor((z + wide_z) * per_mm);
+    int32_t y0 = scalar_floor((y - high) * per_rise - 0.01),
+            y1 = scalar_floor((y + high) * per_rise + 0.01);
     if (y1 - y0 >= tall) y1 = y0 + tall - 1;
     if (x0 < 0) x0 = 0;
     if (z0 < 0) z0 = 0;
@@ -122,8 +117,9 @@ static void put_all(grid_pen *g, int writing) {
 
 static void put_share(wood_knots *all, double x, double y, double z, double volume) {
   double per_mm = (double)all->inverse_cell, tall = (double)all->tall / (double)all->period;
-  int32_t ix = floor_of((x - (double)all->low) * per_mm);
-  int32_t iz = floor_of((z - (double)all->low) * per_mm), iy = floor_of(y * tall) % all->tall;
+  int32_t ix = scalar_floor((x - (double)all->low) * per_mm);
+  int32_t iz = scalar_floor((z - (double)all->low) * per_mm),
+          iy = scalar_floor(y * tall) % all->tall;
   if (ix < 0 || iz < 0 || ix >= all->across || iz >= all->across) return;
   if (iy < 0) iy += all->tall;
   all->far[(iy * all->across + iz) * all->across + ix] += (float)(volume * per_mm * per_mm * tall);
