@@ -6,7 +6,6 @@
 #include <string.h>
 #include "growth.h"
 #include "job_options.h"
-#include "samples.h"
 #include "scene.h"
 #include "studio.h"
 #include "view.h"
@@ -20,7 +19,7 @@ typedef struct view {
   studio studio;
   vec albedo[VIEW_PARTS];
   bool sheet[VIEW_PARTS];
-  float *colours; /* of the points of what is no sheet, or NULL: as the parts are */
+  float *colours; /* of the points, or NULL: as the parts are */
 } view;
 
 static uint32_t part_of(const sozai_mesh *m, uint32_t triangle) {
@@ -29,7 +28,7 @@ static uint32_t part_of(const sozai_mesh *m, uint32_t triangle) {
   return i;
 }
 
-/* Of bark: between the triangle's corners. */
+/* Between the triangle's corners. */
 static vec between(const view *w, const hit *h) {
   const uint32_t *t = w->mesh->indices + 3 * (size_t)h->triangle;
   const float share[3] = {1 - h->u - h->v, h->u, h->v};
@@ -41,21 +40,9 @@ static vec between(const view *w, const hit *h) {
   return sum;
 }
 
-/* Leaves and shoots differ a little from one to another, as they do. */
-static vec varied(const view *w, const hit *h, uint32_t part) {
-  vec a = w->albedo[part];
-  if (!w->sheet[part]) return w->colours ? between(w, h) : a;
-  const sozai_mesh *m = w->mesh;
-  uint32_t owner = m->owner[m->indices[3 * (size_t)h->triangle]];
-  float own = (float)(sample_hash(owner * 2654435761u) >> 8) / 16777216.0f;
-  float leaf = (float)(sample_hash(h->triangle / 8u + 77u) >> 8) / 16777216.0f;
-  float shade = 0.78f + 0.3f * own + 0.14f * leaf, warm = 0.9f + 0.25f * own;
-  return (vec){a.x * shade * warm, a.y * shade, a.z * shade};
-}
-
 static vec shade(const view *w, const hit *h, uint32_t pixel, uint32_t sample) {
   uint32_t part = part_of(w->mesh, h->triangle);
-  vec albedo = varied(w, h, part), light;
+  vec albedo = w->colours ? between(w, h) : w->albedo[part], light;
   float front = fmaxf(0, vec_dot(h->normal, w->studio.light));
   float key = front > 0 ? front * studio_key(&w->studio, w->scene, h, pixel, sample) : 0;
   if (w->sheet[part]) {
@@ -79,22 +66,14 @@ static vec look(const void *context, const view_ray *r, bool *hit_any) {
   return studio_backdrop(&w->studio, w->scene, r->direction);
 }
 
-/* The points of parts that are no sheets, up to the last: sheets, which vary by themselves here,
- * have most of a tree's points and keep their part's colour. */
 static bool take_colours(view *w, const session *s, failure *why) {
   const sozai_mesh *m = w->mesh;
   const float *colours = growth_mesh_colours(m);
-  uint64_t count = 0;
-  for (uint64_t i = 0; colours && i < m->triangle_count; i++) {
-    if (w->sheet[part_of(m, (uint32_t)i)]) continue;
-    for (uint64_t k = 0; k < 3; k++)
-      if (m->indices[3 * i + k] >= count) count = m->indices[3 * i + k] + 1ull;
-  }
-  if (!count) return true;
-  w->colours = malloc((size_t)count * 3 * sizeof *w->colours);
+  if (!colours) return true;
+  w->colours = malloc((size_t)m->point_count * 3 * sizeof *w->colours);
   if (!w->colours) return fail(why, EXIT_FAILURE, "out of memory");
-  memcpy(w->colours, colours, (size_t)count * 3 * sizeof *colours);
-  return view_working(w->colours, count, "bark", s, why);
+  memcpy(w->colours, colours, (size_t)m->point_count * 3 * sizeof *colours);
+  return view_working(w->colours, m->point_count, "a tree's points", s, why);
 }
 
 static bool draw(view *w, const render_job *job, const session *s, film *out, failure *why) {
