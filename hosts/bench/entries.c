@@ -11,6 +11,7 @@
 #define POROSITY(id) ALONE("porosity_" id, .channel = "albedo", .wood = {.porosity = id})
 #define FOOTPRINT(mm) ALONE("footprint_" #mm, .footprint = (float)(mm))
 #define LAYOUT(id) ALONE("layout_" id, .wood = {.layout = id})
+#define FLOOR(mm) ALONE("floor_" #mm, .footprint = (float)(mm), .wood = {.layout = "strip"})
 #define SURFACE(id) ALONE("surface_" id, .wood = {.surface = id})
 #define STONE(label, size, set, ...) \
   {.name = "stone." label, .batch = size, .wood = {.cpu = set, .stone = "inada"}, __VA_ARGS__}
@@ -100,6 +101,11 @@ const entry entries[] = {
     LAYOUT("strip"),
     LAYOUT("herringbone"),
     LAYOUT("versailles"),
+    /* boards, from a metre or so to across a hall */
+    FLOOR(1),
+    FLOOR(10),
+    FLOOR(100),
+    FLOOR(300),
     /* plies: of one at a time, then of more and more under a footprint */
     ALONE("plies_face", .wood = {.plied = true}),
     ALONE("plies_edge", .wood = {.plied = true, .edge = true}),

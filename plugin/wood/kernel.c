@@ -49,7 +49,7 @@ INLINE void evaluate_rays(const wood_constants *restrict w, int boards, int laye
 /* For a point alone in another order: the chain from the turn through the rays is the longest,
  * and what does not wait for it stands between its steps, where the processor sees both. */
 INLINE void evaluate_one(int boards, const wood_constants *restrict w, const wood_io *restrict io,
-                         const wood_wants *restrict want, block *k, wide_rings *wide) {
+                         const wood_wants *restrict want, block *k, rings_room *room) {
   board_sawn sawn;
   if (boards) memset(&sawn, 0, sizeof sawn);
   stage_load(w, boards, io, want, &sawn, k);
@@ -86,7 +86,8 @@ INLINE void evaluate_one(int boards, const wood_constants *restrict w, const woo
   }
   if (want->late) {
     stage_reach(w, boards, io, k);
-    if (has_bent_boards(w, boards)) stage_wide(w, boards, io, k, wide);
+    stage_curved(w, boards, io, want, k, &room->curved);
+    if (has_bent_boards(w, boards)) stage_wide(w, boards, io, k, &room->wide);
     if (want->vessel || want->bundle) stage_section_footprint(w, boards, io, k);
     if (rays) stage_ray_turn(w, boards, k);
     if (want->bundle) stage_bundles(w, boards, k);
@@ -174,10 +175,13 @@ INLINE void evaluate_section(int boards, const wood_constants *restrict w,
 
 /* Latewood under the footprint, and the fibres' brightness that it strays with. */
 INLINE void evaluate_late(int boards, const wood_constants *restrict w, const wood_io *restrict io,
-                          const wood_wants *restrict want, block *blocks, wide_rings *wides,
+                          const wood_wants *restrict want, block *blocks, rings_room *rooms,
                           uint32_t count) {
-  EACH(stage_reach(w, boards, io, &blocks[k]));
-  if (has_bent_boards(w, boards)) EACH(stage_wide(w, boards, io, &blocks[k], &wides[k]));
+  EACH({
+    stage_reach(w, boards, io, &blocks[k]);
+    stage_curved(w, boards, io, want, &blocks[k], &rooms[k].curved);
+  });
+  if (has_bent_boards(w, boards)) EACH(stage_wide(w, boards, io, &blocks[k], &rooms[k].wide));
   if (want->vessel || want->bundle) EACH(stage_section_footprint(w, boards, io, &blocks[k]));
   if (want->bundle) {
     UNROLL(3)
@@ -222,7 +226,7 @@ INLINE void evaluate_vessels(int boards, const wood_constants *restrict w,
 }
 
 INLINE void evaluate_many(int boards, const wood_constants *restrict w, const wood_io *restrict io,
-                          const wood_wants *restrict want, block *blocks, wide_rings *wides,
+                          const wood_wants *restrict want, block *blocks, rings_room *rooms,
                           uint32_t count) {
   evaluate_stem(boards, w, io, want, blocks, count);
   if (want->section) evaluate_section(boards, w, io, blocks, count);
@@ -230,7 +234,7 @@ INLINE void evaluate_many(int boards, const wood_constants *restrict w, const wo
     EACH(stage_fibre(&blocks[k]));
     EACH(stage_direction(w, boards, io, want, &blocks[k]));
   }
-  if (want->late) evaluate_late(boards, w, io, want, blocks, wides, count);
+  if (want->late) evaluate_late(boards, w, io, want, blocks, rooms, count);
   if ((want->vessel || want->relief) && place_has_turn(w)) EACH(stage_turns(&blocks[k]));
   if (want->relief && w->bands.on) EACH(stage_bands(w, boards, &blocks[k]));
   if (want->vessel) evaluate_vessels(boards, w, io, blocks, count);
@@ -287,13 +291,13 @@ INLINE void evaluate_light(int boards, const wood_constants *restrict w, const w
 
 INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood_io *restrict io,
                         const wood_wants *restrict want, block *blocks, surface_relief *reliefs,
-                        wide_rings *wides, uint32_t count) {
+                        rings_room *rooms, uint32_t count) {
 #if LANES == 1
   int lit = !want->relief;
-  evaluate_one(boards, w, io, want, &blocks[0], &wides[0]);
+  evaluate_one(boards, w, io, want, &blocks[0], &rooms[0]);
 #else
   int lit = 0;
-  evaluate_many(boards, w, io, want, blocks, wides, count);
+  evaluate_many(boards, w, io, want, blocks, rooms, count);
 #endif
   evaluate_colour(boards, w, io, want, blocks, reliefs, count);
   evaluate_light(boards, w, io, want, lit, blocks, count);
@@ -304,33 +308,33 @@ INLINE void evaluate_as(int boards, const wood_constants *restrict w, const wood
 static __attribute__((noinline)) void evaluate_piece(const wood_constants *restrict w,
                                                      const wood_io *restrict io,
                                                      const wood_wants *restrict want, block *blocks,
-                                                     surface_relief *reliefs, wide_rings *wides,
+                                                     surface_relief *reliefs, rings_room *rooms,
                                                      uint32_t count) {
-  evaluate_as(0, w, io, want, blocks, reliefs, wides, count);
+  evaluate_as(0, w, io, want, blocks, reliefs, rooms, count);
 }
 
 static __attribute__((noinline)) void evaluate_boards(const wood_constants *restrict w,
                                                       const wood_io *restrict io,
                                                       const wood_wants *restrict want,
                                                       block *blocks, surface_relief *reliefs,
-                                                      wide_rings *wides, uint32_t count) {
-  evaluate_as(1, w, io, want, blocks, reliefs, wides, count);
+                                                      rings_room *rooms, uint32_t count) {
+  evaluate_as(1, w, io, want, blocks, reliefs, rooms, count);
 }
 
 typedef struct {
   block blocks[BLOCKS];
   surface_relief reliefs[BLOCKS];
   knot_place knots[BLOCKS];
-  wide_rings wides[BLOCKS];
+  rings_room rooms[BLOCKS];
   wood_held held;
 } wood_blocks;
 
 INLINE void evaluate_blocks(const wood_constants *w, const wood_io *io, const wood_wants *want,
                             int boards, wood_blocks *b, uint32_t count) {
   if (boards) {
-    evaluate_boards(w, io, want, b->blocks, b->reliefs, b->wides, count);
+    evaluate_boards(w, io, want, b->blocks, b->reliefs, b->rooms, count);
   } else {
-    evaluate_piece(w, io, want, b->blocks, b->reliefs, b->wides, count);
+    evaluate_piece(w, io, want, b->blocks, b->reliefs, b->rooms, count);
   }
 }
 

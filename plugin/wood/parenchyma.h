@@ -120,6 +120,24 @@ INLINE vf soft_leave(const wood_constants *w, const soft_place *q, const soft_lo
   return left;
 }
 
+/* Lanes whose footprint meets so many of what bands there are that one mean over all of it is near
+ * enough the share they have: parts differ from it by a pulse in so many. */
+#define SOFT_MANY 8.0f /* turns */
+INLINE vm soft_many(const wood_constants *w, const soft_place *q) {
+  const wood_parenchyma *m = &w->parenchyma;
+  const vessel_place *at = &q->at;
+  vf least = splat(SOFT_WIDEST);
+  if (m->between > 0.0f) {
+    vessel_bands v = bands_straight(w, at);
+    least = vmin(least, phase_across2(v.x, v.z, &q->seen));
+  }
+  if (m->bands_often > 0.0f) {
+    vf inverse = at->ring.inverse_width, rate = bands_to_ring(m->bands_often, inverse) * inverse;
+    least = vmin(least, phase_across2(rate * at->c, rate * at->s, &q->seen));
+  }
+  return gt(least, splat(SOFT_MANY * SOFT_MANY));
+}
+
 /* The mean of that, over up to 8 parts: each asks ring and noise where it lies. */
 INLINE vf soft_leave_parts(const wood_constants *w, const soft_place *from) {
   fibre_octave octave = fibre_octave_of(w, FIBRE_BUNDLE);
@@ -130,19 +148,28 @@ INLINE vf soft_leave_parts(const wood_constants *w, const soft_place *from) {
   fibre_sum under;
   soft_place q = *from;
   q.at.f = (footprint2){part.aa, part.ab, part.bb};
-  q.seen = to_section(part.aa, part.ab, part.bb, p->c, p->s);
   fibre_under(&q.at.f, &under);
-  vf one = splat(1.0f), keep = sel(cut, fibre_keep(&octave, &under), one);
+  vf one = splat(1.0f), zero = splat(0.0f), keep = sel(cut, fibre_keep(&octave, &under), one);
   soft_long has = {cut, one - keep * keep};
-  vf left = splat(0.0f), per_turn = splat(0.15915494f);
+  /* where no part has anything left of the noise, and there are many bands */
+  vm gone = le(keep, zero);
+  if (any(gone)) {
+    cut = and_(cut, not_(and_(gone, soft_many(w, from))));
+    part = footprint_cut(&p->f, &l, cut, w->parenchyma.part, 0.0f, 8);
+    q.at.f = (footprint2){part.aa, part.ab, part.bb};
+  }
+  q.seen = to_section(part.aa, part.ab, part.bb, p->c, p->s);
+  const int strays = w->has_strays && any(not_(gone));
+  if (w->has_strays && !strays) q.bundle = (fibre_bundle){zero, zero, zero};
+  vf left = zero, per_turn = splat(0.15915494f);
   for (int i = 0; i < part.taps; i++) {
     footprint_part at = footprint_part_of(&l, &part, cut, i);
     q.at.x = p->x + (at.rho * p->c - at.arc * p->s);
     q.at.z = p->z + (at.rho * p->s + at.arc * p->c);
-    q.at.rho = sel(cut, vmax(p->rho + at.rho, splat(0.0f)), p->rho);
+    q.at.rho = sel(cut, vmax(p->rho + at.rho, zero), p->rho);
     q.at.turn = p->turn + per_turn * at.arc / vmax(q.at.rho, splat(1e-3f));
     q.at.ring = ring_at(w, q.at.rho);
-    if (w->has_strays) {
+    if (strays) {
       fibre_bundle whole;
       fibre_bundle_at(&octave, p->own, q.at.x, q.at.z, &whole);
       q.bundle = bundle_of(&whole, keep);

@@ -13,7 +13,7 @@
 #include "../grain.h"
 #include "../knots.h"
 #include "../rays.h"
-#include "../rings.h"
+#include "../rings_curved.h"
 #include "../spalt.h"
 #include "../stem.h"
 #include "../surface/slopes.h"
@@ -137,7 +137,8 @@ typedef struct {
   wood_board board; /* where there are boards */
   knot_place *knot; /* where there are knots, else NULL */
   wood_held *held;
-  wide_rings *wide; /* where a footprint on veneer is wide, else NULL */
+  curved_rings *curve; /* where rings curve under some lane's footprint, else NULL */
+  wide_rings *wide;    /* where a footprint on veneer is wide, else NULL */
 } block;
 
 #if LANES == 1

@@ -48,7 +48,7 @@ INLINE void stage_parenchyma(const wood_constants *w, int boards, const wood_io 
     k->tough = left * (one - share);
   }
   if (m->margin > 0.0f) {
-    k->margin = rings_mean_strayed(w, boards, io, MEAN_MARGIN, k);
+    k->margin = rings_mean_strayed(w, boards, MEAN_MARGIN, k);
     left = left - left * k->margin;
   }
   k->rest = k->rest * left;

@@ -9,6 +9,7 @@
 #include "../rings_curved.h"
 #include "footprint.h"
 #include "knots.h"
+#include "wants.h"
 
 INLINE void stage_ring_find(const wood_constants *w, block *k) {
   k->in_table = ring_find(w, k->stem.rho, &k->ring);
@@ -31,18 +32,32 @@ INLINE vf curved_footprint(const wood_constants *w, int boards, const block *k) 
   return has_bent_boards(w, boards) ? k->board.wide : k->s;
 }
 
-/* The mean of a ring's profile under the footprint. */
-INLINE vf rings_mean_at(const wood_constants *w, int boards, const wood_io *io, int what,
-                        const block *k, vf rho, const ring_place *ring, vf reach) {
-  vf mean = rings_across(w, what, &k->stem, rho, ring, k->b, k->nrm, !io->in->normal[0],
-                         curved_footprint(w, boards, k), reach);
+/* Where a block's means over curved and over bent rings are kept. */
+typedef struct {
+  curved_rings curved;
+  wide_rings wide;
+} rings_room;
+
+/* Where rings curve under the footprint; `room` is where their means are kept. */
+INLINE void stage_curved(const wood_constants *w, int boards, const wood_io *io,
+                         const wood_wants *want, block *k, curved_rings *room) {
+  k->curve = NULL;
+  vf s = curved_footprint(w, boards, k);
+  if (!io->in->normal[0] || !rings_may_curve(w, &k->stem, s)) return;
+  if (curved_rings_of(w, want->vessel, &k->stem, k->b, k->nrm, s, room)) k->curve = room;
+}
+
+/* The mean of what goes with rings under the footprint. */
+INLINE vf rings_mean_at(const wood_constants *w, int boards, int what, const block *k, vf rho,
+                        const ring_place *ring, vf reach) {
+  vf mean = ring_average(w, what, ring, rho, reach);
+  if (k->curve) mean = sel(k->curve->curved, k->curve->mean[what], mean);
   if (has_bent_boards(w, boards) && k->wide) mean = wide_rings_mean(what, k, mean);
   return mean;
 }
 
-INLINE vf rings_mean(const wood_constants *w, int boards, const wood_io *io, int what,
-                     const block *k) {
-  return rings_mean_at(w, boards, io, what, k, k->stem.rho, &k->ring, k->reach);
+INLINE vf rings_mean(const wood_constants *w, int boards, int what, const block *k) {
+  return rings_mean_at(w, boards, what, k, k->stem.rho, &k->ring, k->reach);
 }
 
 INLINE void stage_wide(const wood_constants *w, int boards, const wood_io *io, block *k,
@@ -77,15 +92,14 @@ INLINE void stage_stray(const wood_constants *w, block *k) {
 }
 
 /* The mean of what goes with rings whose ends stray. */
-INLINE vf rings_mean_strayed(const wood_constants *w, int boards, const wood_io *io, int what,
-                             const block *k) {
-  if (!w->has_front) return rings_mean(w, boards, io, what, k);
+INLINE vf rings_mean_strayed(const wood_constants *w, int boards, int what, const block *k) {
+  if (!w->has_front) return rings_mean(w, boards, what, k);
   const ring_place *ring = k->crossed ? &k->front_ring : &k->ring;
-  return rings_mean_at(w, boards, io, what, k, k->front_rho, ring, k->front_reach);
+  return rings_mean_at(w, boards, what, k, k->front_rho, ring, k->front_reach);
 }
 
 INLINE void stage_rings(const wood_constants *w, int boards, const wood_io *io, block *k) {
-  k->late = rings_mean_strayed(w, boards, io, MEAN_LATE, k);
+  k->late = rings_mean_strayed(w, boards, MEAN_LATE, k);
   vf late = k->late;
   if (k->knot) late = stage_knot_late(w, k);
   store_lanes(io, WOOD_LATEWOOD, k, late);

@@ -129,7 +129,7 @@ INLINE void stage_cover(const wood_constants *w, int boards, const wood_io *io, 
   if (w->has_pores && any(gt(v->pores_faded, zero))) {
     vf expected = one;
     if (w->pore_growth != 0.0f) {
-      expected = rings_mean(w, boards, io, MEAN_PORE, k);
+      expected = rings_mean(w, boards, MEAN_PORE, k);
     }
     if (w->bands.on) {
       vessel_bands bands = bands_of(w, boards, k);
@@ -142,7 +142,7 @@ INLINE void stage_cover(const wood_constants *w, int boards, const wood_io *io, 
     k->over_late = mix(k->over_late, splat(w->late_vessel), v->pores_faded);
   }
   if (w->rows && any(gt(v->rows_faded, zero))) {
-    vf expected = rings_mean(w, boards, io, MEAN_ROW, k);
+    vf expected = rings_mean(w, boards, MEAN_ROW, k);
     rows = mix(rows, splat(w->row.coverage) * expected, v->rows_faded);
   }
   if (w->rows) {
