@@ -32,8 +32,8 @@ typedef struct {
 /* In how many parts a line is seen. Rings are widest on it where it turns, next to the pith: parts
  * are short there, and grow with the root of the distance. A scratch program's lines of 8 to 300
  * mm, 15 to 165 mm from the pith, across rings of 0.7 to 6 mm, of a season of height 1: RMS at most
- * 0.009; of 16 parts alike 0.015. */
-#define CURVED_PARTS 8
+ * 0.012, as of 16 parts alike 0.015. */
+#define CURVED_PARTS 6
 #define CURVED_EVEN 0.2f /* of the root of its distance and a ring's width, what is seen evenly */
 
 /* Where a line is cut: `at` is even, mm^1/2, and is 0 where the line turns. */

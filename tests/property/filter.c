@@ -85,6 +85,35 @@ static void detail_fades(void **state) {
   }
 }
 
+/* Rings that curve under the footprint: how much of it is latewood, whose contrast is all there
+ * can be. */
+static void rings_that_curve(void **state) {
+  (void)state;
+  static const double sizes[] = {20, 40, 100, 300};
+  enum { SIZES = sizeof sizes / sizeof *sizes };
+  double worst = 0;
+  points p = {0};
+  for (int c = 0; c < 2; c++) {
+    const char *cut = c ? "cut=end" : "cut=flat";
+    sozai_texture *t = wood_make("sugi", cut);
+    uniform_seed(54);
+    for (unsigned f = 0; f < SIZES; f++) {
+      double square = 0;
+      for (int place = 0; place < PLACES; place++) {
+        double x = 160 * (uniform() - 0.5), y = (c ? 80 : 1200) * (uniform() - 0.5);
+        truth_ask(&p, t, ONLY(LATEWOOD), x, y, 2 * PI * uniform(), sizes[f]);
+        double e = truth_error(&p, LATEWOOD);
+        square += e * e / PLACES;
+      }
+      print_message("%s, %g mm: RMS %.4f of latewood\n", cut, sizes[f], sqrt(square));
+      worst = fmax(worst, sqrt(square));
+    }
+    textures->destroy(t);
+  }
+  points_free(&p);
+  CHECK(worst < 0.018, "worst %.4f (0.018)\n", worst);
+}
+
 /* Past the largest colonies a footprint sees what is to be expected of them all. */
 static void wide_spalting(void **state) {
   (void)state;
@@ -120,6 +149,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(against_1024_samples),
       cmocka_unit_test(detail_fades),
+      cmocka_unit_test(rings_that_curve),
       cmocka_unit_test(wide_spalting),
   };
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
