@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * What a mesh shows of bark beside its colour: furrows and lenticels, and how fine a mesh that
- * takes.
+ * What a mesh shows of bark beside its colour: furrows, lenticels and scars, and how fine a mesh
+ * that takes.
  */
 #ifndef SOZAI_TREE_BARK_SURFACE_H
 #define SOZAI_TREE_BARK_SURFACE_H
 
 #include "furrows.h"
 #include "lenticels.h"
-#include "tree.h"
+#include "scars.h"
 
 typedef struct {
   furrows furrows;

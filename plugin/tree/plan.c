@@ -128,6 +128,9 @@ void plan_make(tree_plan *p, const settings *s) {
   p->lenticel_length = (float)number_at(s, T_LENTICEL_LENGTH);
   p->lenticel_height = (float)number_at(s, T_LENTICEL_HEIGHT);
   p->lenticel_shade = (float)number_at(s, T_LENTICEL_SHADE);
+  p->scar_width = (float)number_at(s, T_SCAR_WIDTH);
+  p->scar_droop = (float)number_at(s, T_SCAR_DROOP);
+  p->scar_shade = (float)number_at(s, T_SCAR_SHADE);
   p->bark_reach = (float)(1000.0 * number_at(s, T_BARK_REACH));
   for (int i = 0; i < 1024; i++) {
     double a = (i + 0.5) * (360.0 / 1024.0) * RADIANS;

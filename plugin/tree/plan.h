@@ -46,6 +46,7 @@ typedef struct {
   float bark_depth, bark_width, bark_length, bark_plates, bark_shade, bark_reach; /* furrows.h */
   float bark_turning;                                                       /* bark_surface.h */
   float lenticel_density, lenticel_length, lenticel_height, lenticel_shade; /* lenticels.h */
+  float scar_width, scar_droop, scar_shade;                                 /* scars.h */
   float round[1024][2]; /* cosine and sine all round, for random angles */
 } tree_plan;
 

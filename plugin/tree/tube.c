@@ -42,16 +42,26 @@ static void steps_at(const tree *t, const bark_surface *bark, const tree_branch 
   for (int i = 0; b->order && i < 2; i++) out[i] *= LIMBS_COARSER;
 }
 
+/* The same of the scars between two rings. */
+static void scar_steps(const tree *t, const tree_branch *b, uint32_t level, const ring *from,
+                       const ring *to, float out[2]) {
+  out[0] = out[1] = 0.0f;
+  if (level >= SCARS_BELOW || !scars_on(t, b)) return;
+  scars_steps(t, from->p[1], to->p[1], out);
+  for (int i = 0; i < 2; i++) out[i] *= 1.0f + (float)level;
+}
+
 static float finer(float a, float b) { return a > 0.0f && (a < b || !(b > 0.0f)) ? a : b; }
 
 /* Into how many what lies between two rings is cut. */
 static uint32_t parts_between(const tree *t, const bark_surface *bark, const tree_branch *b,
                               const tube_shape *s, const ring *from, const ring *to) {
-  float low[2], high[2];
+  float low[2], high[2], scars[2];
   if (!s->fine) return 1;
   steps_at(t, bark, b, s->level, from, low);
   steps_at(t, bark, b, s->level, to, high);
-  float step = finer(low[1], high[1]);
+  scar_steps(t, b, s->level, from, to, scars);
+  float step = finer(finer(low[1], high[1]), scars[1]);
   if (!(step > 0.0f)) return 1;
   float parts = apart(from, to) / step;
   return parts < (float)PARTS_MOST ? (uint32_t)parts + 1 : PARTS_MOST;
@@ -67,6 +77,8 @@ static void cut_finer(const tree *t, const bark_surface *bark, const tree_branch
   float round = 0.0f, steps[2];
   for (uint32_t i = 0; i < n; i++) {
     steps_at(t, bark, b, s->level, &rings[i], steps);
+    round = finer(round, steps[0]);
+    scar_steps(t, b, s->level, &rings[i], &rings[i + 1 < n ? i + 1 : i], steps);
     round = finer(round, steps[0]);
   }
   if (!(round > 0.0f)) return;
@@ -205,13 +217,24 @@ static void end_point(const tree_branch *b, const ring *last, const float along[
 typedef struct {
   float level[3], side[3]; /* its plane */
   bark_ring bark;
+  scars_here scars;
 } ring_frame;
+
+static void add_scars(const ring_frame *f, const float round[2], float r, bark_point *q) {
+  float x = round[0] * f->level[0] + round[1] * f->side[0];
+  float z = round[0] * f->level[2] + round[1] * f->side[2], square = x * x + z * z;
+  if (!(square > 0.01f)) return; /* a stem that lies */
+  float inverse = 1.0f / __builtin_sqrtf(square);
+  scar_point s = scars_mark(&f->scars, x * inverse, z * inverse, r);
+  q->tone *= 1.0f - f->scars.dark * (s.mark - f->scars.mean);
+  q->thick += s.rise * f->scars.dark;
+}
 
 static void write_ring(mesh_pen *pen, const tree *t, uint32_t branch, const tube_shape *s,
                        const ring *at, const ring_frame *f, float v) {
   const tree_branch *b = &t->branches[branch];
   const bark_ring *bark = &f->bark;
-  int plain = !(bark->depth > 0.0f || bark->marks > 0.0f);
+  int plain = !(bark->depth > 0.0f || bark->marks > 0.0f || f->scars.dark > 0.0f);
   float even[3], bare[3], turned[3];
   for (int c = 0; c < 3; c++) even[c] = pen->colour[c];
   if (!plain) bark_colours(&t->plan, at->age, bare, turned);
@@ -227,6 +250,7 @@ static void write_ring(mesh_pen *pen, const tree *t, uint32_t branch, const tube
       float own = b->order ? (float)(b->key & 0xffffu) : 0.0f;
       const float place[3] = {own + r * round[0], 100.0f * v, r * round[1]};
       bark_point q = bark_at(&pen->bark, bark, place);
+      if (f->scars.dark > 0.0f) add_scars(f, round, r, &q);
       r += q.thick;
       for (int c = 0; c < 3; c++) {
         p[c] = at->p[c] + r * (round[0] * f->level[c] + round[1] * f->side[c]);
@@ -294,8 +318,9 @@ void tube_write(mesh_pen *pen, const tree *t, uint32_t branch, const tube_shape 
   ring rings[RINGS_MOST], at, before = {.r = 0.0f};
   uint32_t count = lay_rings(t, b, s, rings), base = 0;
   int barked = bark_surface_on(&pen->bark, t, b);
+  int scarred = s->level < SCARS_BELOW && scars_on(t, b);
   float along[3], v = 0.0f, end[3];
-  ring_frame f = {.bark = {.depth = 0.0f}};
+  ring_frame f = {.bark = {.depth = 0.0f}, .scars = {.count = 0}};
   for (uint32_t i = 0; i < count; i++) {
     uint32_t parts =
         i + 1 < count ? parts_between(t, &pen->bark, b, s, &rings[i], &rings[i + 1]) : 1;
@@ -319,6 +344,7 @@ void tube_write(mesh_pen *pen, const tree *t, uint32_t branch, const tube_shape 
         v += 0.01f * apart(&before, &at);
       }
       if (barked) f.bark = bark_ring_at(&pen->bark, &t->plan, at.age, at.r, at.p[1], s->level);
+      if (scarred) scars_at(t, at.age, at.r, at.p[1], &f.scars);
       write_ring(pen, t, branch, s, &at, &f, v);
       before = at;
     }

@@ -118,7 +118,7 @@ static void as_dendrology_says(void **unused) {
   assert_true(at[0][0] - at[0][2] < 0.12f && at[1][0] - at[1][2] > 0.25f);
   geometry()->release_curves(c);
   geometry()->release(g);
-  g = grow("shirakaba", "age=60 orders=3", NULL);
+  g = grow("shirakaba", "age=120 orders=3", NULL);
   c = curves_of(g, 0);
   bool white = false;
   for (uint64_t i = 3 * c->first[0]; i < 3 * c->first[1]; i += 3) white |= c->colours[i] > 0.84f;
@@ -224,10 +224,11 @@ static void at_every_level(void **unused) {
   (void)unused;
   static const char *const kinds[] = {"akamatsu", "shirakaba"};
   for (int k = 0; k < 2; k++) {
-    /* furrows.c and lenticels.c look at what those make of it */
-    sozai_geometry *g =
-        grow(kinds[k], "age=40 leaves_most=30000 bark_depth=0 lenticel_density=0 leaf_variation=0",
-             NULL);
+    /* furrows.c, lenticels.c and scars.c look at what those make of it */
+    sozai_geometry *g = grow(
+        kinds[k],
+        "age=40 leaves_most=30000 bark_depth=0 lenticel_density=0 scar_shade=0 leaf_variation=0",
+        NULL);
     float foot[3];
     print_message("%s\n", kinds[k]);
     for (uint32_t level = 0; level <= 8; level++) mesh_as_curves(g, level, foot);

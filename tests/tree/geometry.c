@@ -135,9 +135,9 @@ static void old_bark(void **unused) {
   (void)unused;
   static const char *const kinds[] = {"kuromatsu", "douglas_fir", "keyaki", "shirakaba"};
   for (int s = 0; s < 4; s++) {
-    sozai_geometry *g = grow(kinds[s], "age=70 orders=1", NULL);
+    sozai_geometry *g = grow(kinds[s], "age=70 orders=1 rhytidome_from=10 rhytidome_age=70", NULL);
     sozai_geometry *smooth =
-        grow(kinds[s], "age=70 orders=1 bark_depth=0 lenticel_density=0", NULL);
+        grow(kinds[s], "age=70 orders=1 bark_depth=0 lenticel_density=0 scar_shade=0", NULL);
     uint64_t before = UINT64_MAX;
     for (uint32_t level = 0; level <= 8; level++) {
       const sozai_mesh *m = mesh_of(g, level), *plain = mesh_of(smooth, level);
@@ -230,7 +230,7 @@ static void feet_are_level(void **unused) {
 /* Between roots a stem's foot is lit as it lies: normals turn with its faces, seen from above. */
 static void roots_have_normals(void **unused) {
   (void)unused;
-  sozai_geometry *g = grow("buna", "age=80 orders=1", NULL);
+  sozai_geometry *g = grow("buna", "age=80 orders=1 scar_shade=0", NULL);
   const sozai_mesh *m = mesh_of(g, 0);
   double worst = 1, radial = 1;
   for (uint64_t i = 0; i < m->parts[0].count && !m->owner[m->indices[3 * i]]; i++) {

@@ -23,9 +23,10 @@ static const sozai_value cherry[] = {
     LEAVES("blade", 34, 1, 95, 50, 0, 60, "spiral", 20, 3, 420),
     SHOOT(0.36, 0.27, 0.22),
     PERIDERM(4, 0.36, 0.27, 0.25),
-    RHYTIDOME(20, 60, 0.29, 0.27, 0.26),
-    FURROWS(3, 37, 22, 0.5),
+    RHYTIDOME(35, 110, 0.29, 0.27, 0.26),
+    FURROWS(5, 30, 60, 0.4),
     LENTICELS(3, 60, 6, 0.45),
+    SCARS(4, 0.4, 0.35),
     TRIPLE("leaf_colour", 0.29, 0.43, 0.17)};
 SPECIES(cherry, "Yamazakura (Prunus jamasakura)",
         "Mountain cherry: low limbs spread wide and rise.", SATAKE "; leaves 80 to 120 mm");
@@ -95,6 +96,7 @@ static const sozai_value buna[] = {HEIGHT(28, 0.025, 1.3),
                                    PERIDERM(4, 0.55, 0.55, 0.52),
                                    RHYTIDOME(60, 150, 0.58, 0.58, 0.55),
                                    NUMBER("bark_depth", 0),
+                                   SCARS(6, 0.45, 0.28),
                                    TRIPLE("leaf_colour", 0.25, 0.42, 0.16)};
 SPECIES(
     buna, "Buna (Fagus crenata)",
@@ -136,10 +138,11 @@ static const sozai_value shirakaba[] = {
     LEAVES("blade", 24, 1, 58, 46, 0, 62, "spiral", 22, 3, 320),
     SHOOT(0.33, 0.24, 0.20),
     PERIDERM(9, 0.86, 0.84, 0.79),
-    RHYTIDOME(40, 85, 0.27, 0.25, 0.24),
-    FURROWS(10, 55, 90, 0.75),
+    RHYTIDOME(60, 170, 0.27, 0.25, 0.24),
+    FURROWS(12, 40, 130, 0.6),
     NUMBER("bark_turning", 0.8),
     LENTICELS(2.5, 35, 4, 0.75),
+    SCARS(6, 0.75, 0.9),
     TRIPLE("leaf_colour", 0.34, 0.48, 0.18)};
 SPECIES(
     shirakaba, "Shirakaba (Betula platyphylla)",

@@ -60,6 +60,9 @@
 #define LENTICELS(often, across, along, dark)                                                      \
   NUMBER("lenticel_density", often), NUMBER("lenticel_length", across),                            \
       NUMBER("lenticel_height", along), NUMBER("lenticel_shade", dark)
+/* Brows of branches: diameters wide; how far they droop, in halves of that; how dark, 0 to 1. */
+#define SCARS(wide, droop, dark)                                                                   \
+  NUMBER("scar_width", wide), NUMBER("scar_droop", droop), NUMBER("scar_shade", dark)
 #define STEM(form, butt, sway) NUMBER("stem_form", form), NUMBER("butt", butt), NUMBER("sway", sway)
 
 #endif

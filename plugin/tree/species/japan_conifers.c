@@ -144,6 +144,7 @@ static const sozai_value todomatsu[] = {
     PERIDERM(5, 0.48, 0.47, 0.44),
     RHYTIDOME(35, 90, 0.41, 0.38, 0.35),
     FURROWS(2, 37, 55, 0.5),
+    SCARS(4, 0.3, 0.35),
     TRIPLE("leaf_colour", 0.16, 0.32, 0.19)};
 SPECIES(todomatsu, "Todomatsu (Abies sachalinensis)",
         "Sakhalin fir: regular whorls, flat dark sprays, a dense cone.",
