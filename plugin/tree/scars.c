@@ -9,6 +9,7 @@
 #define OLD_ENOUGH 100.0f /* mm of a stem's radius at its foot: that has any */
 #define SEEN_FROM 30.0f   /* mm of the stem's radius: where there are scars, */
 #define SEEN_ALL 40.0f    /* and where they are as dark as ever */
+#define LEAST_DARK 0.02f  /* paler ones are not told from the bark */
 #define WIDEST 1.2f       /* of the stem's radius: the half of a brow, at most */
 #define STEEPEST 65.0     /* degrees: as if no branch left the stem by more */
 #define ABOUT 300.0f      /* mm, up and down: over which the mean is taken */
@@ -71,19 +72,20 @@ int scars_on(const tree *t, const tree_branch *b) {
          t->plan.scar_shade > 0.0f;
 }
 
-/* How dark they are on bark so old, as a share of that at most. */
-static float seen(const tree_plan *p, float age, float r, float y) {
+float scars_dark(const tree *t, float age, float r, float y) {
+  const tree_plan *p = &t->plan;
   float left = (p->bark_reach - y) / (0.2f * p->bark_reach);
-  float dark = bark_periderm(p, age);
+  float dark = p->scar_shade * bark_periderm(p, age);
   if (!(left > 0.0f) || !(r > SEEN_FROM)) return 0.0f;
   if (left < 1.0f) dark *= left;
-  return r < SEEN_ALL ? dark * (r - SEEN_FROM) / (SEEN_ALL - SEEN_FROM) : dark;
+  if (r < SEEN_ALL) dark *= (r - SEEN_FROM) / (SEEN_ALL - SEEN_FROM);
+  return dark < LEAST_DARK ? 0.0f : dark;
 }
 
 void scars_at(const tree *t, float age, float r, float y, scars_here *out) {
   out->count = 0;
-  out->dark = out->mean = 0.0f;
-  out->dark = t->plan.scar_shade * seen(&t->plan, age, r, y);
+  out->mean = 0.0f;
+  out->dark = scars_dark(t, age, r, y);
   if (!(out->dark > 0.0f)) return;
   float area = 0.0f;
   for (uint32_t i = 1; i < t->stems; i++) {
@@ -160,7 +162,6 @@ scar_point scars_mark(const scars_here *s, float x, float z, float r) {
 
 void scars_steps(const tree *t, float from, float to, float out[2]) {
   out[0] = out[1] = 0.0f;
-  if (!(from < t->plan.bark_reach)) return;
   float least = 1e9f;
   for (uint32_t i = 1; i < t->stems; i++) {
     const tree_branch *b = &t->branches[i];

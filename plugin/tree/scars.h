@@ -26,7 +26,7 @@ typedef struct {
 
 typedef struct {
   uint32_t count;
-  float dark; /* how much darker they are, as a share */
+  float dark; /* of scars_dark */
   float mean; /* of the marks, about there */
   scar at[SCARS_MOST];
 } scars_here;
@@ -36,7 +36,11 @@ int scars_on(const tree *t, const tree_branch *b);
 
 #define SCARS_BELOW 2u /* levels of detail: from then on they are not told from the bark */
 
-/* On a stem whose radius is r at height y, with bark so many years old. */
+/* How much darker they are than the bark about them, as a share: where the stem's radius is r at
+ * height y, and its bark so many years old. */
+float scars_dark(const tree *t, float age, float r, float y);
+
+/* Those there. */
 void scars_at(const tree *t, float age, float r, float y, scars_here *out);
 
 /* At a place: x, z: its way from the axis, unit; r: mm. */

@@ -47,6 +47,9 @@ static void scar_steps(const tree *t, const tree_branch *b, uint32_t level, cons
                        const ring *to, float out[2]) {
   out[0] = out[1] = 0.0f;
   if (level >= SCARS_BELOW || !scars_on(t, b)) return;
+  if (!(scars_dark(t, from->age, from->r, from->p[1]) > 0.0f) &&
+      !(scars_dark(t, to->age, to->r, to->p[1]) > 0.0f))
+    return;
   scars_steps(t, from->p[1], to->p[1], out);
   for (int i = 0; i < 2; i++) out[i] *= 1.0f + (float)level;
 }

@@ -166,15 +166,18 @@ static void where_they_are(void **unused) {
   };
   for (unsigned c = 0; c < sizeof cases / sizeof *cases; c++) {
     char values[700];
-    snprintf(values, sizeof values,
-             FEW "turns_year=1 scar_width=5 crown_ratio=0.4 crown_age=20 shedding=3 %s",
-             cases[c].more);
+    snprintf(
+        values, sizeof values,
+        FEW
+        "turns_year=3 scar_width=6 slenderness=0.016 crown_ratio=0.4 crown_age=20 shedding=3 %s",
+        cases[c].more);
     sozai_geometry *g = grow("sugi", values, NULL);
     const sozai_mesh *m = mesh_of(g, cases[c].level);
     rings r = rings_of(m);
     double mean, range = range_of(&r, cases[c].from, cases[c].to, &mean);
-    print_message("level %u, %g to %g mm, %s: range %.3f, mean %.4f\n", cases[c].level,
-                  cases[c].from, cases[c].to, cases[c].more, range, mean);
+    print_message("level %u, %llu points, %g to %g mm, %s: range %.3f, mean %.4f\n", cases[c].level,
+                  (unsigned long long)m->point_count, cases[c].from, cases[c].to, cases[c].more,
+                  range, mean);
     assert_true(range >= cases[c].least && range <= cases[c].most);
     assert_true(fabs(mean) < 0.01);
     geometry()->release_mesh(m);
