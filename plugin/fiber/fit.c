@@ -101,13 +101,13 @@ typedef struct {
 } visited;
 
 /* To a hundred-thousandth of a step: what came back over another way differs by
- * rounding. */
+ * rounding. Steps may be next to nothing beside where a strand is: then poses far out are one. */
 static uint64_t pose_hash(const strand_pose *p, double step) {
   uint64_t h = 0x9e3779b97f4a7c15ull;
   for (int i = 0; i < 12; i++) {
     double x = i < 3 ? p->middle[i] / (1e-5 * step) : p->turn[i - 3] * 1e7;
     double y = x + (x < 0 ? -0.5 : 0.5);
-    h = mix64(h + (uint64_t)(int64_t)y);
+    h = mix64(h + (uint64_t)(int64_t)scalar_most(-9e18, scalar_least(9e18, y)));
   }
   return h;
 }

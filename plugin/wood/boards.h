@@ -147,8 +147,8 @@ static __attribute__((noinline)) void board_by_parts(const wood_constants *w, vf
   *joint = one - open * splat(1.0f / (float)(side * side));
 }
 
-#define BOARD_TWO 0.3f  /* of a board's smaller side, from which a footprint is seen in two */
-#define BOARD_FOUR 0.8f /* parts to a side, and in four */
+#define BOARD_TWO 0.3f   /* of a board's smaller side, from which a footprint is seen in two */
+#define BOARD_THREE 0.8f /* parts to a side, and in three */
 
 /* Footprints that boards are small under. */
 INLINE void board_wide(const wood_constants *w, const vf p[3], vf e, wood_board *out) {
@@ -158,12 +158,12 @@ INLINE void board_wide(const wood_constants *w, const vf p[3], vf e, wood_board 
   vf size = vmin(unit->length, unit->width) * splat(1.0f / (float)finer);
   vm wide = gt(e, splat(BOARD_TWO) * size);
   if (!any(wide)) return;
-  vm four = gt(e, splat(BOARD_FOUR) * size);
+  vm three = gt(e, splat(BOARD_THREE) * size);
   vf tone, joint;
   for (int k = 0; k < 2; k++) {
-    vm mine = k ? four : and_(wide, not_(four));
+    vm mine = k ? three : and_(wide, not_(three));
     if (!any(mine)) continue;
-    board_by_parts(w, p[0], p[1], e, (k ? 4 : 2) * finer, &tone, &joint);
+    board_by_parts(w, p[0], p[1], e, (k ? 3 : 2) * finer, &tone, &joint);
     out->tone = sel(mine, tone, out->tone);
     unit->joint = sel(mine, joint, unit->joint);
   }
