@@ -109,7 +109,7 @@
  N(LENTICEL_HEIGHT, "lenticel_height", "Lenticel height", "bark", "mm", 1, 50, 2, 10, 4, "Along it.") \
  N(LENTICEL_SHADE, "lenticel_shade", "Lenticel shade", "bark", "", 0, 1, 0, 0.9, 0.6, "How much darker they are than the bark about them, as a share. Stems 16 cm through and more show them, up to 0.4 of bark_reach.") \
  N(SCAR_WIDTH, "scar_width", "Scar width", "bark", "", 0, 20, 0, 10, 0, "Of the brows that branches leave on a grown stem's periderm, from tip to tip, when the branch left it: in diameters of the branch. The stem's growth draws them wider. 0 for none.") \
- N(SCAR_DROOP, "scar_droop", "Scar droop", "bark", "", 0, 3, 0, 1.5, 0.6, "How far a brow's ends hang below its middle, in halves of its width when the branch left.") \
+ N(SCAR_DROOP, "scar_droop", "Scar droop", "bark", "", 0, 3, 0, 1.5, 0.6, "How far a brow's ends hang below its middle, in halves of its width when the branch left; at most 27 cm.") \
  N(SCAR_SHADE, "scar_shade", "Scar shade", "bark", "", 0, 1, 0, 0.9, 0.6, "How much darker brows and wounds are than the bark about them, as a share. Stems 20 cm through at the foot and more show them, up to bark_reach.") \
  N(BARK_REACH, "bark_reach", "Bark reach", "bark", "m", 0, 130, 1, 20, 12, "Up to this height plates and furrows are cut into a mesh, from half of it less and less; above it bark is as thick as they are in the mean.")
 /* clang-format on */

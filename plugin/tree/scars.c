@@ -11,6 +11,7 @@
 #define SEEN_ALL 40.0f    /* and where they are as dark as ever */
 #define LEAST_DARK 0.02f  /* paler ones are not told from the bark */
 #define WIDEST 1.2f       /* of the stem's radius: the half of a brow, at most */
+#define LONGEST 270.0f    /* mm: that ends hang down, at most; less than ABOUT */
 #define STEEPEST 65.0     /* degrees: as if no branch left the stem by more */
 #define ABOUT 300.0f      /* mm, up and down: over which the mean is taken */
 #define MEAN_THICK 0.52f  /* of a brow, of that in its middle; see thickness */
@@ -25,7 +26,7 @@ static float varied(uint32_t hash, float by) {
   return 1.0f + by * ((float)(hash & 255u) * (2.0f / 255.0f) - 1.0f);
 }
 
-/* What there is of a branch's scar: 0, or its marks' area in mm^2 on the stem. y: mm, height. */
+/* A branch's scar as it meets height y, but for its way from the axis; its marks' area, mm^2. */
 static float scar_of(const tree *t, const tree_branch *b, float y, scar *out) {
   const tree_plan *p = &t->plan;
   double z = (double)b->at, last = b->death >= 0.0f ? (double)b->death : p->age;
@@ -42,6 +43,7 @@ static float scar_of(const tree *t, const tree_branch *b, float y, scar *out) {
                 .wound = {0.9f * size * apart, 0.8f * size},
                 .size = size,
                 .hash = h};
+  if (out->drop > LONGEST) out->drop = LONGEST;
   float sum = 0.0f;
   for (int i = 0; i < 2; i++) {
     float side = half * apart * varied(h >> (16 + 8 * i), 0.2f);
@@ -64,7 +66,7 @@ static void scar_spans(const scar *s, float out[2]) {
 static int may_reach(const tree *t, const tree_branch *b, float low, float high) {
   float r = (float)plan_radius(&t->plan, (double)low, t->plan.age);
   return b->order == 1 && b->radius >= LEAST_BRANCH && b->at < high + ABOUT &&
-         b->at + 2.2f * r + ABOUT > low;
+         b->at + 4.0f * r + ABOUT > low;
 }
 
 int scars_on(const tree *t, const tree_branch *b) {
