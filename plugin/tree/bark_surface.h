@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
- * What a mesh shows of bark beside its colour: furrows, lenticels and scars, and how fine a mesh
- * that takes.
+ * What a mesh shows of bark beside its colour: furrows and lenticels, and how fine a mesh that
+ * takes. Scars of branches are scars.h's.
  */
 #ifndef SOZAI_TREE_BARK_SURFACE_H
 #define SOZAI_TREE_BARK_SURFACE_H
@@ -17,7 +17,7 @@ typedef struct {
 
 bark_surface bark_surface_of(const tree_plan *p);
 
-/* Whether a branch is thick enough for it. */
+/* Whether a branch is thick enough for it, or has scars. */
 int bark_surface_on(const bark_surface *s, const tree *t, const tree_branch *b);
 
 /* All round at one place of an axis. */

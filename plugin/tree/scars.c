@@ -26,17 +26,20 @@ static float varied(uint32_t hash, float by) {
   return 1.0f + by * ((float)(hash & 255u) * (2.0f / 255.0f) - 1.0f);
 }
 
-/* A branch's scar as it meets height y, but for its way from the axis; its marks' area, mm^2. */
+/* A branch's scar as it meets height y; its marks' area, mm^2. */
 static float scar_of(const tree *t, const tree_branch *b, float y, scar *out) {
   const tree_plan *p = &t->plan;
   double z = (double)b->at, last = b->death >= 0.0f ? (double)b->death : p->age;
   double then = plan_radius(p, z, last), now = plan_radius(p, z, p->age);
-  double up = scalar_least((double)b->elevation, STEEPEST) * (3.14159265358979 / 180.0);
+  double up = scalar_least((double)b->elevation, STEEPEST) * RADIANS;
   float middle = b->at + (float)(then * scalar_sin(up) / scalar_cos(up));
+  double way = (double)b->azimuth * RADIANS;
   uint32_t h = hash1(b->key ^ 0x3ad8025fu);
   float size = b->radius, apart = then > 0.0 ? (float)(now / then) : 1.0f;
   float half = p->scar_width * size * varied(h, 0.25f), most = WIDEST * (float)now;
-  *out = (scar){.up = y - middle,
+  *out = (scar){.x = (float)scalar_sin(way),
+                .z = (float)-scalar_cos(way),
+                .up = y - middle,
                 .top = 0.8f * size,
                 .drop = p->scar_droop * half * varied(h >> 8, 0.25f),
                 .thick = 0.55f * size,
@@ -62,9 +65,8 @@ static void scar_spans(const scar *s, float out[2]) {
   out[1] = s->top + thick;
 }
 
-/* Branches whose scars may be so near a height; a grown stem's stand in order. */
-static int may_reach(const tree *t, const tree_branch *b, float low, float high) {
-  float r = (float)plan_radius(&t->plan, (double)low, t->plan.age);
+/* Branches whose scars may be so near to heights where the stem's radius is r at most. */
+static int may_reach(const tree_branch *b, float r, float low, float high) {
   return b->order == 1 && b->radius >= LEAST_BRANCH && b->at < high + ABOUT &&
          b->at + 4.0f * r + ABOUT > low;
 }
@@ -94,16 +96,13 @@ void scars_at(const tree *t, float age, float r, float y, scars_here *out) {
     const tree_branch *b = &t->branches[i];
     float span[2];
     scar s;
-    if (!may_reach(t, b, y, y)) continue;
+    if (!may_reach(b, r, y, y)) continue;
     float own = scar_of(t, b, y, &s);
     /* nearer ones count for more: none comes or goes of a sudden */
     float off = s.up < 0.0f ? -s.up : s.up;
     if (off < ABOUT) area += own * (1.0f - off / ABOUT);
     scar_spans(&s, span);
     if (!(s.up > span[0] && s.up < span[1]) || out->count == SCARS_MOST) continue;
-    double way = (double)b->azimuth * (3.14159265358979 / 180.0);
-    s.x = (float)scalar_sin(way);
-    s.z = (float)-scalar_cos(way);
     out->at[out->count++] = s;
   }
   out->mean = area / (6.2831853f * r * ABOUT);
@@ -162,14 +161,14 @@ scar_point scars_mark(const scars_here *s, float x, float z, float r) {
   return out;
 }
 
-void scars_steps(const tree *t, float from, float to, float out[2]) {
+void scars_steps(const tree *t, float r, float from, float to, float out[2]) {
   out[0] = out[1] = 0.0f;
   float least = 1e9f;
   for (uint32_t i = 1; i < t->stems; i++) {
     const tree_branch *b = &t->branches[i];
     float span[2];
     scar s;
-    if (!may_reach(t, b, from, to)) continue;
+    if (!may_reach(b, r, from, to)) continue;
     scar_of(t, b, from, &s);
     scar_spans(&s, span);
     if (s.up < span[1] && s.up + (to - from) > span[0] && s.size < least) least = s.size;

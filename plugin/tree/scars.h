@@ -52,7 +52,7 @@ typedef struct {
 scar_point scars_mark(const scars_here *s, float x, float z, float r);
 
 /* mm: how far points may stand apart that show those between two heights, round the stem and along
- * it; 0: at will. */
-void scars_steps(const tree *t, float from, float to, float out[2]);
+ * it; 0: at will. r: its radius at the lower one. */
+void scars_steps(const tree *t, float r, float from, float to, float out[2]);
 
 #endif

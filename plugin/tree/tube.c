@@ -50,7 +50,7 @@ static void scar_steps(const tree *t, const tree_branch *b, uint32_t level, cons
   if (!(scars_dark(t, from->age, from->r, from->p[1]) > 0.0f) &&
       !(scars_dark(t, to->age, to->r, to->p[1]) > 0.0f))
     return;
-  scars_steps(t, from->p[1], to->p[1], out);
+  scars_steps(t, from->r, from->p[1], to->p[1], out);
   for (int i = 0; i < 2; i++) out[i] *= 1.0f + (float)level;
 }
 
@@ -223,6 +223,7 @@ typedef struct {
   scars_here scars;
 } ring_frame;
 
+/* What scars make of a place on a ring. */
 static void add_scars(const ring_frame *f, const float round[2], float r, bark_point *q) {
   float x = round[0] * f->level[0] + round[1] * f->side[0];
   float z = round[0] * f->level[2] + round[1] * f->side[2], square = x * x + z * z;

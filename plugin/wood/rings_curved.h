@@ -2,7 +2,7 @@
  *
  * Rings under a footprint that is wide enough for them to curve in: what goes with them is averaged
  * along the line that crosses them, all of it in one pass. Where latewood strays from its ring does
- * not count: such a footprint is some hundred times as wide as that strays.
+ * not count: such a footprint is far wider than that.
  */
 #ifndef SOZAI_WOOD_RINGS_CURVED_H
 #define SOZAI_WOOD_RINGS_CURVED_H
@@ -30,9 +30,8 @@ typedef struct {
 } curved_rings;
 
 /* In how many parts a line is seen. Rings are widest on it where it turns, next to the pith: parts
- * are short there, and grow with the root of the distance. A scratch program's lines of 8 to 300
- * mm, 15 to 165 mm from the pith, across rings of 0.7 to 6 mm, of a season of height 1: RMS at most
- * 0.012, as of 16 parts alike 0.015. */
+ * are short there, and grow with the root of the distance. As near as 16 equal ones
+ * (`property.filter`, rings_that_curve). */
 #define CURVED_PARTS 6
 #define CURVED_EVEN 0.2f /* of the root of its distance and a ring's width, what is seen evenly */
 

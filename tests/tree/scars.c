@@ -13,12 +13,6 @@
   "age=60 orders=1 sway=0 butt=0 diameter_max=600 bark_depth=0 periderm_age=0 rhytidome_from=900 " \
   "bark_colour=0.5,0.6,0.7 turns_year=0.2 branches_turn=2 elevation_top=0 elevation_base=0 "       \
   "bark_reach=40 slenderness=0.012 scar_shade=0.5 "
-#define SHADE 0.5
-
-static double mark(const rings *r, uint64_t i, uint64_t k) {
-  return (1 - (double)r->mesh->colours[3 * index_of(r, i, k) + 1] / 0.6) / SHADE;
-}
-
 /* A place's way from the axis: of the knots' azimuths. */
 static double way_of(const rings *r, uint64_t i, uint64_t k) {
   const float *p = r->mesh->points + 3 * index_of(r, i, k);
@@ -133,19 +127,6 @@ static void drawn_apart(void **unused) {
   /* and no higher */
   assert_true(fabs(m.droop - (0.5 * 4 + 0.5)) < 0.2 * m.droop);
   assert_true(m.wound > 0.6);
-}
-
-/* The range of marks from one height up to another, and their mean. */
-static double range_of(const rings *r, double from, double to, double *mean) {
-  double least = 9, most = -9, sum = 0, count = 0;
-  for (uint64_t i = 0; i < r->count; i++)
-    for (uint64_t k = 0; k < r->sides && height_of(r, i) >= from && height_of(r, i) < to; k++) {
-      double m = mark(r, i, k), high = height_of(r, i + (i + 1 < r->count)) - height_of(r, i);
-      least = fmin(least, m), most = fmax(most, m);
-      sum += m * high, count += high;
-    }
-  *mean = sum / count;
-  return most - least;
 }
 
 static void where_they_are(void **unused) {

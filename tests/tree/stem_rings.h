@@ -41,4 +41,25 @@ static inline double height_of(const rings *r, uint64_t i) {
   return (double)r->mesh->points[3 * index_of(r, i, 0) + 1];
 }
 
+/* Of bark whose green is 0.6, with marks darker by SHADE: how dark a point is, of what it is at
+ * most. */
+#define SHADE 0.5
+static inline double mark(const rings *r, uint64_t i, uint64_t k) {
+  double tone = (double)r->mesh->colours[3 * index_of(r, i, k) + 1] / 0.6;
+  return (1 - tone) / SHADE;
+}
+
+/* The range of marks from one height up to another, and their mean, or NULL. */
+static inline double range_of(const rings *r, double from, double to, double *mean) {
+  double least = 9, most = -9, sum = 0, count = 0;
+  for (uint64_t i = 0; i < r->count; i++)
+    for (uint64_t k = 0; k < r->sides && height_of(r, i) >= from && height_of(r, i) < to; k++) {
+      double m = mark(r, i, k), high = height_of(r, i + (i + 1 < r->count)) - height_of(r, i);
+      least = fmin(least, m), most = fmax(most, m);
+      sum += m * high, count += high;
+    }
+  if (mean) *mean = sum / count;
+  return most - least;
+}
+
 #endif
