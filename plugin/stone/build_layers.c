@@ -224,10 +224,16 @@ static body holes_of(const settings *s) {
  * cells on, were chosen for: that of white granite's feldspar and quartz. */
 #define CONTRAST 0.19
 
-/* The contrasts, of crystals and of flakes, whose cells are counted for as long as any are. */
+/* The contrasts, of crystals and of flakes, whose cells are counted for as long as any are, and
+ * from COUNTED_FROM on; those of lesser contrast sooner and not as long, by what they err by. Of
+ * other bodies' areas less is known. */
 #define COUNTED_CRYSTALS 0.21
 #define COUNTED_FLAKES 0.53
-#define COUNTED_LEAST 2.8f /* SECTIONS_FROM over SECTIONS_KEEP: from it on they begin to be */
+#define COUNTED_BODIES 0.15
+#define COUNTED_FROM 7.0 /* cells: under narrower footprints looks tell more */
+#define COUNTED_SOONEST 2.5
+#define COUNTED_LEAST 1.5f /* of the fade */
+#define NEVER_COUNTED 1e9f
 
 /* Relative sd of what is seen within a crystal, of turbidity 1 and of cleavage 1. */
 #define CLOUDS_SD 0.06
@@ -300,6 +306,24 @@ static float sheared_from(const stone_cells *c, double share) {
   return (c->shaped && c->thick < 1.0f ? SHEARED_FLAKES : SHEARED) / (c->warp + 1e-6f);
 }
 
+/* Where cells are counted. A mean over many cells errs as the contrast, and as the width, and so
+ * does a count; bodies err otherwise. widest: the fade of full contrast. */
+static void set_counts(stone_cells *c, double contrast, double widest) {
+  const int flakes = c->shaped && c->thick < 1.0f;
+  double most = c->shaped ? COUNTED_FLAKES : COUNTED_CRYSTALS;
+  c->fade_counted = c->fade;
+  if (contrast < most && (!c->shaped || flakes)) {
+    float fade = (float)(widest * contrast / most);
+    if (fade < COUNTED_LEAST) fade = COUNTED_LEAST;
+    if (fade < c->fade) c->fade_counted = fade;
+  }
+  if (c->shaped && !flakes) most = COUNTED_BODIES;
+  double from = COUNTED_FROM * contrast / most;
+  if (from > COUNTED_FROM) from = COUNTED_FROM;
+  if (from < COUNTED_SOONEST) from = COUNTED_SOONEST;
+  c->counted_from = from < SECTIONS_KEEP * (double)c->fade ? (float)from : NEVER_COUNTED;
+}
+
 /* What differs little needs few looks, and is soon its mean. A look's edges are seen in
  * quarters, so that most of what it errs by is what lies beyond the cells that it has found:
  * that goes as the contrast, and as its width or little more. */
@@ -331,14 +355,7 @@ static void set_looks(stone_constants *w, const settings *s) {
       c->looks = (float)(power * share * share * (double)c->looks);
       c->fade = (float)(share * (double)c->fade);
     }
-    /* a mean over many cells errs as the contrast, and as the width; bodies err otherwise */
-    const double most = c->shaped ? COUNTED_FLAKES : COUNTED_CRYSTALS;
-    c->fade_counted = c->fade;
-    if (contrast < most && (!c->shaped || c->thick < 1.0f)) {
-      float fade = (float)(widest * contrast / most);
-      if (fade < COUNTED_LEAST) fade = COUNTED_LEAST;
-      if (fade < c->fade) c->fade_counted = fade;
-    }
+    set_counts(c, contrast, widest);
     /* nor do clouds within crystals go by how much crystals differ */
     if (c->turbidity * c->whole > CLOUDS_WHOLE) c->whole = CLOUDS_WHOLE / c->turbidity;
     c->single = (1.999f - c->least) / c->looks; /* rounded to one: footprint.h */
@@ -418,7 +435,7 @@ void stone_build_layers(stone_constants *w, const settings *s, stone_measure *me
   stone_means m;
   measure(w, MEASURED, &m);
   m.fill[LAYER_GRAINS] = m.core[LAYER_GRAINS] = 1.0;
-  w->vein_mean = (float)m.veins;
+  for (int f = 0; f < VEIN_FAMILIES; f++) w->vein_mean[f] = (float)m.veins[f];
   for (int l = 0; l < STONE_LAYERS; l++) {
     set_shares(&w->layer[l], &bodies[l], m.fill[l], m.core[l]);
     if (m.fill[l] > 1e-6 && m.seen[l] > m.fill[l]) {

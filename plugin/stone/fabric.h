@@ -9,7 +9,7 @@
 #include "bands.h"
 #include "bed.h"
 #include "together.h"
-#include "veins.h"
+#include "veins_seen.h"
 
 /* From the lowest to what lies over all. */
 static const int fabric_order[STONE_LAYERS] = {LAYER_GRAINS, LAYER_SPECKS, LAYER_INCLUSIONS,
@@ -317,7 +317,7 @@ STAGE void stage_fabric(const stone_constants *w, block *k) {
     k->inclusion =
         lay_over(w, LAYER_INCLUSIONS, COLOUR_INCLUSION, COLOUR_INCLUSION_SECOND, &over, k);
   if (w->has_veins && veins) {
-    vf v = vmin(vein_share(w, k->p, k->nrm, k->t1, k->t2, k->s), one);
+    vf v = vmin(vein_share(w, k->p, k->t1, k->t2, k->s), one);
     fabric_add(&over, OVER_VEINS, COLOUR_VEIN, COLOUR_VEIN, v, k->albedo);
     for (int c = 0; c < 3; c++)
       k->albedo[c] = mix(k->albedo[c], splat(w->colour[COLOUR_VEIN][c]), v);

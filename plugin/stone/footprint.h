@@ -152,12 +152,6 @@ INLINE vf view_fine(const cells_view *e) {
          crystal_keep(e->most, CELLS_FINE, 1.6f * CELLS_FINE);
 }
 
-/* Footprints whose cells are counted: where means do not stand in before that. */
-INLINE vm view_counts(const stone_cells *c, vf most) {
-  float from = SECTIONS_KEEP * c->fade > SECTIONS_FROM ? SECTIONS_FROM : 1e9f;
-  return gt(most, splat(from));
-}
-
 /* Whose looks are more than one. */
 INLINE vm view_several(const cells_view *e) { return gt(e->n[0] * e->n[1], splat(1.0f)); }
 
@@ -198,7 +192,7 @@ STAGE void view_divide(const stone_cells *c, cells_view *e, const cells_square *
   e->part_wide = vmax(cells_length(e->part.u), cells_length(e->part.v));
   e->fine = view_fine(e);
   e->keep = crystal_keep(e->most, 0.6f * c->fade, 2.1f * c->fade);
-  e->counted = view_counts(c, e->most);
+  e->counted = gt(e->most, splat(c->counted_from));
   if (any(e->counted)) {
     vf keep =
         crystal_keep(e->most, SECTIONS_KEEP * c->fade_counted, SECTIONS_GONE * c->fade_counted);

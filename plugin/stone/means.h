@@ -8,7 +8,7 @@
 #include "../core/measure.h"
 #include "paper.h"
 #include "surface.h"
-#include "veins.h"
+#include "veins_seen.h"
 
 #define MEASURED_EXTENT 512.0f /* large to everything */
 
@@ -69,16 +69,19 @@ static void measure_domes(const stone_cells *c, uint32_t count, double fill, sto
 
 /* Of veins whose borders are so soft that many places have some, and which take as much. */
 static void measure_veins(const stone_constants *w, uint32_t count, stone_means *out) {
-  const vf zero = splat(0.0f), up[3] = {zero, splat(1.0f), zero};
+  const vf none[3] = {splat(0.0f), splat(0.0f), splat(0.0f)};
+  const int families = w->vein_crossing > 0.0f ? VEIN_FAMILIES : 1;
   const float spacing = 1.0f / w->vein_frequency;
   stone_constants soft = *w;
   if (soft.vein_soft < VEIN_BLUR * spacing) soft.vein_soft = VEIN_BLUR * spacing;
   for (uint32_t i = 0; i < count; i += LANES) {
     vf p[3];
     for (uint32_t a = 0; a < 3; a++) p[a] = measure_place(i, a, MEASURED_EXTENT) * splat(spacing);
-    measure_add(&out->veins, vein_share(&soft, p, up, up, up, zero));
+    vein_fold fold = vein_folded(&soft, p);
+    for (int f = 0; f < families; f++)
+      measure_add(&out->veins[f], vein_family_share(&soft, p, none, none, &fold, f));
   }
-  out->veins /= count;
+  for (int f = 0; f < families; f++) out->veins[f] /= count;
 }
 
 static void measure(const stone_constants *w, uint32_t count, stone_means *out) {

@@ -15,9 +15,6 @@
 #include "../core/vectors.h"
 #include "bodies.h"
 
-#define SECTIONS_FROM 7.0f    /* cells: under narrower footprints looks tell more */
-#define SECTIONS_KEEP 2.5f    /* of the layer's fade: from here on the mean comes in, */
-#define SECTIONS_GONE 2.8f    /* up to here */
 #define SECTIONS_MOST 32      /* columns along a side, of footprints of up to 17 cells */
 #define SECTIONS_WIDE 0.9f    /* cells: across a patch */
 #define SECTIONS_CRYSTAL 0.5f /* cells^2: power distance from the face of what it does not cut */

@@ -67,6 +67,9 @@ typedef struct {
   uint32_t seed, seed_wave;
 } stone_bedding;
 
+#define SECTIONS_KEEP 2.5f /* of a layer's fade: where its cells are counted the mean comes in, */
+#define SECTIONS_GONE 2.8f /* up to here */
+
 /* A layer of cells: a power diagram of jittered points, one to a lattice cell.
  * Lengths are in lattice cells where no unit stands. */
 typedef struct {
@@ -98,6 +101,7 @@ typedef struct {
   float size;                  /* mm */
   float fade;                  /* footprint, in cells, of which all but all is looked at */
   float fade_counted;          /* the same of footprints whose cells are counted */
+  float counted_from;          /* footprint, in cells, from which they are */
   float looks, spread; /* parts to a cell that a footprint is looked at in; fewer, by cells */
   float least;         /* parts of a point, and what they are rounded by */
   float single;        /* footprint, in cells, up to which one look is all */
@@ -200,9 +204,10 @@ typedef struct {
   stone_cells layer[STONE_LAYERS];
 
   float bed_frequency, bed_contrast, bed_wave, bed_wave_frequency; /* 1/mm; mm */
-  float bed_lag; /* of the waves, over the height: value.h */
-  float vein_frequency, vein_width, vein_warp, vein_mean; /* 1/mm; mm */
-  float vein_soft, vein_crossing, vein_variation;         /* mm; 0..1 */
+  float bed_lag;                               /* of the waves, over the height: value.h */
+  float vein_frequency, vein_width, vein_warp; /* 1/mm; mm */
+  float vein_mean[VEIN_FAMILIES];
+  float vein_soft, vein_crossing, vein_variation; /* mm; 0..1 */
   float vein_frame[VEIN_FAMILIES][3][3]; /* rows: across a family's veins, and two along; unit */
   float mottle, mottle_frequency;
   int32_t has_beds, has_veins, has_mottle;
@@ -273,8 +278,8 @@ enum {
  * square and the square of its slope along one axis, 1/mm, and how many are how high, of 1. */
 #define DOME_BINS 16
 typedef struct {
-  double fill[STONE_LAYERS], seen[STONE_LAYERS], core[STONE_LAYERS], veins, dome, dome_square,
-      dome_steep2, dome_high[DOME_BINS];
+  double fill[STONE_LAYERS], seen[STONE_LAYERS], core[STONE_LAYERS], veins[VEIN_FAMILIES], dome,
+      dome_square, dome_steep2, dome_high[DOME_BINS];
 } stone_means;
 
 /* The paving's means, likewise. */

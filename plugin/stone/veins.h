@@ -67,13 +67,17 @@ INLINE vf vein_octave(const vein_lattice *a, vu seed, int o, float warp, vf slop
 
 /* A family's place. Lengths in its spacings, but for those in mm. */
 typedef struct {
-  vf across, along[2];      /* where the point is */
-  vf g[3], n[3];            /* how `across` changes, and the face's normal: across, along, along */
-  vf s, many, soft2, bent2; /* mm; vein_fold; mm^2: softness, and of the roughness what a footprint
-                               does not tell */
-  float spacing, widest;    /* mm, mm (half a width) */
-  float crossing;           /* of its veins, the part that is there */
+  vf across, along[2]; /* where the point is */
+  vf g[3], u[3], v[3]; /* how `across` changes, and a footprint's sides, mm: across, along, along */
+  vf many, soft2, bent2; /* vein_fold; mm^2: softness, and of the roughness what a footprint does
+                            not tell */
+  float spacing, widest; /* mm, mm (half a width) */
+  float crossing;        /* of its veins, the part that is there */
 } vein_family;
+
+static const float vein_closer[VEIN_FAMILIES] = {1.0f, 1.7f, 2.9f}; /* than the first's are */
+static const float vein_turned[VEIN_FAMILIES] = {1.0f, -1.0f, 0.6f};
+static const float vein_crowded[VEIN_FAMILIES] = {0.8f, -0.5f, -0.9f};
 
 #define VEIN_APART 0.2f /* of the spacing: strands are no farther from each other */
 #define VEIN_STRAY 5.0f /* of the vein's half width */
@@ -171,9 +175,8 @@ INLINE vf vein_sheet(const stone_constants *w, const vein_family *f, vu seed, vf
   /* the sheet's normal, in the family's frame */
   vf g[3] = {f->g[0], f->g[1] - slope[0], f->g[2] - slope[1]};
   vf k = inverse_root(vmax(dot3(g, g), splat(0.09f)));
-  vf d = (from - rough) * k * splat(f->spacing);
-  vf across = vmin(vabs(dot3(g, f->n) * k), one);
-  vf extent2 = f->s * f->s * (one - across * across), inverse = one / vsqrt(extent2 + f->soft2);
+  vf d = (from - rough) * k * splat(f->spacing), eu = dot3(g, f->u) * k, ev = dot3(g, f->v) * k;
+  vf extent2 = eu * eu + ev * ev, inverse = one / vsqrt(extent2 + f->soft2);
   /* on the strand's side, and of the strand what the vein itself does not cover */
   vf to = sel(lt(apart, splat(0.0f)), splat(0.0f) - d, d), strand = vabs(apart);
   vf low = vmax(strand - splat(0.55f) * wide, wide), high = vmax(strand + splat(0.55f) * wide, low);
@@ -184,55 +187,70 @@ INLINE vf vein_sheet(const stone_constants *w, const vein_family *f, vu seed, vf
   return share;
 }
 
-/* The share of the footprint that a family's veins take. */
-STAGE vf vein_family_share(const stone_constants *w, const vf p[3], const vf n[3], vf s,
-                           const vein_fold *fold, int family) {
-  static const float finer[3] = {1.0f, 1.7f, 2.9f}, sides[3] = {1.0f, -1.0f, 0.6f},
-                     many[3] = {0.8f, -0.5f, -0.9f};
-  const float(*m)[3] = w->vein_frame[family], side = sides[family];
-  const vf one = splat(1.0f), zero = splat(0.0f);
-  vein_family f = {.s = s, .spacing = 1.0f / (w->vein_frequency * finer[family])};
-  const vf frequency = splat(w->vein_frequency * finer[family]);
+/* strip: see vein_family_strip. */
+INLINE void vein_open(const stone_constants *w, int strip, const vf p[3], const vf u[3],
+                      const vf v[3], const vein_fold *fold, int family, vein_family *f) {
+  const float(*m)[3] = w->vein_frame[family];
+  const float frequency = w->vein_frequency * vein_closer[family];
+  const vf one = splat(1.0f), quarter = splat(0.25f), side = splat(vein_turned[family]);
   vf at[3];
   for (int k = 0; k < 3; k++) {
     vf row[3] = {splat(m[k][0]), splat(m[k][1]), splat(m[k][2])};
-    at[k] = dot3(row, p) * frequency;
-    f.n[k] = dot3(row, n);
-    f.g[k] = splat(side) * dot3(row, fold->g);
+    at[k] = dot3(row, p) * splat(frequency);
+    f->u[k] = dot3(row, u);
+    f->v[k] = dot3(row, v);
+    f->g[k] = side * dot3(row, fold->g);
   }
-  f.g[0] = f.g[0] + one;
-  f.across = at[0] + splat(side * finer[family]) * fold->v;
-  f.along[0] = at[1];
-  f.along[1] = at[2];
-  f.many = splat(many[family]) * fold->many;
-  f.crossing = family == 0 ? 1.0f : w->vein_crossing;
+  f->g[0] = f->g[0] + one;
+  f->across = at[0] + side * splat(vein_closer[family]) * fold->v;
+  f->along[0] = at[1];
+  f->along[1] = at[2];
+  f->many = splat(vein_crowded[family]) * fold->many;
+  f->crossing = family == 0 ? 1.0f : w->vein_crossing;
+  f->spacing = 1.0f / frequency;
   /* of a sheet within half a spacing of another's place nothing reaches over that */
-  float widest = 0.5f * w->vein_width / finer[family], soft = w->vein_soft;
-  f.widest = widest < 0.25f * f.spacing ? widest : 0.25f * f.spacing;
-  if (soft > 0.4f * f.spacing) soft = 0.4f * f.spacing;
-  f.bent2 = zero;
+  float widest = 0.5f * w->vein_width / vein_closer[family], soft = w->vein_soft;
+  f->widest = widest < 0.25f * f->spacing ? widest : 0.25f * f->spacing;
+  if (soft > 0.4f * f->spacing) soft = 0.4f * f->spacing;
+  /* what bends within the footprint blurs: an octave's sd is 0.37 of its height */
+  vf along2 = quarter * (f->v[1] * f->v[1] + f->v[2] * f->v[2]);
+  along2 = along2 + (strip ? along2 : quarter * (f->u[1] * f->u[1] + f->u[2] * f->u[2]));
+  f->bent2 = splat(0.0f);
   for (int o = 2; o < VEIN_OCTAVES; o++) {
-    /* what bends within the footprint blurs: an octave's sd is 0.37 of its height */
-    const float sd = 0.37f * f.spacing * w->vein_warp * vein_height[o];
-    vf bent = s * frequency * splat(vein_finer[o]);
-    bent = vmin(bent * bent, one);
-    f.bent2 = f.bent2 + splat(12.0f * sd * sd) * bent * bent;
+    const float sd = 0.37f * f->spacing * w->vein_warp * vein_height[o];
+    const float finer = vein_finer[o] * frequency;
+    vf bent = vmin(along2 * splat(finer * finer), one);
+    f->bent2 = f->bent2 + splat(12.0f * sd * sd) * bent * bent;
   }
-  f.soft2 = splat(soft * soft + 1e-12f) + f.bent2;
+  f->soft2 = splat(soft * soft + 1e-12f) + f->bent2;
+}
 
+#define VEIN_SHEETS 48 /* that a strip is asked for, at most: more than VEIN_GONE needs */
+
+INLINE vf vein_family_as(const stone_constants *w, int strip, const vf p[3], const vf u[3],
+                         const vf v[3], const vein_fold *fold, int family) {
+  const vf one = splat(1.0f), zero = splat(0.0f), half = splat(0.5f);
+  vein_family f;
+  vein_open(w, strip, p, u, v, fold, family, &f);
+  const vf frequency = splat(w->vein_frequency * vein_closer[family]);
   vein_lattice coarse[2], fine[2];
   for (int o = 0; o < 2; o++) coarse[o] = vein_split(f.along[0], f.along[1], vein_finer[o]);
   int made = 0;
-  vi middle;
-  (void)vfloor(f.across + splat(0.5f), &middle);
-  vf blur = splat(0.5f) * vsqrt(s * s + f.soft2);
-  vf free = one;
-  for (int i = -1; i <= 1; i++) {
+  vi middle, unused;
+  (void)vfloor(f.across + half, &middle);
+  vf blur = half * vsqrt(dot3(u, u) + dot3(v, v) + f.soft2);
+  /* within 1.5 of the middle is what a point may see */
+  vf most = one, free = one;
+  if (strip) most = vfloor(half * (vabs(f.u[0]) + vabs(f.v[0])) * frequency + splat(1.5f), &unused);
+  for (int n = 0; n < (strip ? VEIN_SHEETS : 3); n++) {
+    const int far = (n + 1) / 2, i = n & 1 ? far : -far;
+    vm asked = le(splat((float)far), most);
+    if (strip && !any(asked)) break;
     vi which = middle + (vi)splatu((uint32_t)i);
     vu seed = (vu)which * splatu(HASH_Y) + splatu(w->seed_vein + 16u * (uint32_t)family + 5u);
     vf jitter = hash_signed(seed + splatu(1u)), slope[2] = {zero, zero};
     vf chance = vabs(hash_signed(seed + splatu(2u))) * splat(1.0f / HASH_ONE / f.crossing);
-    vm there = lt(chance, one);
+    vm there = and_(asked, lt(chance, one));
     if (!any(there)) continue;
     vf from = f.across - to_float(which) - splat(VEIN_JITTER / HASH_ONE) * jitter;
     for (uint32_t o = 0; o < 2; o++)
@@ -248,41 +266,22 @@ STAGE vf vein_family_share(const stone_constants *w, const vf p[3], const vf n[3
       for (int o = 0; o < 2; o++) fine[o] = vein_split(f.along[0], f.along[1], vein_finer[o + 2]);
     made = 1;
     vf share = vein_sheet(w, &f, seed, widest, from, slope, fine);
-    free = sel(near, free * (one - share), free);
+    free = sel(near, strip ? vmax(free - share, zero) : free * (one - share), free);
   }
   return one - free;
 }
 
-#define VEIN_STEPS 6
+/* The share of a footprint that a family's veins take. u, v: its sides, mm. */
+STAGE vf vein_family_share(const stone_constants *w, const vf p[3], const vf u[3], const vf v[3],
+                           const vein_fold *fold, int family) {
+  return vein_family_as(w, 0, p, u, v, fold, family);
+}
 
-/* Over the footprint: veins bend, so that a wide one is looked at in parts. */
-INLINE vf vein_share(const stone_constants *w, const vf p[3], const vf n[3], const vf t1[3],
-                     const vf t2[3], vf s) {
-  vf one = splat(1.0f), sum = splat(0.0f), wide = s * splat(w->vein_frequency);
-  const int families = w->vein_crossing > 0.0f ? VEIN_FAMILIES : 1;
-  vi whole;
-  vf few = vmax(s * splat(1.5f / w->vein_width), wide * splat(39.0f));
-  vf parts = vmax(wide * splat(30.0f), vmin(few, splat(1.3f)));
-  vf steps = clamp(vfloor(parts + splat(0.87f), &whole), one, splat(VEIN_STEPS));
-  vf inverse = one / steps, h = s * inverse;
-  vf keep = one - smooth_step(splat(3.0f), splat(7.0f), wide);
-  for (int j = 0; j < VEIN_STEPS; j++) {
-    vm row = lt(splat((float)j), steps);
-    if (!any(row)) break;
-    vf v = (splat((float)j + 0.5f) * inverse - splat(0.5f)) * s;
-    for (int i = 0; i < VEIN_STEPS; i++) {
-      vm there = and_(row, lt(splat((float)i), steps));
-      if (!any(there)) break;
-      vf u = (splat((float)i + 0.5f) * inverse - splat(0.5f)) * s, at[3];
-      for (int k = 0; k < 3; k++) at[k] = p[k] + t1[k] * u + t2[k] * v;
-      vein_fold fold = vein_folded(w, at);
-      vf free = one;
-      for (int f = 0; f < families; f++)
-        free = free * (one - vein_family_share(w, at, n, h, &fold, f));
-      sum = sel(there, sum + (one - free), sum);
-    }
-  }
-  return mix(splat(w->vein_mean), sum * (inverse * inverse), keep);
+/* The same where side u goes across the sheets and may be as long as several stand apart: over that
+ * a sheet is as high as at the middle, and veins lie side by side. */
+STAGE vf vein_family_strip(const stone_constants *w, const vf p[3], const vf u[3], const vf v[3],
+                           const vein_fold *fold, int family) {
+  return vein_family_as(w, 1, p, u, v, fold, family);
 }
 
 #endif

@@ -21,7 +21,7 @@ typedef struct {
 static const sozai_texture_info *describe(void) {
   static sozai_texture_info info = {
       .size = sizeof(sozai_texture_info),
-      .revision = 29,
+      .revision = 30,
       .id = "wood",
       .label = "Wood",
       .doc =

@@ -9,7 +9,7 @@
  * line is its value over its gradient.
  *
  * That is straight over a small part of a colony only, so that a footprint is
- * looked at in as many parts as it takes, 64 at most. They cost what they cost
+ * looked at in as many parts as it takes, 36 at most. They cost what they cost
  * where there is spalting and the footprint is wide; what is to be expected
  * takes over from two to five colonies.
  *
@@ -208,8 +208,9 @@ static __attribute__((noinline)) spalt_place spalt_parts(const wood_constants *w
 }
 
 INLINE spalt_place spalt_at(const wood_constants *w, vu own, spalt_eye *q) {
-  /* sides in colonies up to which 1, 2, 4, 8 parts to a side do */
+  /* sides in colonies up to which so many parts to a side do */
   static const float most[4] = {0.0125f, 0.06f, 0.3f, 5.0f};
+  static const int sides[4] = {1, 2, 4, 6};
   vf one = splat(1.0f), size = q->s * splat(w->spalt_frequency);
   spalt_place mean = {splat(w->spalt_line_mean), splat(w->spalt_bleach_mean),
                       splat(w->spalt_stain_mean)};
@@ -223,7 +224,7 @@ INLINE spalt_place spalt_at(const wood_constants *w, vu own, spalt_eye *q) {
     vm mine = and_(gt(size, before), le(size, splat(most[k])));
     before = splat(most[k]);
     if (!any(mine)) continue;
-    spalt_place found = k ? spalt_parts(w, own, q, 1 << k) : spalt_part(w, own, q, q->at, q->s);
+    spalt_place found = k ? spalt_parts(w, own, q, sides[k]) : spalt_part(w, own, q, q->at, q->s);
     p.line = sel(mine, found.line, p.line);
     p.bleached = sel(mine, found.bleached, p.bleached);
     p.stained = sel(mine, found.stained, p.stained);
