@@ -18,7 +18,7 @@
 #define STONE_ON(set) STONE("full.batch1024@" set, 1024, set), STONE("full.batch1@" set, 1, set)
 #define STONE_FOOTPRINT(mm) STONE("footprint_" #mm ".batch1024", 1024, NULL, .footprint = (float)(mm))
 #define STONE_OF(id) {.name = "stone." id ".batch1024", .batch = 1024, .wood = {.stone = id}}
-#define PAVING(id, mm) \
+#define STONE_AFAR(id, mm) \
   {.name = "stone." id "_" #mm ".batch1024", .batch = 1024, .footprint = (float)(mm), .wood = {.stone = id}}
 #define FIBER(label, size, set, ...) \
   {.name = "fiber." label, .batch = size, .wood = {.cpu = set, .fiber = "felt"}, __VA_ARGS__}
@@ -130,9 +130,16 @@ const entry entries[] = {
     STONE_OF("travertino"),
     STONE_OF("terrazzo"),
     /* cells counted; corners in parts; all but the stones' shade its mean */
-    PAVING("ishidatami", 20),
-    PAVING("granite_fan", 50),
-    PAVING("ishidatami", 100),
+    STONE_AFAR("ishidatami", 20),
+    STONE_AFAR("granite_fan", 50),
+    STONE_AFAR("ishidatami", 100),
+    STONE_AFAR("teppei", 30),
+    /* little contrast: cells counted early; and veins, each family's in strips, in quarters */
+    STONE_AFAR("sandstone", 3),
+    STONE_AFAR("gabbro", 10),
+    STONE_AFAR("bluestone", 10),
+    STONE_AFAR("rosso_levanto", 20),
+    STONE_AFAR("carrara", 50),
     {.name = "stone.create", .kind = ENTRY_CREATE, .wood = {.stone = "travertino"}},
     FIBER("full.batch1024", 1024, NULL),
     FIBER("full.batch1", 1, NULL),

@@ -226,13 +226,16 @@ static body holes_of(const settings *s) {
 
 /* The contrasts, of crystals and of flakes, whose cells are counted for as long as any are, and
  * from COUNTED_FROM on; those of lesser contrast sooner and not as long, by what they err by. Of
- * other bodies' areas less is known. */
+ * other bodies' areas less is known. Which block is rich means know themselves (clusters.h), and
+ * kinds that do not cluster lie so evenly that the mean comes sooner still. */
 #define COUNTED_CRYSTALS 0.21
 #define COUNTED_FLAKES 0.53
 #define COUNTED_BODIES 0.15
 #define COUNTED_FROM 7.0 /* cells: under narrower footprints looks tell more */
 #define COUNTED_SOONEST 2.5
-#define COUNTED_LEAST 1.5f /* of the fade */
+#define COUNTED_LEAST 2.0f    /* of the fade, */
+#define COUNTED_CLUSTERS 0.8f /* and what is left of it */
+#define COUNTED_EVEN 0.65f
 #define NEVER_COUNTED 1e9f
 
 /* Relative sd of what is seen within a crystal, of turbidity 1 and of cleavage 1. */
@@ -317,6 +320,7 @@ static void set_counts(stone_cells *c, double contrast, double widest) {
     if (fade < COUNTED_LEAST) fade = COUNTED_LEAST;
     if (fade < c->fade) c->fade_counted = fade;
   }
+  c->fade_counted *= c->cluster > 0.0f ? COUNTED_CLUSTERS : COUNTED_EVEN;
   if (c->shaped && !flakes) most = COUNTED_BODIES;
   double from = COUNTED_FROM * contrast / most;
   if (from > COUNTED_FROM) from = COUNTED_FROM;

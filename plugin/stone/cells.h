@@ -263,6 +263,12 @@ STAGE vf beds_mean(const stone_bedding *b, const vf p[3], vf wide) {
   return sum * splat(1.0f / BEDS_LOOKS);
 }
 
+/* Of a cell's block, whose hash is `own`, and of one aslant of it, how many are rich: 0 to 2. */
+INLINE vf cells_rich(const stone_cells *c, const vi at[3], vu own) {
+  vu other = cells_block(c, at[0] + at[1], at[1] + at[2], at[2] + at[0]);
+  return to_float((vi)((own >> 31) + (other >> 31)));
+}
+
 /* What a cell's mineral goes by, below c->chance times `rich`: 0..1, evenly spread
  * over the cells of a block of 4^3. Where minerals cluster, a block is rich or poor, and
  * so are blocks aslant of it, that no rows be seen: a share times 1 - c, 1 or 1 + c. */
@@ -275,11 +281,8 @@ INLINE vf cells_rank(const stone_cells *c, const vi at[3], vf *rich) {
     rank = rank + (vu)(at[k] ^ flip) * splatu(step[k]);
   }
   *rich = splat(1.0f);
-  if (c->cluster > 0.0f) {
-    vu other = cells_block(c, at[0] + at[1], at[1] + at[2], at[2] + at[0]);
-    vf many = to_float((vi)((b >> 31) + (other >> 31)));
-    *rich = splat(1.0f - c->cluster) + splat(c->cluster) * many;
-  }
+  if (c->cluster > 0.0f)
+    *rich = splat(1.0f - c->cluster) + splat(c->cluster) * cells_rich(c, at, b);
   if (c->bedded) *rich = *rich * cells_bedding(&c->beds, at);
   return to_float((vi)(rank >> 8)) * splat(1.0f / 16777216.0f);
 }

@@ -7,6 +7,7 @@
 #define SOZAI_STONE_FOOTPRINT_H
 
 #include "bodies.h"
+#include "clusters.h"
 #include "crystals.h"
 #include "sections.h"
 
@@ -247,9 +248,9 @@ INLINE void view_open(const stone_cells *c, const vf t1[3], const vf t2[3], vf s
   view_weigh(c, e);
 }
 
-/* Of what has been seen of a layer's third kind, and of what is counted of it, the footprint's. */
-INLINE vf eye_third(const stone_cells *c, const cells_view *view, vf seen, vf counted) {
-  vf mean = splat(c->third_mean);
+/* Of what has been seen of a layer's third kind, of its mean and of what is counted of it, the
+ * footprint's. */
+INLINE vf eye_third(const cells_view *view, vf mean, vf seen, vf counted) {
   seen = sel(lt(view->keep, splat(1.0f)), mix(mean, seen, view->keep), seen);
   seen = sel(view->seen, seen, mean);
   return sel(view->counted, mix(mean, counted, view->keep), seen);
@@ -269,14 +270,19 @@ INLINE void eye_close(const stone_cells *c, const cells_eye *e, cells_cover *out
     for (int k = 0; k < CELLS_PARTS; k++) out->of[k] = e->sum.of[k] * view->each;
     return;
   }
-  vf mean[2] = {splat(c->mean[0]), splat(c->mean[1])};
-  if (c->bedded && any(lt(view->keep, one))) {
+  vf mean[3] = {splat(c->mean[0]), splat(c->mean[1]), splat(c->third_mean)};
+  vm asks = lt(view->keep, one); /* where no mean is asked for, none rounds */
+  if (c->bedded && any(asks)) {
     vf rich = beds_mean(&c->beds, e->p, e->s * vsqrt(e->t1[1] * e->t1[1] + e->t2[1] * e->t2[1]));
-    rich = sel(lt(view->keep, one), rich, one); /* where no mean is asked for, none rounds */
+    rich = sel(asks, rich, one);
     for (int k = 0; k < 2; k++) mean[k] = mean[k] * rich;
   }
+  if (c->cluster > 0.0f && any(asks)) {
+    vf rich = clusters_rich(c, e->p, &view->all, view->most, asks);
+    for (int k = 0; k < 3; k++) mean[k] = mean[k] * rich;
+  }
   vf bodies = mean[0] + mean[1];
-  if (c->third > 0.0f) bodies = bodies + splat(c->third_mean);
+  if (c->third > 0.0f) bodies = bodies + mean[2];
   const vf expected[CELLS_PARTS] = {c->shaped ? bodies : one - bodies, mean[0], mean[1]};
   for (int k = 0; k < CELLS_PARTS; k++) {
     /* all of a footprint is 1 and not nearly so */
@@ -287,7 +293,7 @@ INLINE void eye_close(const stone_cells *c, const cells_eye *e, cells_cover *out
   const int counted = !view->once && any(view->counted);
   vf cut[CELLS_PARTS], cut_third = splat(0.0f);
   if (counted) sections_count(c, e->p, &view->all, view->counted, cut, &cut_third);
-  if (c->third > 0.0f) *third = eye_third(c, view, *third, cut_third);
+  if (c->third > 0.0f) *third = eye_third(view, mean[2], *third, cut_third);
   if (!counted) return;
   for (int k = 0; k < CELLS_PARTS; k++)
     out->of[k] = sel(view->counted, mix(expected[k], cut[k], view->keep), out->of[k]);
