@@ -134,10 +134,9 @@ const entry entries[] = {
     STONE_AFAR("granite_fan", 50),
     STONE_AFAR("ishidatami", 100),
     STONE_AFAR("teppei", 30),
-    /* little contrast: cells counted early; and veins, each family's in strips, in quarters */
-    STONE_AFAR("sandstone", 3),
+    /* little contrast: cells counted early; clusters told; and veins in strips */
     STONE_AFAR("gabbro", 10),
-    STONE_AFAR("bluestone", 10),
+    STONE_AFAR("inada", 50),
     STONE_AFAR("rosso_levanto", 20),
     STONE_AFAR("carrara", 50),
     {.name = "stone.create", .kind = ENTRY_CREATE, .wood = {.stone = "travertino"}},

@@ -236,6 +236,7 @@ static body holes_of(const settings *s) {
 #define COUNTED_LEAST 2.0f    /* of the fade, */
 #define COUNTED_CLUSTERS 0.8f /* and what is left of it */
 #define COUNTED_EVEN 0.65f
+#define COUNTED_LARGE 0.8f /* of bodies that are no flakes, of full contrast */
 #define NEVER_COUNTED 1e9f
 
 /* Relative sd of what is seen within a crystal, of turbidity 1 and of cleavage 1. */
@@ -320,8 +321,13 @@ static void set_counts(stone_cells *c, double contrast, double widest) {
     if (fade < COUNTED_LEAST) fade = COUNTED_LEAST;
     if (fade < c->fade) c->fade_counted = fade;
   }
-  c->fade_counted *= c->cluster > 0.0f ? COUNTED_CLUSTERS : COUNTED_EVEN;
-  if (c->shaped && !flakes) most = COUNTED_BODIES;
+  float left = c->cluster > 0.0f ? COUNTED_CLUSTERS : COUNTED_EVEN;
+  if (c->shaped && !flakes) {
+    most = COUNTED_BODIES;
+    double full = (double)c->fade / widest, square = full * full;
+    left += (COUNTED_LARGE - COUNTED_EVEN) * (float)(square * square);
+  }
+  c->fade_counted *= left;
   double from = COUNTED_FROM * contrast / most;
   if (from > COUNTED_FROM) from = COUNTED_FROM;
   if (from < COUNTED_SOONEST) from = COUNTED_SOONEST;
