@@ -274,8 +274,9 @@ enum {
 
 /* Means of what has no formula, over `count` points: how much of space the bodies
  * of each layer fill, how much of a face the widest looks take them to, and the
- * veins' share; and where inclusions are domes, over their bodies, a dome's height, its
- * square and the square of its slope along one axis, 1/mm, and how many are how high, of 1. */
+ * share of each family of veins; and where inclusions are domes, over their bodies, a dome's
+ * height, its square and the square of its slope along one axis, 1/mm, and how many are how high,
+ * of 1. */
 #define DOME_BINS 16
 typedef struct {
   double fill[STONE_LAYERS], seen[STONE_LAYERS], core[STONE_LAYERS], veins[VEIN_FAMILIES], dome,

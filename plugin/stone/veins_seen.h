@@ -2,8 +2,8 @@
  *
  * Veins under a footprint.
  *
- * A sheet bends along itself, and across it is told to the hundredth by how far off it is:
- * so a wide footprint is cut, for each family, in strips that go across its sheets.
+ * A sheet bends along itself, while across itself how far off it is tells all: so a wide
+ * footprint is cut, for each family, in strips that go across its sheets.
  */
 #ifndef SOZAI_STONE_VEINS_SEEN_H
 #define SOZAI_STONE_VEINS_SEEN_H
@@ -33,7 +33,9 @@ INLINE vein_cut vein_cut_of(const stone_constants *w, int family, const vein_fol
   vf u = dot3(g, t1), v = dot3(g, t2), k = inverse_root(u * u + v * v + splat(1e-12f));
   c.u = u * k;
   c.v = v * k;
-  c.u = sel(lt(c.u * c.u + c.v * c.v, splat(0.5f)), one, c.u);
+  vm level = lt(c.u * c.u + c.v * c.v, splat(0.5f));
+  c.u = sel(level, one, c.u);
+  c.v = sel(level, splat(0.0f), c.v);
   c.inverse[0] = one / sel(lt(vabs(c.u), least), least, c.u);
   c.inverse[1] = one / sel(lt(vabs(c.v), least), least, c.v);
   c.wide = (vabs(c.u) + vabs(c.v)) * s / strips;

@@ -194,9 +194,38 @@ static void joints(void **state) {
         "joint: worst RMS %.4f (0.02), worst mean %.4f (0.004)\n", worst, worst_mean);
 }
 
+/* Past the table's sizes, where family after family of veins goes over to its mean. */
+static void veins_from_afar(void **state) {
+  (void)state;
+  static const char *const veined[] = {"carrara", "calacatta", "statuario", "rosso_levanto"};
+  static const double wide[] = {200, 500, 1000};
+  enum { VEINED = sizeof veined / sizeof *veined, WIDE = sizeof wide / sizeof *wide };
+  points p = {0};
+  double worst = 0, off = 0;
+  for (unsigned k = 0; k < VEINED; k++) {
+    sozai_texture *t;
+    assert_int_equal(textures->create(NULL, "stone", veined[k], NULL, 0, &t), SOZAI_OK);
+    seed_of(veined[k]);
+    print_message("%-14s", veined[k]);
+    for (unsigned f = 0; f < WIDE; f++) {
+      truth_errors e = {0};
+      for (int i = 0; i < PLACES; i++) one_place(&p, t, i % 4, wide[f], 0, 0, &e);
+      print_message("  %.4f/%+.4f", truth_rms(&e), truth_mean(&e));
+      worst = fmax(worst, truth_rms(&e));
+      off = fmax(off, fabs(truth_mean(&e)));
+    }
+    print_message("\n");
+    textures->destroy(t);
+  }
+  points_free(&p);
+  CHECK(worst <= 0.011 && off <= 0.005,
+        "veins under 200 to 1,000 mm: worst RMS %.4f (0.011), worst mean %.4f (0.005)\n", worst,
+        off);
+}
+
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(against_1024_samples),
-                                     cmocka_unit_test(corners_of_flakes),
-                                     cmocka_unit_test(under_moss), cmocka_unit_test(joints)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(against_1024_samples), cmocka_unit_test(corners_of_flakes),
+      cmocka_unit_test(under_moss), cmocka_unit_test(joints), cmocka_unit_test(veins_from_afar)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }
