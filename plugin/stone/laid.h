@@ -166,6 +166,7 @@ INLINE void laid_wide(const stone_constants *w, const vf p[3], const vf n[3], co
   vf from = splat(LAID_TWO) * size, from4 = splat(LAID_FOUR) * size;
   if (w->paving.corner > 0.0f) {
     from = vmin(from, splat(CORNER_TWO * w->paving.corner));
+    /* finer parts are small to a corner already */
     if (finer == 1) from4 = vmin(from4, splat(CORNER_FOUR * w->paving.corner));
   }
   vm wide = and_(gt(s, from), lt(s, splat(LAID_MANY) * size)), four = and_(wide, gt(s, from4));

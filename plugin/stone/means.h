@@ -70,7 +70,7 @@ static void measure_domes(const stone_cells *c, uint32_t count, double fill, sto
 /* Of veins whose borders are so soft that many places have some, and which take as much. */
 static void measure_veins(const stone_constants *w, uint32_t count, stone_means *out) {
   const vf none[3] = {splat(0.0f), splat(0.0f), splat(0.0f)};
-  const int families = w->vein_crossing > 0.0f ? VEIN_FAMILIES : 1;
+  const int families = vein_families(w);
   const float spacing = 1.0f / w->vein_frequency;
   stone_constants soft = *w;
   if (soft.vein_soft < VEIN_BLUR * spacing) soft.vein_soft = VEIN_BLUR * spacing;

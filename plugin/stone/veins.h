@@ -71,13 +71,18 @@ typedef struct {
   vf g[3], u[3], v[3]; /* how `across` changes, and a footprint's sides, mm: across, along, along */
   vf many, soft2, bent2; /* vein_fold; mm^2: softness, and of the roughness what a footprint does
                             not tell */
-  float spacing, widest; /* mm, mm (half a width) */
-  float crossing;        /* of its veins, the part that is there */
+  float spacing, frequency, widest; /* mm; 1/mm; mm (half a width) */
+  float crossing;                   /* of its veins, the part that is there */
 } vein_family;
 
 static const float vein_closer[VEIN_FAMILIES] = {1.0f, 1.7f, 2.9f}; /* than the first's are */
 static const float vein_turned[VEIN_FAMILIES] = {1.0f, -1.0f, 0.6f};
 static const float vein_crowded[VEIN_FAMILIES] = {0.8f, -0.5f, -0.9f};
+
+/* Of which there are any veins. */
+INLINE int vein_families(const stone_constants *w) {
+  return w->vein_crossing > 0.0f ? VEIN_FAMILIES : 1;
+}
 
 #define VEIN_APART 0.2f /* of the spacing: strands are no farther from each other */
 #define VEIN_STRAY 5.0f /* of the vein's half width */
@@ -207,6 +212,7 @@ INLINE void vein_open(const stone_constants *w, int strip, const vf p[3], const 
   f->along[1] = at[2];
   f->many = splat(vein_crowded[family]) * fold->many;
   f->crossing = family == 0 ? 1.0f : w->vein_crossing;
+  f->frequency = frequency;
   f->spacing = 1.0f / frequency;
   /* of a sheet within half a spacing of another's place nothing reaches over that */
   float widest = 0.5f * w->vein_width / vein_closer[family], soft = w->vein_soft;
@@ -232,7 +238,7 @@ INLINE vf vein_family_as(const stone_constants *w, int strip, const vf p[3], con
   const vf one = splat(1.0f), zero = splat(0.0f), half = splat(0.5f);
   vein_family f;
   vein_open(w, strip, p, u, v, fold, family, &f);
-  const vf frequency = splat(w->vein_frequency * vein_closer[family]);
+  const vf frequency = splat(f.frequency);
   vein_lattice coarse[2], fine[2];
   for (int o = 0; o < 2; o++) coarse[o] = vein_split(f.along[0], f.along[1], vein_finer[o]);
   int made = 0;

@@ -82,7 +82,7 @@ INLINE vf vein_family_seen(const stone_constants *w, const vf p[3], const vf t1[
  * strips: how many, 1 where one look is all. */
 STAGE vf vein_part_share(const stone_constants *w, const vf p[3], const vf t1[3], const vf t2[3],
                          vf s, vf wide, vf strips) {
-  const int families = w->vein_crossing > 0.0f ? VEIN_FAMILIES : 1;
+  const int families = vein_families(w);
   vf one = splat(1.0f), zero = splat(0.0f), free = one, u[3], v[3];
   vm several = gt(strips, one);
   const int alone = any(not_(several)), cut = any(several);

@@ -15,8 +15,16 @@
 
 #define PI 3.14159265358979
 enum { PLACES = 384, TURNED = 48, SIZES = 17, S_JOINT = 14 };
-static const double sizes[SIZES] = {0.01, 0.03, 0.1, 0.2, 0.3, 0.5, 0.7, 1,  1.4,
-                                    2,    3,    5,   10,  15,  30,  50,  100};
+/* Footprints that a table asks, mm. */
+typedef struct {
+  unsigned count;
+  const double *mm;
+} footprints;
+
+static const double sizes_mm[SIZES] = {0.01, 0.03, 0.1, 0.2, 0.3, 0.5, 0.7, 1,  1.4,
+                                       2,    3,    5,   10,  15,  30,  50,  100};
+
+static const footprints sizes = {SIZES, sizes_mm};
 
 /* One face to an axis, and one that leans. */
 static void face(int k, double n[3], double u[3], double v[3]) {
@@ -69,9 +77,9 @@ static void seed_of(const char *id) {
   uniform_seed(h);
 }
 
-static void heading(void) {
+static void heading(footprints of) {
   print_message("%-14s", "");
-  for (unsigned f = 0; f < SIZES; f++) print_message("%16g", sizes[f]);
+  for (unsigned f = 0; f < of.count; f++) print_message("%16g", of.mm[f]);
   print_message("\n");
   missed = 0;
   beyond = 0;
@@ -80,15 +88,15 @@ static void heading(void) {
 enum { EVERY_FACE, LEVEL, LEVEL_JOINTS }; /* level: of what lies on the ground */
 
 /* A texture's row. */
-static void row(const char *id, const sozai_texture *t, int places, int what, double turned,
-                double *worst, double *worst_mean) {
+static void row(const char *id, const sozai_texture *t, footprints of, int places, int what,
+                double turned, double *worst, double *worst_mean) {
   points p = {0};
   print_message("%-14s", id);
   seed_of(id);
-  for (unsigned f = 0; f < SIZES; f++) {
+  for (unsigned f = 0; f < of.count; f++) {
     truth_errors e = {0};
     for (int i = 0; i < places; i++)
-      one_place(&p, t, what == EVERY_FACE ? i % 4 : 0, sizes[f], turned * uniform(),
+      one_place(&p, t, what == EVERY_FACE ? i % 4 : 0, of.mm[f], turned * uniform(),
                 what == LEVEL_JOINTS, &e);
     double rms = truth_rms(&e), mean = truth_mean(&e);
     missed += rms > 0.01;
@@ -102,12 +110,12 @@ static void row(const char *id, const sozai_texture *t, int places, int what, do
 }
 
 static void table(int places, double turned, double *worst, double *worst_mean) {
-  heading();
+  heading(sizes);
   for (unsigned k = 0; k < presets(); k++) {
     const char *id = textures->find("stone")->presets[k]->id;
     sozai_texture *t;
     assert_int_equal(textures->create(NULL, "stone", id, NULL, 0, &t), SOZAI_OK);
-    row(id, t, places, EVERY_FACE, turned, worst, worst_mean);
+    row(id, t, sizes, places, EVERY_FACE, turned, worst, worst_mean);
     textures->destroy(t);
   }
 }
@@ -159,12 +167,12 @@ static void under_moss(void **state) {
   enum { MOSSY = sizeof mossy / sizeof *mossy, SOME = 192 };
   double worst = 0, worst_mean = 0;
   print_message("under moss:\n");
-  heading();
+  heading(sizes);
   for (unsigned k = 0; k < MOSSY; k++) {
     const sozai_value moss = {.id = "moss", .kind = SOZAI_KIND_STRING, .text = mossy[k].moss};
     sozai_texture *t;
     assert_int_equal(textures->create(NULL, "stone", mossy[k].preset, &moss, 1, &t), SOZAI_OK);
-    row(mossy[k].preset, t, SOME, LEVEL, 0, &worst, &worst_mean);
+    row(mossy[k].preset, t, sizes, SOME, LEVEL, 0, &worst, &worst_mean);
     textures->destroy(t);
   }
   CHECK(worst <= 0.01 && missed == 0,
@@ -183,11 +191,11 @@ static void joints(void **state) {
   enum { LAID = sizeof laid / sizeof *laid, SOME = 384 };
   double worst = 0, worst_mean = 0;
   print_message("share of joint:\n");
-  heading();
+  heading(sizes);
   for (unsigned k = 0; k < LAID; k++) {
     sozai_texture *t;
     assert_int_equal(textures->create(NULL, "stone", laid[k], NULL, 0, &t), SOZAI_OK);
-    row(laid[k], t, SOME, LEVEL_JOINTS, 0, &worst, &worst_mean);
+    row(laid[k], t, sizes, SOME, LEVEL_JOINTS, 0, &worst, &worst_mean);
     textures->destroy(t);
   }
   CHECK(worst <= 0.02 && worst_mean <= 0.004,
@@ -198,26 +206,18 @@ static void joints(void **state) {
 static void veins_from_afar(void **state) {
   (void)state;
   static const char *const veined[] = {"carrara", "calacatta", "statuario", "rosso_levanto"};
-  static const double wide[] = {200, 500, 1000};
-  enum { VEINED = sizeof veined / sizeof *veined, WIDE = sizeof wide / sizeof *wide };
-  points p = {0};
+  static const double wide_mm[] = {200, 500, 1000};
+  enum { VEINED = sizeof veined / sizeof *veined, WIDE = sizeof wide_mm / sizeof *wide_mm };
+  static const footprints wide = {WIDE, wide_mm};
   double worst = 0, off = 0;
+  print_message("veins from afar:\n");
+  heading(wide);
   for (unsigned k = 0; k < VEINED; k++) {
     sozai_texture *t;
     assert_int_equal(textures->create(NULL, "stone", veined[k], NULL, 0, &t), SOZAI_OK);
-    seed_of(veined[k]);
-    print_message("%-14s", veined[k]);
-    for (unsigned f = 0; f < WIDE; f++) {
-      truth_errors e = {0};
-      for (int i = 0; i < PLACES; i++) one_place(&p, t, i % 4, wide[f], 0, 0, &e);
-      print_message("  %.4f/%+.4f", truth_rms(&e), truth_mean(&e));
-      worst = fmax(worst, truth_rms(&e));
-      off = fmax(off, fabs(truth_mean(&e)));
-    }
-    print_message("\n");
+    row(veined[k], t, wide, PLACES, EVERY_FACE, 0, &worst, &off);
     textures->destroy(t);
   }
-  points_free(&p);
   CHECK(worst <= 0.011 && off <= 0.005,
         "veins under 200 to 1,000 mm: worst RMS %.4f (0.011), worst mean %.4f (0.005)\n", worst,
         off);
