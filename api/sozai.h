@@ -75,10 +75,11 @@ typedef struct sozai_entry_v1 {
   /* Make ready. plugin_path: the file this library was loaded from, or NULL;
    * used to find the colour service beside it. A relative one is looked up now; a
    * link to the file is not followed. MEMORY. Counted: each init that gave
-   * SOZAI_OK wants one deinit. [thread-safe] */
-  int32_t (*init)(const char *plugin_path);
-  /* Undo one init. Every texture must have been destroyed before the last.
+   * SOZAI_OK wants one deinit, and until the last of them the first path holds.
    * [thread-safe] */
+  int32_t (*init)(const char *plugin_path);
+  /* Undo one init. Every texture must have been destroyed, and every geometry, mesh
+   * and curves released, before the last. [thread-safe] */
   void (*deinit)(void);
   /* The function table of that id, or NULL: unknown, or not initialised.
    * Valid until the last deinit. [thread-safe] */
@@ -125,14 +126,14 @@ typedef struct sozai_buffer {
   uint32_t size;            /* sizeof(sozai_buffer) */
   uint32_t kind;            /* SOZAI_BUFFER_* */
   uint64_t dims[3];         /* TABLE: rows, columns. IMAGE: height, width, channels.
-                               MESH: points, triangles. POINTS: points. Others 0. */
+                               MESH: points, triangles. POINTS: points. Others are not read. */
   const float *data;        /* TABLE, IMAGE: the numbers */
   const float *points;      /* MESH, POINTS: x y z each, mm */
   const float *normals;     /* MESH, POINTS: x y z each, or NULL */
   const uint32_t *indices;  /* MESH: three to a triangle, counter-clockwise seen from outside */
   const char *colour_space; /* IMAGE: the name of its space, or NULL: a buffer is data, a
                                file's space follows the config's file rules */
-  const char *path;         /* IMAGE: a file's path in place of data */
+  const char *path;         /* IMAGE: a file's path in place of data; "": none */
   uint32_t wrap;            /* IMAGE: SOZAI_WRAP_* */
   uint32_t first_channel;   /* IMAGE: where the picture has more than are wanted */
 } sozai_buffer;
@@ -141,7 +142,7 @@ typedef struct sozai_buffer {
 typedef struct sozai_value {
   const char *id;    /* the parameter's id */
   uint32_t kind;     /* SOZAI_KIND_* */
-  uint32_t reserved; /* 0 */
+  uint32_t reserved; /* 0, else ARGUMENT */
   double number[3];
   const char *text;
   const sozai_buffer *buffer;
@@ -250,12 +251,14 @@ typedef struct sozai_batch {
                                    stands for an n-th of it: the side by sqrt(n),
                                    which is sharper, and often cheaper. NULL,
                                    negative or NaN: 0, a point. Above 1e4: 1e4. */
-  const uint8_t *active;        /* 0: leave that point's outputs untouched. NULL: all active */
+  const uint8_t *active;        /* 0: leave that point's outputs untouched; none of its
+                                   inputs is read, and it costs next to nothing. NULL:
+                                   all active */
   float *const *out;            /* component_count pointers, NULL where not wanted:
                                    what is not wanted is not computed */
   uint32_t out_count;           /* length of out: components past it are not wanted,
                                    and pointers past component_count are not read */
-  uint32_t reserved;
+  uint32_t reserved;            /* not read */
 } sozai_batch;
 
 typedef struct sozai_texture sozai_texture;
@@ -274,22 +277,23 @@ typedef struct sozai_textures_1 {
 
   /* Make a texture, which never changes afterwards.
    *   host    services, or NULL for none. The struct and its ceilings are read
-   *           here; `user` and what the callbacks need must outlive the texture.
+   *           here; `user`, free and what the callbacks need must outlive the texture.
    *   preset  a preset's id, or NULL for the parameters' own defaults.
    *   values  value_count of them; of two for one parameter the later counts.
    *   out     the texture; NULL when anything failed, and then nothing is kept.
    * Colours are converted into the working space here, once; pictures are
    * opened here, and read to their end. The image service beside the plugin keeps
    * them, about 16 bytes a pixel of three channels, in a file without a name in
-   * $TMPDIR, else /tmp, else memory: it stays open until the last deinit, and a
-   * picture's room in it is given back with the last texture that has it. OpenImageIO
-   * starts threads, which stay until the process ends.
+   * $TMPDIR, where that is a folder to write in, else /tmp, else memory (where it is
+   * full: MEMORY). It stays open until the last deinit, and a picture's room in it is
+   * given back with the last texture that has it. OpenImageIO starts threads, which
+   * stay until the process ends.
    * The host's callbacks are called on this thread, progress from its thread
-   * pool's too.
-   * Errors: ARGUMENT, UNKNOWN, KIND, RANGE, LIMIT, MEMORY, FILE, COLOUR, CANCELLED,
-   * STATE, and UNSUPPORTED for an instruction set that SOZAI_CPU asks for and
-   * this machine lacks, or for a picture where there is no image service.
-   * [thread-safe] */
+   * pool's too. Takes no more of the stack than evaluate.
+   * Errors: ARGUMENT, UNKNOWN, KIND, RANGE, LIMIT, MEMORY, FILE (of a section whose
+   * pith cannot be found, too), COLOUR, CANCELLED, STATE, and UNSUPPORTED for an
+   * instruction set that SOZAI_CPU asks for and this machine lacks, or for a picture
+   * where there is no image service. [thread-safe] */
   int32_t (*create)(const struct sozai_host *host, const char *texture_id, const char *preset,
                     const sozai_value *values, uint32_t value_count, sozai_texture **out);
   /* NULL is allowed. [exclusive] */
@@ -336,12 +340,13 @@ typedef struct sozai_wood_1 {
    * azimuth theta (radians; x = r cos theta, z = r sin theta about the pith)
    * and height y (mm), of the wood formed at time t (years from the pith's
    * first, >= 0; less, or NaN, is read as 0, above 1e5 as 1e5; theta beyond +-1e4
-   * as 0). The inverse of the channel `time`, to 1e-5 of r, but in and about a
-   * knot, where rings are the branch's or bend round it. count numbers each.
-   * ARGUMENT: NULL, or not a wood. UNSUPPORTED: of plies. [thread-safe] */
+   * as 0; y as a point's). The inverse of the channel `time`, to 1e-5 of r, but in and
+   * about a knot, where rings are the branch's or bend round it. count numbers each.
+   * ARGUMENT: NULL, or not a wood. UNSUPPORTED: of plies, and of boards in a layout,
+   * each of a log of its own. [thread-safe] */
   int32_t (*ring_radius)(const sozai_texture *texture, uint32_t count, const float *t,
                          const float *theta, const float *y, float *out_r);
-  /* The pith at height y: x and z in mm, log space. [thread-safe] */
+  /* The pith at height y: x and z in mm, log space. The same errors. [thread-safe] */
   int32_t (*pith)(const sozai_texture *texture, uint32_t count, const float *y, float *out_x,
                   float *out_z);
 } sozai_wood_1;
@@ -459,9 +464,11 @@ typedef struct sozai_geometry_1 {
   const sozai_generator_info *(*find)(const char *generator_id);
 
   /* Grow one, which never changes afterwards; arguments as of
-   * sozai_textures_1.create. The same values give the same bits on every
-   * machine, with or without the host's thread pool. Calls host.progress, from
-   * the pool's threads too. On failure *out is NULL and nothing is kept.
+   * sozai_textures_1.create, and of the host's the same must outlive meshes and curves
+   * made of it, too. The same values give the same bits on every machine, with or
+   * without the host's thread pool. Calls host.progress, from the pool's threads too.
+   * Takes no more of any thread's stack than evaluate. On failure *out is NULL and
+   * nothing is kept.
    * Errors: ARGUMENT, UNKNOWN, KIND, RANGE (a hull's or a table's numbers in a buffer,
    * too), LIMIT, MEMORY, FILE (a malformed table as text), CANCELLED, STATE.
    * [thread-safe] */
@@ -505,18 +512,19 @@ typedef struct sozai_geometry_1 {
 
 /* What a host offers. Every member may be NULL. Callbacks may come from any
  * thread that calls the plugin, progress from any of the pool's, several at once;
- * and they must not throw or unwind. */
+ * and they must not throw or unwind. They may call the plugin. On the thread that
+ * called it rounding is to nearest meanwhile, and floating-point traps are off. */
 typedef struct sozai_host {
-  uint32_t size; /* sizeof(sozai_host) */
-  uint32_t reserved;
-  void *user; /* handed back in every call */
+  uint32_t size;     /* sizeof(sozai_host) */
+  uint32_t reserved; /* not read */
+  void *user;        /* handed back in every call */
   void (*log)(void *user, int32_t severity, const char *text);
   /* Both or neither. align is a power of two. free gets what alloc was asked. */
   void *(*alloc)(void *user, size_t size, size_t align);
   void (*free)(void *user, void *memory, size_t size, size_t align);
   /* Run task(context, i) for every i below count, in any order, and return
-   * when all are done. Not 0: refused, and the plugin runs those that have not run
-   * itself: that changes nothing. */
+   * when all are done. Whatever it returns, the plugin then runs those itself that
+   * have not run, which changes nothing; none may be run by others after that. */
   int32_t (*parallel)(void *user, uint32_t count, void (*task)(void *context, uint32_t i),
                       void *context);
   /* Long work, 0 to 1: growing, and reading pictures. Not 0: cancel. */

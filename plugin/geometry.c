@@ -139,7 +139,7 @@ int32_t geometry_memory(const sozai_host *host, const char *id, const char *pres
 static int32_t level_of(const char *call, const sozai_detail *detail, uint32_t *level) {
   *level = 0;
   if (!detail) return SOZAI_OK;
-  if (detail->size < sizeof *detail) {
+  if (detail->size < SIZE_WITH(sozai_detail, level)) {
     return fail(SOZAI_ERROR_ARGUMENT, "%s: detail.size is %u: set it to sizeof(sozai_detail)", call,
                 detail->size);
   }
@@ -219,7 +219,7 @@ static void release_curves(const sozai_curves *c) {
 
 static int32_t table(const sozai_geometry *g, const char *id, sozai_table *out) {
   if (!g || !id || !out) return fail(SOZAI_ERROR_ARGUMENT, "table: an argument is NULL");
-  if (out->size < sizeof *out) {
+  if (out->size < SIZE_WITH(sozai_table, rows)) {
     return fail(SOZAI_ERROR_ARGUMENT, "table: out.size is %u: set it to sizeof(sozai_table)",
                 out->size);
   }
@@ -227,8 +227,11 @@ static int32_t table(const sozai_geometry *g, const char *id, sozai_table *out) 
     if (strcmp(g->info->tables[i]->id, id) != 0) continue;
     uint64_t rows = 0;
     const float *data = g->kind->table(g->state, i, &rows);
-    *out =
-        (sozai_table){.size = sizeof *out, .info = g->info->tables[i], .data = data, .rows = rows};
+    const sozai_table whole = {.size = out->size < sizeof whole ? out->size : sizeof whole,
+                               .info = g->info->tables[i],
+                               .data = data,
+                               .rows = rows};
+    memcpy(out, &whole, whole.size);
     return SOZAI_OK;
   }
   return fail(SOZAI_ERROR_UNKNOWN, "%s has no table \"%.80s\"", g->info->id, id);

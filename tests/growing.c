@@ -82,6 +82,12 @@ int32_t give_up(void *user, uint32_t count, void (*task)(void *context, uint32_t
   return 1;
 }
 
+int32_t drop(void *user, uint32_t count, void (*task)(void *context, uint32_t i), void *context) {
+  (void)user;
+  for (uint32_t i = 0; i < count; i += 2) task(context, i);
+  return 0;
+}
+
 float furthest;
 int32_t told(void *user, float fraction, const char *what) {
   (void)user, (void)what;

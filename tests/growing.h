@@ -31,8 +31,9 @@ uint64_t fold(uint64_t hash, const void *data, size_t bytes);
 /* A host's `parallel`: the tasks last to first, or none of them. */
 int32_t backwards(void *user, uint32_t count, void (*task)(void *context, uint32_t i),
                   void *context);
-/* Half of them, and refuses. */
+/* Half of them, and refuses; or every other, and says nothing. */
 int32_t give_up(void *user, uint32_t count, void (*task)(void *context, uint32_t i), void *context);
+int32_t drop(void *user, uint32_t count, void (*task)(void *context, uint32_t i), void *context);
 int32_t refuse(void *user, uint32_t count, void (*task)(void *context, uint32_t i), void *context);
 
 /* A host's `progress`, and the furthest that it was told. */

@@ -101,14 +101,16 @@ static bool render_recipe(session *s, recipe *r, const request *q, int kind, fai
   return ok;
 }
 
-/* Where arches fill the face of a board: nearer to the pith they are one narrow tongue. */
+/* Where arches fill the face of a board, and of a plane: nearer to the pith they are one narrow
+ * tongue. */
 #define BOARD_FROM_PITH "100" /* mm */
 
 static bool saw(recipe *r, const request *q, const session *s, failure *why) {
   if (q->cut) return recipe_set(r, "cut", q->cut, 0, why);
-  bool board = !q->look.shape || strcmp(q->look.shape, "board") == 0;
+  const char *shape = q->look.shape;
+  bool sawn = !shape || strcmp(shape, "board") == 0 || strcmp(shape, "plane") == 0;
   const sozai_texture_info *info = recipe_info(r, s->plugin.textures, why);
-  if (!info || !board) return info != NULL;
+  if (!info || !sawn) return info != NULL;
   bool unsawn = !r->file && !recipe_sets(r, "cut") && !recipe_sets(r, "cut_distance");
   if (unsawn && parameter_of(info, "cut_distance") &&
       !recipe_set(r, "cut_distance", BOARD_FROM_PITH, 0, why))
@@ -176,7 +178,8 @@ int run_render(int argc, char **argv) {
       {"cut", 0, OPTION_TEXT, &q.cut, "CUT",
        "how it lies in the log, as -p cut= (default: flat, " BOARD_FROM_PITH
        " mm from the pith, for a\n"
-       "                               board that no file describes, else the file's, else log)",
+       "                               board or plane that no file describes, else the\n"
+       "                               file's, else log)",
        0, 0},
       {"res", 0, OPTION_SIZE, &q.resolution, "WxH",
        "pixels (default: 1024x768; a face's proportions from the front)", 1, VIEW_MOST_SIDE},

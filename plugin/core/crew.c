@@ -14,7 +14,7 @@ typedef struct {
   void *context;
   crew_progress progress;
   uint32_t jobs;
-  uint8_t *ran; /* of each job: whether it has; where there is a pool that may give up half way */
+  uint8_t *ran; /* of each job: whether it has; where there is a pool */
   atomic_uint done;
   atomic_bool cancelled;
 } crew;
@@ -39,9 +39,9 @@ int32_t crew_run(const sozai_host *host, uint32_t jobs, void (*work)(void *conte
                  void *context, crew_progress progress) {
   crew c = {host, work, context, progress, jobs, NULL, 0, false};
   if (host->parallel && jobs && !(c.ran = host_alloc(host, jobs, 64))) return SOZAI_ERROR_MEMORY;
-  if (!host->parallel || host->parallel(host->user, jobs, run_job, &c) != 0) {
-    for (uint32_t i = 0; i < jobs; i++) run_job(&c, i);
-  }
+  if (host->parallel) host->parallel(host->user, jobs, run_job, &c);
+  /* what a pool has left, whatever it says: one that is shut down may drop jobs and say nothing */
+  for (uint32_t i = 0; i < jobs; i++) run_job(&c, i);
   host_free(host, c.ran, jobs, 64);
   if (!atomic_load(&c.cancelled)) return SOZAI_OK;
   return fail(SOZAI_ERROR_CANCELLED, "cancelled by the host: %s", progress.what);

@@ -68,6 +68,10 @@ static uint32_t count_pictures(const sozai_texture_info *info, const settings *s
   return n;
 }
 
+int32_t image_result(int32_t r) {
+  return r < SOZAI_OK && r >= SOZAI_ERROR_LIMIT ? r : SOZAI_ERROR_FILE;
+}
+
 /* ---- opening -------------------------------------------------------------- */
 
 /* After a service that knows of no most_pixels, an older one: it is as large as it is only once it
@@ -76,7 +80,7 @@ static int32_t check_pixels(const image_set *set, uint32_t i, const sozai_host *
                             const char *id) {
   uint32_t width = 0, height = 0;
   int32_t r = set->service->resolution(set->service->self, set->list[i], &width, &height);
-  if (r) return fail(r, "%s: the image service does not say how large the picture is", id);
+  if (r) return fail(image_result(r), "%s: the image service does not say how large it is", id);
   return limit_check(host, LIMIT_IMAGE_PIXELS, (uint64_t)width * height, id);
 }
 
@@ -107,8 +111,8 @@ static int32_t ask_service(image_set *set, uint32_t i, const sozai_image_request
   if (r) set->list[i] = NULL;
   if (progress->stopped) return cancelled();
   if (r == SOZAI_OK && set->list[i]) return check_pixels(set, i, progress->host, id);
-  if (r >= SOZAI_OK || r < SOZAI_ERROR_LIMIT) r = SOZAI_ERROR_FILE; /* what no service may answer */
-  return fail(r, "%s: %s", id, message[0] ? message : "the image service refused the picture");
+  return fail(image_result(r), "%s: %s", id,
+              message[0] ? message : "the image service refused the picture");
 }
 
 static int32_t open_one(image_set *set, uint32_t i, const sozai_parameter *p, const sozai_buffer *b,

@@ -19,6 +19,8 @@ typedef struct {
 int32_t images_open(image_set *set, const sozai_host *host, const sozai_texture_info *info,
                     const settings *s);
 void images_close(image_set *set, const sozai_host *host);
+/* A service's result that is not SOZAI_OK as one that this header's callers may be given. */
+int32_t image_result(int32_t r);
 /* From a kernel: what a look-up came to. */
 void images_answered(int32_t result);
 /* Before look-ups that are to be asked about; and what those of this thread came to since. */

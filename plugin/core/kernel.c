@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-#include "kernel.h"
+#include "active.h"
 
 int32_t kernel_choose(const kernel_set table[CPU_COUNT], kernel_set *out) {
   int set;
@@ -34,7 +34,6 @@ static void skip_all(sozai_batch *b, float *out[64], uint32_t count) {
     skip(&b->view[c], count);
   }
   skip(&b->footprint, count);
-  if (b->active) b->active += count;
   for (int k = 0; k < 64; k++) {
     if (out[k]) out[k] += count;
   }
@@ -54,7 +53,9 @@ static __attribute__((noinline)) void run_pieces(const kernel_set *use, const vo
 }
 
 void kernel_run(const kernel_set *use, const void *constants, const kernel_io *io) {
-  if (io->in->count == 1) { /* on the path of every point alone: without the division */
+  if (io->in->active) {
+    active_run(use, constants, io);
+  } else if (io->in->count == 1) { /* on the path of every point alone: without the division */
     use->single->evaluate(constants, io, 0, 1);
   } else if (io->in->count == kernel_piece(io->in->count)) {
     run(use, constants, io);

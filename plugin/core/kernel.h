@@ -9,7 +9,8 @@
 #include "../../api/sozai.h"
 #include "cpu.h"
 
-/* What evaluate was asked for: bit k of wanted says that out[k] is not NULL. */
+/* What evaluate was asked for: bit k of wanted says that out[k] is not NULL. Kernels are handed
+ * batches whose `active` is NULL: active.h. */
 typedef struct {
   const sozai_batch *in;
   float *const *out;

@@ -24,20 +24,16 @@ INLINE vf load_lanes(const float *p, uint32_t i, uint32_t n) {
   return r;
 }
 
-/* Component `to` of the active points. */
-static __attribute__((noinline, cold, unused)) void
-store_some(const uint8_t *active, float *to, uint32_t i, uint32_t n, const vf *x) {
-  for (uint32_t k = 0; k < n; k++) {
-    if (!active || active[i + k]) to[i + k] = lane(*x, k);
-  }
+static __attribute__((noinline, cold, unused)) void store_some(float *to, uint32_t i, uint32_t n,
+                                                               const vf *x) {
+  for (uint32_t k = 0; k < n; k++) to[i + k] = lane(*x, k);
 }
-INLINE void store_active(const sozai_batch *in, float *to, uint32_t i, uint32_t n, vf x) {
-  const uint8_t *active = in->active;
-  if (__builtin_expect(n == LANES && !active, 1)) {
+INLINE void store_lanes_of(float *to, uint32_t i, uint32_t n, vf x) {
+  if (__builtin_expect(n == LANES, 1)) {
     store(to + i, x);
     return;
   }
-  store_some(active, to, i, n, &x);
+  store_some(to, i, n, &x);
 }
 
 /* Whether some numbers are to the bit what others are, in all lanes. */

@@ -136,10 +136,11 @@ int32_t host_has_room(const sozai_host *host, uint64_t bytes) {
 
 int32_t memory_clear(sozai_memory *out, const char *call) {
   if (!out) return fail(SOZAI_ERROR_ARGUMENT, "memory: %s: out is NULL", call);
-  if (out->size < sizeof *out) {
+  if (out->size < SIZE_WITH(sozai_memory, peak)) {
     return fail(SOZAI_ERROR_ARGUMENT, "memory: %s: out.size is %u: set it to sizeof(sozai_memory)",
                 call, out->size);
   }
-  *out = (sozai_memory){.size = out->size};
+  const sozai_memory none = {.size = out->size};
+  memcpy(out, &none, out->size < sizeof none ? out->size : sizeof none);
   return SOZAI_OK;
 }

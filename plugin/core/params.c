@@ -246,6 +246,7 @@ static int32_t read_image(const sozai_host *host, const sozai_parameter *p, cons
     r = check_buffer(host, p, v->buffer);
     if (r) return r;
     sozai_buffer b = whole_buffer(v->buffer);
+    if (b.data && b.path && !b.path[0]) b.path = NULL; /* no reason to lose the picture */
     d->image = image_name_from_buffer(&b);
     if (!b.path) {
       d->image.data = v->buffer;
@@ -334,6 +335,10 @@ static int32_t read_values(const sozai_host *host, draft *list, const sozai_text
     int k = find_parameter(info, values[i].id);
     if (k < 0) {
       return fail(SOZAI_ERROR_UNKNOWN, "%s has no parameter \"%.80s\"", info->id, values[i].id);
+    }
+    if (values[i].reserved) {
+      return fail(SOZAI_ERROR_ARGUMENT, "%s: the value's `reserved` is %u, not 0", values[i].id,
+                  values[i].reserved);
     }
     int32_t r = read_value(host, info->parameters[k], &values[i], &list[k]);
     if (r) return r;

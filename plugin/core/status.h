@@ -25,6 +25,8 @@ static inline size_t whole_members(uint32_t size, size_t known, uint64_t pairs) 
   size_t eights = size / 8u;
   return eights * 8u + (size % 8u >= 4u && eights < 64u && pairs >> eights & 1u ? 4u : 0u);
 }
+/* Bytes of a struct up to a member and with it: what a host of an older minor gives. */
+#define SIZE_WITH(type, last) (offsetof(type, last) + sizeof(((type *)0)->last))
 #define PAIR_AT(type, first) (1ull << offsetof(type, first) / 8u)
 
 /* The host's members, zero where its struct is older. */

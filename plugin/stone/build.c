@@ -242,11 +242,19 @@ static int32_t build_paper(stone_constants *w, const sozai_host *host, const set
   return paper_build(w, host);
 }
 
+enum { BED_X, BED_Y, BED_Z, BED_USUAL };
+
+/* Which axis of the object lies across the bed. */
+static int bed_axis(const settings *s) {
+  int bed = choice_at(s, P_BED);
+  if (bed != BED_USUAL) return bed;
+  return choice_at(s, P_LAYOUT) == LAYOUT_NONE ? BED_Y : BED_Z;
+}
+
 int32_t stone_build(stone_constants *w, const sozai_host *host, const settings *s,
                     const float (*colours)[3], const stone_kernel *kernel) {
-  static const int swap[3] = {0, 1, 2};
   w->seed = hash1_named((uint32_t)number_at(s, P_SEED) + 0x7f4a7c15u, s->list[P_OBJECT].text);
-  w->swap = swap[choice_at(s, P_BED)];
+  w->swap = bed_axis(s);
   for (int c = 0; c < 3; c++) w->offset[c] = (float)s->list[P_OFFSET].number[c];
   memcpy(w->colour, colours[P_BASE], sizeof w->colour); /* they stand together in both */
   build_bands(w, s);

@@ -4,6 +4,7 @@
  */
 #include "material.h"
 
+#include "../core/active.h"
 #include "build.h"
 #include "catalogue.h"
 #include "parameters.h"
@@ -19,7 +20,7 @@ typedef struct {
 static const sozai_texture_info *describe(void) {
   static sozai_texture_info info = {
       .size = sizeof(sozai_texture_info),
-      .revision = 34,
+      .revision = 35,
       .id = "stone",
       .label = "Stone",
       .doc = "Solid stone: crystals, beds, inclusions, specks, veins and holes as one field in "
@@ -47,6 +48,8 @@ static int32_t build(void *state, const sozai_host *host, const settings *s,
   if (r) return r;
   return stone_build(&w->constants, host, s, colours, (const stone_kernel *)w->use.wide);
 }
+
+_Static_assert(STONE_COMPONENTS <= ACTIVE_OUTPUTS, "active.h has room for fewer");
 
 static void evaluate(const void *state, const sozai_batch *b, float *const *out, uint64_t wanted) {
   const stone_state *w = state;

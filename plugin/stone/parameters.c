@@ -22,17 +22,18 @@ static const sozai_parameter object = {
    "own. Empty: the seed alone.",
    .default_text = ""};
 
-static const char *const bed_choices[] = {"x", "y", "z"};
+static const char *const bed_choices[] = {"x", "y", "z", "usual"};
 static const char *const bed_docs[] = {
    "+x",
    "+y: beds lie level where +y is up",
-   "+z: the face is split along the bed"};
+   "+z: the face is split along the bed",
+   "z where stones are laid, as flags and floors are, else y"};
 
 static const sozai_parameter bed = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_CHOICE,
    .id = "bed", .label = "Bed", .group = "stone", .unit = "",
    .doc = "Which axis of the object lies across the natural bed.",
-   .choices = bed_choices, .choice_docs = bed_docs, .choice_count = COUNT(bed_choices), .default_number = {1}};
+   .choices = bed_choices, .choice_docs = bed_docs, .choice_count = COUNT(bed_choices), .default_number = {3}};
 
 static const sozai_parameter offset = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT3,

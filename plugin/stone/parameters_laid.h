@@ -85,7 +85,7 @@ NUMBER_(laid_undulation_size, "undulation_size", "Undulation size", "layout", "m
 NUMBER_(laid_wear, "wear", "Wear", "weather", "", 0, 1, 0, 1, 0,
         "Feet and wheels: rounds the edges, smooths the relief of the tops and polishes them.");
 NUMBER_(laid_grime, "grime", "Grime", "weather", "", 0, 1, 0, 0.6, 0,
-        "Dirt that gathers at the edges and in patches: how much of the light it takes.");
+        "Dirt that gathers at the edges and in patches: how much of the stone it hides at most.");
 NUMBER_(laid_moss, "moss", "Moss", "weather", "", 0, 1, 0, 1, 0,
         "0 none; at 0.5 most joints are grown over, at 1 much of the stones as well.");
 NUMBER_(laid_moss_spread, "moss_spread", "Moss spread", "weather", "mm", 0.5, 1000, 2, 80, 18,

@@ -21,8 +21,7 @@
 
 #include "grain.h"
 
-#define BOLT_UNEVEN 0.06f       /* of a bolt: how far its end strays to either side */
-#define BOLT_UNEVEN_OFTEN 0.71f /* 1/mm: how finely, across the stem */
+#define BOLT_UNEVEN_OFTEN 1.0f /* 1/mm: how finely its ends stray, across the stem */
 
 /* The bolt that a point is in. d: how far the grain has gone round at its middle, mm, which in the
  * reference section's own bolt is 0 to the bit; d_t: and what that changes by, mm a year. */
@@ -37,12 +36,12 @@ INLINE bolt_at bolt_find(const wood_constants *w, vu own, const vf p[3]) {
   bolt_at b;
   vi which;
   vf zero = splat(0.0f), at = p[1] * splat(w->inverse_bolt), middle = vnearest(at, &which);
-  if (any(gt(vabs(at - middle), splat(0.5f - BOLT_UNEVEN)))) {
+  if (any(gt(vabs(at - middle), splat(0.5f - w->bolt_uneven)))) {
     vf often = splat(BOLT_UNEVEN_OFTEN), dx, dz;
     noise_axis x = noise_split_cubic(p[0] * often, HASH_X),
                z = noise_split_cubic(p[2] * often, HASH_Z);
     vf stray = noise_value2(&x, &z, wood_seed(w, own, SEED_BOLTS), &dx, &dz);
-    middle = vnearest(at + splat(BOLT_UNEVEN / HASH_ONE) * stray, &which);
+    middle = vnearest(at + splat(w->bolt_uneven / HASH_ONE) * stray, &which);
   }
   vm other = not_(eq(middle, zero));
   b.moved = any(other);

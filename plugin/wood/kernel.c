@@ -7,6 +7,8 @@
  * fibre.h, vessels.h, rays.h, canals.h and cells.h (what grows there) to colour.h or picture.h,
  * surface.h, and kawai.h or cone.h (how it is lit). Here they are called.
  */
+#include <string.h>
+
 #include "radius.h"
 #include "stages/canals.h"
 #include "stages/cells.h"
@@ -344,9 +346,7 @@ INLINE void evaluate_points(const wood_constants *w, const kernel_io *io, const 
   wood_blocks b;
   wood_held_none(&b.held);
   const wood_io part = {io->in, io->out};
-  const uint8_t *active = io->in->active;
   for (uint32_t i = from; i < to; i++) {
-    if (active && !active[i]) continue;
     b.blocks[0].i = i;
     b.blocks[0].n = 1;
     b.blocks[0].o = 0;
@@ -356,24 +356,30 @@ INLINE void evaluate_points(const wood_constants *w, const kernel_io *io, const 
   }
 }
 #else
-/* The end of a batch, and where some points are not active: by a detour, so that
- * blocks need not ask which points are to be written. */
+/* The end of a batch, less than a block: by a detour, so that blocks need not ask which points are
+ * to be written. */
 static __attribute__((noinline)) void evaluate_some(const wood_constants *w, const kernel_io *io,
                                                     const wood_wants *want, int boards,
-                                                    wood_blocks *b, uint32_t count, wood_io *part,
-                                                    uint32_t from, uint32_t n) {
-  float room[WOOD_COMPONENTS][BLOCKS * LANES];
-  const uint8_t *active = io->in->active;
+                                                    wood_blocks *b, wood_io *part) {
+  float room[WOOD_COMPONENTS][LANES];
+  const block *k = &b->blocks[0];
   for (int c = 0; c < WOOD_COMPONENTS; c++) {
     if (io->out[c]) part->out[c] = room[c];
   }
-  evaluate_blocks(w, part, want, boards, b, count);
+  evaluate_blocks(w, part, want, boards, b, 1);
   for (int c = 0; c < WOOD_COMPONENTS; c++) {
-    if (!io->out[c]) continue;
-    for (uint32_t i = 0; i < n; i++) {
-      if (!active || active[from + i]) io->out[c][from + i] = room[c][i];
-    }
+    if (io->out[c]) memcpy(io->out[c] + k->i, room[c], k->n * sizeof(float));
   }
+}
+
+INLINE void block_at(const wood_constants *w, wood_blocks *b, uint32_t which, uint32_t i,
+                     uint32_t n, uint32_t first) {
+  block *k = &b->blocks[which];
+  k->i = i;
+  k->n = n;
+  k->o = i - first;
+  k->held = &b->held;
+  k->knot = w->knots ? &b->knots[which] : NULL;
 }
 
 /* Points from..to, those of plies as wood in a layout is. */
@@ -387,17 +393,12 @@ INLINE void evaluate_points(const wood_constants *w, const kernel_io *io, const 
   for (int c = 0; c < WOOD_COMPONENTS; c++) part.out[c] = io->out[c] ? io->out[c] + from : spare;
   for (uint32_t i = from; i < to;) {
     uint32_t count = 0, first = i;
-    for (; count < BLOCKS && i < to; count++, i += LANES) {
-      block *k = &b.blocks[count];
-      k->i = i;
-      k->n = to - i < LANES ? to - i : LANES;
-      k->o = i - first;
-      k->held = &b.held;
-      k->knot = w->knots ? &b.knots[count] : NULL;
-    }
-    if (i > to || io->in->active) {
-      evaluate_some(w, io, want, boards, &b, count, &part, first, i < to ? i - first : to - first);
-      continue;
+    for (; count < BLOCKS && to - i >= LANES; count++, i += LANES)
+      block_at(w, &b, count, i, LANES, first);
+    if (!count) {
+      block_at(w, &b, 0, i, to - i, i);
+      evaluate_some(w, io, want, boards, &b, &part);
+      return;
     }
     evaluate_blocks(w, &part, want, boards, &b, count);
     for (int c = 0; c < WOOD_COMPONENTS; c++) {

@@ -4,6 +4,7 @@
  */
 #include "material.h"
 
+#include "../core/active.h"
 #include "../core/float_mode.h"
 #include "../core/status.h"
 #include "build.h"
@@ -21,7 +22,7 @@ typedef struct {
 static const sozai_texture_info *describe(void) {
   static sozai_texture_info info = {
       .size = sizeof(sozai_texture_info),
-      .revision = 30,
+      .revision = 31,
       .id = "wood",
       .label = "Wood",
       .doc =
@@ -50,6 +51,8 @@ static int32_t build(void *state, const sozai_host *host, const settings *s,
   if (r) return r;
   return wood_build(&w->constants, host, s, colours, images);
 }
+
+_Static_assert(WOOD_COMPONENTS <= ACTIVE_OUTPUTS, "active.h has room for fewer");
 
 static void evaluate(const void *state, const sozai_batch *b, float *const *out, uint64_t wanted) {
   const wood_state *w = state;
@@ -81,6 +84,14 @@ static const wood_state *state_of(const sozai_texture *t) {
 
 static const wood_kernel *wide_of(const wood_state *w) { return (const wood_kernel *)w->use.wide; }
 
+/* Boards of a layout, and plies, are each of a log of their own. */
+static int32_t one_log(const wood_state *w, const char *call) {
+  const wood_constants *c = &w->constants;
+  if (!c->plies.count && c->boards.layout.kind == LAYOUT_NONE) return SOZAI_OK;
+  return fail(SOZAI_ERROR_UNSUPPORTED, "%s: of %s there is no one log", call,
+              c->plies.count ? "plies" : "boards in a layout");
+}
+
 static int32_t ring_radius(const sozai_texture *t, uint32_t count, const float *years,
                            const float *theta, const float *y, float *out_r) {
   const wood_state *w = state_of(t);
@@ -88,8 +99,8 @@ static int32_t ring_radius(const sozai_texture *t, uint32_t count, const float *
   if (count && (!years || !theta || !y || !out_r)) {
     return fail(SOZAI_ERROR_ARGUMENT, "ring_radius: an array is NULL");
   }
-  if (w->constants.plies.count)
-    return fail(SOZAI_ERROR_UNSUPPORTED, "ring_radius: of plies, each of a place of its own");
+  int32_t r = one_log(w, "ring_radius");
+  if (r) return r;
   uint64_t mode = float_mode_enter();
   for (uint32_t from = 0, n; from < count; from += n) {
     n = kernel_piece(count - from);
@@ -106,6 +117,8 @@ static int32_t pith(const sozai_texture *t, uint32_t count, const float *y, floa
   if (count && (!y || !out_x || !out_z)) {
     return fail(SOZAI_ERROR_ARGUMENT, "pith: an array is NULL");
   }
+  int32_t r = one_log(w, "pith");
+  if (r) return r;
   uint64_t mode = float_mode_enter();
   for (uint32_t from = 0, n; from < count; from += n) {
     n = kernel_piece(count - from);

@@ -58,7 +58,7 @@ static int32_t look(const sozai_images_1 *images, const sozai_image *picture, ui
   }
   float *const to[3] = {out[0], out[1], out[2]};
   int32_t r = images->sample(images->self, picture, n, s, t, ss, zero, zero, tt, to);
-  if (r) return fail(r, "section: the picture cannot be looked up");
+  if (r) return fail(image_result(r), "section: the picture cannot be looked up");
   for (uint32_t i = 0; i < n; i++) {
     for (int c = 0; c < 3; c++) {
       float v = out[c][i];

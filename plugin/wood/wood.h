@@ -254,6 +254,7 @@ typedef struct {
   float slope_noise_years;                        /* 1/years */
   int32_t has_wave, has_wave_irregularity, has_interlocked, has_slope_noise;
   float bolt, inverse_bolt; /* mm: of the stem, what vessels run through; 0: all of it. bolt.h */
+  float bolt_uneven;        /* of a bolt: how far its end strays to either side */
 
   /* vessels */
   float pore_cell, inverse_pore_cell, pore_step; /* mm: side of a lattice cell; 1/mm; mm, / 2^32 */

@@ -188,12 +188,18 @@ static void all_or_nothing(void **unused) {
   assert_int_equal(batch_spilt(&b, 0), 0);
 }
 
+/* Scattered, and in stretches of up to so many. */
 static void active_mask(void **unused) {
   (void)unused;
   uint8_t active[BATCH_MAX];
-  for (uint32_t n = 1; n <= 70; n += n < 20 ? 1 : 7) {
+  for (uint32_t n = 1; n <= BATCH_MAX; n += n < 20 ? 1 : n < 70 ? 7 : 159) {
     batch_make(&b, info, n);
-    for (uint32_t i = 0; i < n; i++) active[i] = (uint8_t)(mix64(n * 1000 + i) % 3u ? 255u : 0u);
+    for (uint32_t i = 0, from = 0; i < n; i++) {
+      int long_ones = n > 70 && n % 2;
+      if (long_ones && i - from > mix64(from) % 120u) from = i;
+      uint64_t draw = mix64(n * 1000 + (long_ones ? from : i));
+      active[i] = (uint8_t)(draw % 3u ? 255u : 0u);
+    }
     b.batch.active = active;
     assert_int_equal(evaluate(&b.batch), SOZAI_OK);
     for (uint32_t o = 0; o < b.components; o++) {

@@ -197,6 +197,7 @@ static void beside_a_relative_path(void **state) {
 
 /* Pictures of a host's that can be opened and, after a while, no more be looked up. */
 static int32_t picture_state;
+static uint32_t looked_up;
 static int32_t open_picture(void *self, const sozai_image_request *q, sozai_image **out,
                             char *message, size_t size) {
   (void)q;
@@ -208,17 +209,18 @@ static void close_picture(void *self, sozai_image *image) { assert_ptr_equal(sel
 static int32_t sides(void *self, const sozai_image *image, uint32_t *width, uint32_t *height) {
   assert_ptr_equal(self, image);
   *width = *height = 100;
-  return SOZAI_OK;
+  return picture_state == 4 ? 9 : SOZAI_OK;
 }
 static int32_t sample_picture(void *self, const sozai_image *image, uint32_t count, const float *s,
                               const float *t, const float *dsdx, const float *dtdx,
                               const float *dsdy, const float *dtdy, float *const *out) {
   (void)self, (void)image, (void)dsdx, (void)dtdx, (void)dsdy, (void)dtdy;
+  looked_up += count;
   for (uint32_t i = 0; i < count; i++) { /* rings */
     float ring = 0.5f + 0.3f * sinf(60.0f * hypotf(s[i] - 0.5f, t[i] - 0.5f));
     for (int c = 0; c < 3; c++) out[c][i] = picture_state == 3 ? 0.0f : ring;
   }
-  return picture_state == 3 ? SOZAI_ERROR_FILE : SOZAI_OK;
+  return picture_state == 3 ? SOZAI_ERROR_FILE : picture_state == 5 ? 7 : SOZAI_OK;
 }
 static int picture_self;
 static const sozai_images_1 pictures = {sizeof pictures, 0,     &picture_self,  open_picture,
@@ -228,13 +230,34 @@ static const void *picture_service(void *user, const char *id) {
   return strcmp(id, SOZAI_IMAGES_1) == 0 ? &pictures : NULL;
 }
 
+/* Of points that are not active a service is not asked. */
+static void only_the_active(const loaded *l, const sozai_texture *t) {
+  enum { N = 200 };
+  static float p[3][N], rgb[3][N];
+  static uint8_t active[N];
+  float *const out[3] = {rgb[0], rgb[1], rgb[2]};
+  sozai_batch b = {.size = sizeof b, .count = N, .point = {p[0], p[1], p[2]}, .out = out};
+  b.out_count = 3;
+  b.active = active;
+  picture_state = 3;
+  looked_up = 0;
+  assert_int_equal(l->textures->evaluate(t, &b), SOZAI_OK);
+  assert_int_equal(looked_up, 0);
+  picture_state = 0;
+  uint32_t asked = 0;
+  for (uint32_t i = 0; i < N; i++) asked += active[i] = i % 7 == 0 || (i >= 90 && i < 150);
+  assert_int_equal(l->textures->evaluate(t, &b), SOZAI_OK);
+  assert_in_range(looked_up, asked, asked + 3 * 16); /* the ends of blocks repeat their last */
+}
+
 static void a_picture_that_has_gone(void **state) {
   (void)state;
   loaded l = load(SOZAI_TEST_PLUGIN);
   sozai_host host = {.size = sizeof host, .get_service = picture_service};
   const sozai_value value = {.id = "section", .kind = SOZAI_KIND_STRING, .text = "end.tif"};
   sozai_texture *t = NULL;
-  for (picture_state = 1; picture_state <= 2; picture_state++) {
+  for (picture_state = 1; picture_state <= 5; picture_state++) { /* 9 and 7 are no results */
+    if (picture_state == 3) continue;
     assert_int_equal(l.textures->create(&host, "wood", NULL, &value, 1, &t), SOZAI_ERROR_FILE);
     if (!strstr(l.textures->last_error(), "section")) fail_msg("%s", l.textures->last_error());
   }
@@ -252,6 +275,7 @@ static void a_picture_that_has_gone(void **state) {
   if (!strstr(l.textures->last_error(), "picture")) fail_msg("%s", l.textures->last_error());
   picture_state = 0;
   assert_int_equal(l.textures->evaluate(t, &b), SOZAI_OK);
+  only_the_active(&l, t);
   l.textures->destroy(t);
   unload(&l);
 }

@@ -452,13 +452,18 @@ static void what_cannot_be_is_refused(void **state) {
   assert_null(wood_refused("plies=4; core_gap=3; core_width=8")); /* nothing to solid wood */
 }
 
+/* Nor is the pith: neither of plies nor of boards in a layout, each of a log of its own. */
 static void rings_are_not_asked_for(void **state) {
   (void)state;
-  sozai_texture *t = wood_make("birch_plywood", "");
-  float zero = 0, r = -1;
-  assert_int_equal(woods->ring_radius(t, 1, &zero, &zero, &zero, &r), SOZAI_ERROR_UNSUPPORTED);
-  assert_true(r < 0);
-  textures->destroy(t);
+  static const char *const many[][2] = {{"birch_plywood", ""}, {"keyaki", "layout=herringbone"}};
+  for (size_t i = 0; i < sizeof many / sizeof *many; i++) {
+    sozai_texture *t = wood_make(many[i][0], many[i][1]);
+    float zero = 0, r = -1;
+    assert_int_equal(woods->ring_radius(t, 1, &zero, &zero, &zero, &r), SOZAI_ERROR_UNSUPPORTED);
+    assert_int_equal(woods->pith(t, 1, &zero, &r, &r), SOZAI_ERROR_UNSUPPORTED);
+    assert_true(r < 0);
+    textures->destroy(t);
+  }
 }
 
 int main(void) {

@@ -125,6 +125,14 @@ static void by_buffer(void **unused) {
   assert_string_equal(v.buffer->path, "x.exr");
   assert_null(v.buffer->data);
   done();
+  /* numbers beside a path of no letters */
+  b = pixels();
+  b.path = "";
+  assert_int_equal(make_buffer(&b), SOZAI_OK);
+  assert_int_equal(settings_value(&now, &every_kind, "picture", &v), SOZAI_OK);
+  assert_memory_equal(v.buffer->data, numbers, sizeof numbers);
+  assert_null(v.buffer->path);
+  done();
   /* from before path and wrap were members */
   b = pixels();
   b.size = offsetof(sozai_buffer, path);
@@ -153,6 +161,8 @@ static void refusals(void **unused) {
   refused(make_text("a @ sRGB, blur=2"), SOZAI_ERROR_KIND, "blur=2");
   refused(make((sozai_value){.kind = SOZAI_KIND_IMAGE}), SOZAI_ERROR_ARGUMENT, "NULL");
   refused(make((sozai_value){.kind = SOZAI_KIND_FLOAT}), SOZAI_ERROR_KIND, "an image");
+  refused(make((sozai_value){.kind = SOZAI_KIND_IMAGE, .text = "x", .reserved = 7}),
+          SOZAI_ERROR_ARGUMENT, "7");
   sozai_buffer b = pixels();
   b.wrap = 5;
   refused(make_buffer(&b), SOZAI_ERROR_RANGE, "5");
@@ -162,6 +172,10 @@ static void refusals(void **unused) {
   b = pixels();
   b.dims[0] = 0;
   refused(make_buffer(&b), SOZAI_ERROR_RANGE, "no pixels");
+  b = pixels();
+  b.path = "";
+  b.first_channel = 4;
+  refused(make_buffer(&b), SOZAI_ERROR_RANGE, "4");
   b = pixels();
   b.data = NULL;
   refused(make_buffer(&b), SOZAI_ERROR_ARGUMENT, "NULL");

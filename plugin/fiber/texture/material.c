@@ -4,6 +4,7 @@
  */
 #include "material.h"
 
+#include "../../core/active.h"
 #include "build.h"
 #include "parameters.h"
 #include "presets.h"
@@ -46,6 +47,8 @@ static int32_t build(void *state, const sozai_host *host, const settings *s,
   if (r) return r;
   return fibertex_build(&w->constants, host, s, colours, (const fibertex_kernel *)w->use.wide);
 }
+
+_Static_assert(FIBERTEX_COMPONENTS <= ACTIVE_OUTPUTS, "active.h has room for fewer");
 
 static void evaluate(const void *state, const sozai_batch *b, float *const *out, uint64_t wanted) {
   const fibertex_state *w = state;

@@ -15,14 +15,14 @@ typedef struct {
 /* Channel by channel, all blocks of each: where a caller's arrays lie alike in the cache, a line
  * that is left half full would have to be fetched again. */
 INLINE void stage_store(const kernel_io *io, const block *k, uint32_t blocks, const output *o) {
-  int whole = !io->in->active && k[blocks - 1].n == LANES;
+  int whole = k[blocks - 1].n == LANES;
   for (int c = 0; c < FIBERTEX_COMPONENTS; c++) {
     if (!(io->wanted >> c & 1)) continue;
     float *to = io->out[c] + k->i;
     if (whole) {
       EACH(b, blocks) store(to + b * LANES, o[b].component[c]);
     } else {
-      EACH(b, blocks) store_active(io->in, io->out[c], k[b].i, k[b].n, o[b].component[c]);
+      EACH(b, blocks) store_lanes_of(io->out[c], k[b].i, k[b].n, o[b].component[c]);
     }
   }
 }

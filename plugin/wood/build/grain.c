@@ -28,6 +28,8 @@ wood_irregular wood_irregular_of(double amount, double length, double variance) 
 #define BOLT_NEAR 25.0     /* mm: nearer to the pith spirals part more than that */
 #define BOLT_LEAST 12.0    /* mm */
 #define BOLT_MOST 100000.0 /* mm: longer than any tree */
+#define BOLT_UNEVEN 20.0   /* mm: how far a bolt's end strays to either side, */
+#define BOLT_STRAYS 0.7   /* and of its length at most: what is next to it, too */
 
 /* See bolt.h: how far fibres part, per mm of height and of radius. */
 static void build_bolts(wood_constants *w) {
@@ -41,6 +43,7 @@ static void build_bolts(wood_constants *w) {
   double length = 2.0 * BOLT_SHEAR / parts;
   if (length < BOLT_LEAST) length = BOLT_LEAST;
   w->bolt = (float)length;
+  w->bolt_uneven = (float)(BOLT_UNEVEN < BOLT_STRAYS * length ? BOLT_UNEVEN / length : BOLT_STRAYS);
   w->inverse_bolt = (float)(1.0 / length);
 }
 

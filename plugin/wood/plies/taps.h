@@ -98,7 +98,6 @@ static void taps_ask(const wood_constants *w, const kernel_io *io, const wood_wa
   float *out[WOOD_COMPONENTS];
   ply_taps told;
   in.count = q->count;
-  in.active = NULL;
   in.footprint = q->footprint;
   for (int c = 0; c < 3; c++) {
     in.point[c] = q->in[IN_POINT + c];
@@ -417,7 +416,6 @@ static __attribute__((noinline)) void evaluate_plies(const wood_constants *w, co
       unit_direction(n);
       for (int c = 0; c < 3; c++) store(normals[c], n[c]);
     }
-    if (in->active && !in->active[i]) continue;
     taps_point pt = {.i = i, .n = {0, 0, 1}, .steep = 1.0f};
     for (int c = 0; c < 3; c++) pt.at[c] = taps_coordinate(in->point[c][i]);
     float s = in->footprint ? in->footprint[i] : 0.0f;

@@ -40,9 +40,9 @@
     NUMBER("fibre_brightness", 0.25), \
     SRGB("earlywood_colour", 154, 122, 90), \
     SRGB("latewood_colour", 110, 82, 58), \
-    SRGB("vessel_colour", 112, 86, 62), \
+    SRGB("vessel_colour", 80, 58, 40), \
     SOFT_BANDS(25.0, 0.22, 0.5), \
-    SRGB("parenchyma_colour", 169, 141, 109), \
+    SRGB("parenchyma_colour", 142, 113, 83), \
     SRGB("sapwood_earlywood_colour", 206, 188, 158), \
     SRGB("sapwood_parenchyma_colour", 213, 196, 165), \
     SRGB("sapwood_latewood_colour", 184, 162, 130), \
