@@ -77,10 +77,9 @@ static bool set_samples(recipe *r, const char *text, failure *why) {
          fail(why, EXIT_BAD_INPUT, "--samples: '%.40s' is not 1, 2, 4 or 8", text);
 }
 
-/* As render does, of what the command line alone describes. */
+/* As render does. */
 static bool saw(recipe *r, const request *q, const sozai_texture_info *info, failure *why) {
-  bool board = q->shape && strcmp(q->shape, "board") == 0;
-  return !board || session_saw_flat(r, info, why);
+  return session_saw(r, info, q->shape ? q->shape : "plane", why);
 }
 
 static bool set_surface(recipe *r, const request *q, failure *why) {
@@ -213,7 +212,8 @@ int run_bake(int argc, char **argv) {
       {"outputs", 0, OPTION_TEXT, &q.outputs, "A,B",
        "albedo,roughness,... (default: EXR all, else albedo)", 0, 0},
       {"shape", 0, OPTION_TEXT, &q.shape, "SHAPE",
-       "plane (default), board or a mesh's file; a board is sawn flat without -p cut=", 0, 0},
+       "plane (default), board or a mesh's file; boards and planes are sawn flat without -p cut=",
+       0, 0},
       {"size", 0, OPTION_TEXT, &q.size, "WxH[xT]",
        "of a plane or board, in mm (default: 1000x1000)", 0, 0},
       {"scale", 0, OPTION_NUMBER, &q.scale, "MM", "mm per unit of a mesh (default: 1)", 1e-6, 1e6},

@@ -101,21 +101,10 @@ static bool render_recipe(session *s, recipe *r, const request *q, int kind, fai
   return ok;
 }
 
-/* Where arches fill the face of a board, and of a plane: nearer to the pith they are one narrow
- * tongue. */
-#define BOARD_FROM_PITH "100" /* mm */
-
 static bool saw(recipe *r, const request *q, const session *s, failure *why) {
   if (q->cut) return recipe_set(r, "cut", q->cut, 0, why);
-  const char *shape = q->look.shape;
-  bool sawn = !shape || strcmp(shape, "board") == 0 || strcmp(shape, "plane") == 0;
   const sozai_texture_info *info = recipe_info(r, s->plugin.textures, why);
-  if (!info || !sawn) return info != NULL;
-  bool unsawn = !r->file && !recipe_sets(r, "cut") && !recipe_sets(r, "cut_distance");
-  if (unsawn && parameter_of(info, "cut_distance") &&
-      !recipe_set(r, "cut_distance", BOARD_FROM_PITH, 0, why))
-    return false;
-  return session_saw_flat(r, info, why);
+  return info && session_saw(r, info, q->look.shape ? q->look.shape : "board", why);
 }
 
 /* What would have no effect was meant otherwise. */

@@ -67,10 +67,13 @@ void session_close(session *s);
 /* The recipe of a material or file, with the options' preset and parameters on top. */
 bool session_recipe(recipe *r, const char *name, const session_options *o, failure *why);
 
-/* A texture is a whole log unless something else is said, and a board with the pith in its middle
- * is one that no mill sells: where no file describes it and nobody says how it lies, it is sawn
- * flat. info: the recipe's. */
-bool session_saw_flat(recipe *r, const sozai_texture_info *info, failure *why);
+/* Where arches fill the face of a board: nearer to the pith they are one narrow tongue. */
+#define BOARD_FROM_PITH "100" /* mm */
+
+/* A texture is a whole log unless something else is said, and a board, or a plane, with the pith in
+ * its middle is one that no mill sells: where no file describes it and nobody says how it lies, it
+ * is sawn flat. info: the recipe's; shape: board, plane, or another. */
+bool session_saw(recipe *r, const sozai_texture_info *info, const char *shape, failure *why);
 
 /* The same parameters for a recipe that is written to a file: paths in it start from
  * the file's folder, those of -p from this one. recipe_settle makes them whole. */

@@ -135,15 +135,15 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
       for (int k = 0; k < 3; k++) joint.g[k] = joint.g[k] * q->near;
       in_joint = joint.v;
       height = field_mul(height, field_rest(joint));
-      field bare = height;
       surface_fill(w, q, p, s, &height, out, &sand_lost);
-      buried = field_add(height, field_scale(bare, splat(-1.0f)));
     }
     out->edge = profile.v;
-    buried = field_add(buried, profile);
     /* a chipped edge falls from as much further in */
     out->shoulder = splat(v->half + 0.5f * v->chamfer) + splat(0.35f) * round.wide.v;
     height = field_add(height, profile);
+    /* moss lies as the stones do, and levels from one to the next about the joint */
+    field level = field_mul(lie, field_rest(near));
+    buried = field_add(height, field_scale(level, splat(-1.0f)));
     /* rounded, it may be over 1 */
     out->lost = out->lost * vmax(one - in_joint, zero) + lost + sand_lost;
     vf far = one - q->near;
@@ -179,7 +179,8 @@ INLINE void surface_lay(const stone_constants *w, int paved, const laid *q, cons
     out->tuft = growth.shade;
     out->dry = growth.dry;
     height = field_add(height, field_scale(field_mul(cover, growth.rise), splat(air->moss_height)));
-    /* it fills the joint, up to the stones: edges and sand below are not seen through it */
+    /* it fills the joint, up to the stones: neither edges nor sand nor how stones are tilted and
+     * dressed below is seen through it */
     height = field_add(height, field_scale(field_mul(cover, buried), splat(-1.0f)));
     out->lost = out->lost * (one - cover.v) + splat(0.08f) * cover.v;
     out->edges = out->edges * (one - cover.v);

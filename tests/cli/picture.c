@@ -4,7 +4,8 @@
  *   picture layers FILE                        prints width, height, channels' names sorted
  *   picture finite FILE                        is every number finite?
  *   picture between FILE X Y CHANNEL LOW HIGH  is that pixel's number, inclusive?
- *   picture same FILE FILE                     the same channels and bits? */
+ *   picture same FILE FILE                     the same channels and bits?
+ *   picture varies FILE                        is it not of one brightness? */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -65,6 +66,19 @@ static int same(const image *p, const char *other) {
   return equal ? 0 : 1;
 }
 
+/* By a fiftieth of its mean at least, sd over mean. */
+static int varies(const image *p) {
+  double sum = 0, square = 0, n = (double)floats(p);
+  for (size_t i = 0; i < floats(p); i++) {
+    sum += (double)p->data[i];
+    square += (double)p->data[i] * (double)p->data[i];
+  }
+  double mean = sum / n, sd = sqrt(fmax(square / n - mean * mean, 0));
+  if (sd > 0.02 * mean) return 0;
+  printf("mean %g, sd %g\n", mean, sd);
+  return 1;
+}
+
 int main(int argc, char **argv) {
   image p;
   failure why;
@@ -77,6 +91,7 @@ int main(int argc, char **argv) {
   if (strcmp(argv[1], "finite") == 0) result = all_finite(&p);
   if (strcmp(argv[1], "between") == 0 && argc == 8) result = between(&p, argv + 3);
   if (strcmp(argv[1], "same") == 0 && argc == 4) result = same(&p, argv[3]);
+  if (strcmp(argv[1], "varies") == 0) result = varies(&p);
   image_free(&p);
   return result;
 }
