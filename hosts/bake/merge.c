@@ -14,6 +14,7 @@
 #include "describe_job.h"
 #include "units.h"
 #include "names.h"
+#include "output_file.h"
 #include "progress.h"
 #include "writer.h"
 
@@ -69,11 +70,10 @@ static bool give_names(merging *m, uint32_t picture, failure *why) {
     int udim = job->ground->tiles ? job->ground->tiles[picture] : 1001;
     char *name = bake_file_name(job->path, udim, job->outputs->files[i].output);
     if (!name) return out_of_memory(why);
-    /* What a link points to is replaced, and not the link. */
-    char *real = realpath(name, NULL);
-    if (rename(m->growing[i], real ? real : name) != 0)
-      ok = fail(why, EXIT_FAILURE, "cannot write '%s': %s", name, strerror(errno));
-    free(real);
+    char *target = output_target(name, why);
+    ok = target && (rename(m->growing[i], target) == 0 ||
+                    fail(why, EXIT_FAILURE, "cannot write '%s': %s", name, strerror(errno)));
+    free(target);
     free(name);
   }
   return ok;

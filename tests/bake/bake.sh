@@ -138,5 +138,5 @@ head -c 500 box.obj >cut.obj
 refuses 2 "cut.obj" bake wood -o gone.exr --shape cut.obj
 mkdir folder.exr
 refuses 2 "folder.exr|not a file" bake wood -o folder.exr --res 8
-same "nothing is left of them" "" "$(find . -name '*gone*')"
+same "nothing is left of them" "" "$(find . -name '*gone*' -o -name '.sozai-*')"
 finish
