@@ -220,6 +220,21 @@ done
 head -c 30 in/tree.field >in/cut.field
 must_fail "field cut short" "field" grow tree --field in/cut.field -o made/a.obj
 
+# A full disk where pictures are kept is nobody's mistake, and says so by its code.
+for words in "render wood --res 16x16 --spp 1 -o made/a.png" "eval wood --input in/points.csv" \
+  "bake wood --size 4x2 --res 8x4 -o made/a.png"; do
+  read -ra arguments <<<"$words"
+  err=$( (
+    ulimit -f 64
+    "$sozai" "${arguments[@]}" -p section=in/photo.png 2>&1 >/dev/null
+    echo "exit $?"
+  ) | cat)
+  same "no room for pictures: exit code of sozai $words" 1 "${err##*exit }"
+  check "no room for pictures: sozai $words says so: $err" grep -q "section: no room for .* of pictures in" <<<"$err"
+  rm -rf made
+  mkdir made
+done
+
 # ---- what goes while it is wanted -------------------------------------------------------
 # a share of a bake, gone before they are put together
 readonly share=(bake wood --size 40x20 --res 256x128 -o made/shared.exr)
