@@ -192,10 +192,15 @@ static bool nobody_reads(void) {
 }
 
 bool output_unprinted(failure *why) {
+  int error = errno;
   if (nobody_reads()) return fail(why, EXIT_CLOSED_PIPE, "%s", "");
-  return fail(why, EXIT_FAILURE, "cannot write standard output");
+  return fail(why, EXIT_FAILURE, "cannot write standard output: %s",
+              error ? strerror(error) : "a part of it was not taken");
 }
 
 bool output_printed(failure *why) {
-  return (fflush(stdout) == 0 && !ferror(stdout)) || output_unprinted(why);
+  bool flushed = fflush(stdout) == 0;
+  if (flushed && !ferror(stdout)) return true;
+  if (flushed) errno = 0; /* it failed earlier, and errno is of something else since */
+  return output_unprinted(why);
 }

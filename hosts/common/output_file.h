@@ -26,7 +26,8 @@ void output_discard(output_file *o);
 
 /* Whether what was printed to standard output was taken; if not, that is said. */
 bool output_printed(failure *why);
-/* It was not: say so, or nothing of a pipe that nobody reads any more. Always false. */
+/* It was not, as errno says: say so, or nothing of a pipe that nobody reads any more. Always false.
+ */
 bool output_unprinted(failure *why);
 
 #endif
