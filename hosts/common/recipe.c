@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include "numbers.h"
 #include "utf8.h"
 #include "ceilings.h"
@@ -136,18 +137,21 @@ static bool apply_overrides(recipe *r, const char *query, failure *why) {
   return ok;
 }
 
+size_t recipe_file_length(const char *name) {
+  size_t tail = strlen(ENDING), length = strlen(name);
+  for (const char *at = name; (at = strchr(at, ENDING[0])); at++)
+    if (strncasecmp(at, ENDING, tail) == 0 && at[tail] == '?') return (size_t)(at - name) + tail;
+  return length >= tail && strcasecmp(name + length - tail, ENDING) == 0 ? length : 0;
+}
+
 bool recipe_open(recipe *r, const char *name, failure *why) {
   memset(r, 0, sizeof *r);
-  const char *query = strstr(name, ENDING "?");
-  if (query) query += strlen(ENDING);
-  size_t length = query ? (size_t)(query - name) : strlen(name);
-  bool is_file = length >= strlen(ENDING) &&
-                 strncmp(name + length - strlen(ENDING), ENDING, strlen(ENDING)) == 0;
+  size_t length = recipe_file_length(name);
   bool ok;
-  if (is_file) {
+  if (length > 0) {
     r->file = strndup(name, length);
     ok = r->file ? recipe_read_file(r, r->file, why) : out_of_memory(why);
-    if (ok && query) ok = apply_overrides(r, query + 1, why);
+    if (ok && name[length]) ok = apply_overrides(r, name + length + 1, why);
   } else
     ok = set_string(&r->material, name, why);
   if (!ok) recipe_free(r);

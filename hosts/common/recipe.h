@@ -40,6 +40,9 @@ typedef struct recipe {
   recipe_image image;
 } recipe;
 
+/* Of a name that is a .sozai file's, in capitals or not: the bytes of the path, which may go on
+ * in "?"; 0: it is none. */
+size_t recipe_file_length(const char *name);
 /* name: a material's id, or the path of a .sozai file, which may go on in
  * "?key=value&...": the image's keys ("res" stands for its resolution), "preset",
  * and parameters. */

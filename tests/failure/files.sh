@@ -194,6 +194,9 @@ must_fail "recipe" in/pipe.sozai eval in/pipe.sozai --input in/points.csv -o mad
 printf 'material: wood\nparams: {section: loop.sozai}\n' >in/loop.sozai
 OIIO_LIBRARY_PATH=${SOZAI_PLUGIN%/*} must_fail "itself" loop.sozai \
   render in/loop.sozai -o made/a.png "${tiny[@]}"
+printf 'material: wood\nparams: {section: LOOP.SOZAI}\n' >in/LOOP.SOZAI
+OIIO_LIBRARY_PATH=${SOZAI_PLUGIN%/*} must_fail "itself" "LOOP.SOZAI: a .sozai file" \
+  render in/LOOP.SOZAI -o made/a.png "${tiny[@]}"
 works render wood -o made/a.png "${tiny[@]}" --shape in/mesh.obj
 rm -f made/a.png
 for from in in/none.obj in/folder.obj in/pipe.obj; do
