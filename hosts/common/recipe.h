@@ -60,9 +60,9 @@ bool recipe_sets(const recipe *r, const char *id);
 /* That parameter of a texture, or NULL. */
 const sozai_parameter *parameter_of(const sozai_texture_info *info, const char *id);
 
-/* The kind of texture it names. */
+/* The kind of texture it names. geometry: for a hint where it names what is grown; may be NULL. */
 const sozai_texture_info *recipe_info(const recipe *r, const sozai_textures_1 *textures,
-                                      failure *why);
+                                      const sozai_geometry_1 *geometry, failure *why);
 /* Relative paths among the file's parameters start from its folder: make them
  * whole. recipe_create does this first. */
 bool recipe_settle(recipe *r, const sozai_textures_1 *textures, failure *why);
