@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Run when the documentation is installed: links into the sources, which are not, become links to the
-# installed headers, or text that says where in the sources it is. Takes SOZAI_SOURCE, and DOCDIR and
-# INCLUDEDIR below or beside the prefix.
+# installed headers, or text that says where in the sources it is. Takes SOZAI_SOURCE, the pages
+# SOZAI_TOP_PAGES of it that are installed beside docs/, and DOCDIR and INCLUDEDIR below or beside the
+# prefix.
 foreach(name DOCDIR INCLUDEDIR)
   if(NOT IS_ABSOLUTE "${${name}}")
     set(${name} "${CMAKE_INSTALL_PREFIX}/${${name}}")
@@ -20,7 +21,7 @@ function(stand_in words target folder out)
   get_filename_component(whole "${SOZAI_SOURCE}/${folder}/${file}" ABSOLUTE)
   file(RELATIVE_PATH path "${SOZAI_SOURCE}" "${whole}")
   get_filename_component(name "${path}" NAME)
-  if(EXISTS "${INCLUDEDIR}/${name}")
+  if(path MATCHES "^api/" AND EXISTS "${INCLUDEDIR}/${name}") # others may have headers there
     get_filename_component(from "${DOCDIR}/${folder}" ABSOLUTE)
     file(RELATIVE_PATH header "${from}" "${INCLUDEDIR}/${name}")
     set(${out} "[${words}](${header})" PARENT_SCOPE)
@@ -65,7 +66,10 @@ function(mend_page page)
   file(WRITE "${DOCDIR}/${page}" "${done}${rest}")
 endfunction()
 
-file(GLOB_RECURSE pages RELATIVE "${DOCDIR}" "${DOCDIR}/*.md")
-foreach(page IN LISTS pages)
-  mend_page("${page}")
+# Only ours: others may have theirs in the same folder.
+file(GLOB_RECURSE pages RELATIVE "${SOZAI_SOURCE}" "${SOZAI_SOURCE}/docs/*.md")
+foreach(page IN LISTS SOZAI_TOP_PAGES pages)
+  if(EXISTS "${DOCDIR}/${page}")
+    mend_page("${page}")
+  endif()
 endforeach()

@@ -12,11 +12,13 @@ set(pkgconfig_dir ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
 install(FILES api/sozai.h api/sozai_colour.h TYPE INCLUDE)
 # README.md's links into docs/ lead somewhere from there.
-install(FILES LICENSE README.md CHANGELOG.md CONTRIBUTING.md SECURITY.md TYPE DOC)
+set(top_pages README.md CHANGELOG.md CONTRIBUTING.md SECURITY.md)
+install(FILES LICENSE ${top_pages} TYPE DOC)
 install(DIRECTORY docs TYPE DOC)
 install(FILES docs/example/embed.c DESTINATION ${CMAKE_INSTALL_DOCDIR}/example)
 # Those into the sources do not; after the headers, which some of them lead to then.
 install(CODE "set(SOZAI_SOURCE \"${PROJECT_SOURCE_DIR}\")
+  set(SOZAI_TOP_PAGES \"${top_pages}\")
   set(DOCDIR \"${CMAKE_INSTALL_DOCDIR}\")
   set(INCLUDEDIR \"${CMAKE_INSTALL_INCLUDEDIR}\")")
 install(SCRIPT cmake/InstallDocs.cmake)
@@ -34,13 +36,13 @@ endif()
 install(TARGETS sozai_api EXPORT sozai-targets)
 install(EXPORT sozai-targets FILE sozaiTargets.cmake NAMESPACE sozai:: DESTINATION ${config_dir})
 configure_package_config_file(cmake/sozaiConfig.cmake.in
-  ${CMAKE_BINARY_DIR}/package/sozaiConfig.cmake
+  ${PROJECT_BINARY_DIR}/package/sozaiConfig.cmake
   INSTALL_DESTINATION ${config_dir} PATH_VARS plugin_dir NO_CHECK_REQUIRED_COMPONENTS_MACRO)
-write_basic_package_version_file(${CMAKE_BINARY_DIR}/package/sozaiConfigVersion.cmake
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/sozaiConfigVersion.cmake
   COMPATIBILITY SameMajorVersion)
 install(FILES
-  ${CMAKE_BINARY_DIR}/package/sozaiConfig.cmake
-  ${CMAKE_BINARY_DIR}/package/sozaiConfigVersion.cmake
+  ${PROJECT_BINARY_DIR}/package/sozaiConfig.cmake
+  ${PROJECT_BINARY_DIR}/package/sozaiConfigVersion.cmake
   DESTINATION ${config_dir})
 
 # The way from the .pc file up to the prefix, so that an installed tree may be
@@ -58,5 +60,5 @@ foreach(name INCLUDEDIR LIBDIR)
     set(pc_${name} "\${prefix}/${CMAKE_INSTALL_${name}}")
   endif()
 endforeach()
-configure_file(cmake/sozai.pc.in ${CMAKE_BINARY_DIR}/package/sozai.pc @ONLY)
-install(FILES ${CMAKE_BINARY_DIR}/package/sozai.pc DESTINATION ${pkgconfig_dir})
+configure_file(cmake/sozai.pc.in ${PROJECT_BINARY_DIR}/package/sozai.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/package/sozai.pc DESTINATION ${pkgconfig_dir})

@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <vector>
@@ -36,12 +37,15 @@ public:
   const int number;
 };
 
-// As hosts/oiio knows its own.
+// As hosts/oiio knows its own, in capitals or not.
 bool is_sozai(const std::string &path) {
-  static const std::string ending = ".sozai";
-  return path.find(ending + "?") != std::string::npos ||
-         (path.size() >= ending.size() &&
-          path.compare(path.size() - ending.size(), ending.size(), ending) == 0);
+  static const char ending[] = ".sozai";
+  constexpr size_t length = sizeof ending - 1;
+  for (size_t at = path.find('.'); at != std::string::npos; at = path.find('.', at + 1))
+    if (strncasecmp(path.c_str() + at, ending, length) == 0 &&
+        (path.size() == at + length || path[at + length] == '?'))
+      return true;
+  return false;
 }
 
 // Opens it. OpenImageIO says little, opens whatever has a name, and waits for a pipe.

@@ -15,6 +15,9 @@ namespace sozai::images {
 
 using colour::Failure;
 
+// Nothing is wrong with the picture, which a FILE would say: what there is to keep it in is too
+// small.
+constexpr int32_t no_room = SOZAI_ERROR_MEMORY;
 constexpr uint64_t page = 4096; // holes are punched in whole pages
 
 static uint64_t whole_pages(uint64_t bytes) { return (bytes + page - 1) / page * page; }
@@ -42,8 +45,7 @@ void Store::open() {
   folder = "memory";
   file = memfd_create("sozai-images", MFD_CLOEXEC);
   if (file < 0)
-    throw Failure(SOZAI_ERROR_FILE,
-                  std::string("no temporary file for pictures: ") + std::strerror(errno));
+    throw Failure(no_room, std::string("no temporary file for pictures: ") + std::strerror(errno));
 }
 
 Store::~Store() {
@@ -82,9 +84,8 @@ uint64_t Store::take(uint64_t bytes) {
     free_room.emplace(offset, bytes);
   } catch (...) { // the room is lost until the store goes
   }
-  throw Failure(SOZAI_ERROR_FILE, "no room for " + std::to_string(bytes >> 20) +
-                                      " MiB of pictures in " + folder + ": " +
-                                      std::strerror(error));
+  throw Failure(no_room, "no room for " + std::to_string(bytes >> 20) + " MiB of pictures in " +
+                             folder + ": " + std::strerror(error));
 }
 
 void Store::give_back(uint64_t offset, uint64_t bytes) noexcept {
@@ -121,8 +122,8 @@ void Store::write(uint64_t offset, const void *data, size_t bytes) {
     const ssize_t done = pwrite(file, from, bytes, off_t(offset));
     if (done < 0 && errno == EINTR) continue;
     if (done <= 0)
-      throw Failure(SOZAI_ERROR_FILE, "cannot write pictures to " + folder + ": " +
-                                          std::strerror(done < 0 ? errno : ENOSPC));
+      throw Failure(no_room, "cannot write pictures to " + folder + ": " +
+                                 std::strerror(done < 0 ? errno : ENOSPC));
     from += done;
     offset += uint64_t(done);
     bytes -= size_t(done);

@@ -10,6 +10,7 @@
 #include "units.h"
 #include "merge.h"
 #include "names.h"
+#include "output_file.h"
 #include "pieces.h"
 #include "plan.h"
 #include "progress.h"
@@ -101,6 +102,15 @@ static bool evaluate_missing(const bake_job *job, const bake_plan *plan, pieces 
 
 /* ---- the whole ---------------------------------------------------------------- */
 
+static bool can_be_written(const char *name, failure *why) {
+  struct stat status;
+  if (stat(name, &status) == 0 && !S_ISREG(status.st_mode))
+    return fail(why, EXIT_BAD_INPUT, "cannot write '%s': not a file", name);
+  char *target = output_target(name, why);
+  free(target);
+  return target != NULL;
+}
+
 /* Before hours of work. */
 static bool check_names(const bake_job *job, failure *why) {
   if (job->ground->count > 1 && !bake_has_udim(job->path))
@@ -112,11 +122,7 @@ static bool check_names(const bake_job *job, failure *why) {
   for (uint32_t i = 0; ok && i < job->outputs->file_count; i++) {
     int udim = job->ground->tiles ? job->ground->tiles[0] : 1001;
     char *name = bake_file_name(job->path, udim, job->outputs->files[i].output);
-    struct stat status;
-    if (!name)
-      ok = out_of_memory(why);
-    else if (stat(name, &status) == 0 && !S_ISREG(status.st_mode))
-      ok = fail(why, EXIT_BAD_INPUT, "cannot write '%s': not a file", name);
+    ok = name ? can_be_written(name, why) : out_of_memory(why);
     free(name);
   }
   return ok;

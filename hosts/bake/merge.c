@@ -14,6 +14,7 @@
 #include "describe_job.h"
 #include "units.h"
 #include "names.h"
+#include "output_file.h"
 #include "progress.h"
 #include "writer.h"
 
@@ -62,6 +63,45 @@ static bool write_unit(merging *m, const bake_unit *u, failure *why) {
   return true;
 }
 
+static bool cannot_write(const char *name, int error, failure *why) {
+  return fail(why, EXIT_FAILURE, "cannot write '%s': %s", name, strerror(error));
+}
+
+static bool copy_bytes(FILE *from, FILE *to) {
+  char room[1 << 16];
+  size_t count;
+  while ((count = fread(room, 1, sizeof room, from)) > 0)
+    if (fwrite(room, 1, count, to) != count) return false;
+  return !ferror(from);
+}
+
+/* To another file system, where a link leads to one. */
+static bool copy_to(const char *from_name, const char *name, failure *why) {
+  output_file o;
+  if (!output_begin(&o, name, why)) return false;
+  FILE *from = fopen(from_name, "rb"), *to = from ? fopen(o.writing, "wb") : NULL;
+  bool ok = to && copy_bytes(from, to);
+  int error = errno;
+  if (to && fclose(to) != 0 && ok) {
+    error = errno;
+    ok = false;
+  }
+  if (from) fclose(from);
+  if (ok) return output_commit(&o, why);
+  output_discard(&o);
+  return cannot_write(name, error, why);
+}
+
+static bool move_to(const char *from, const char *name, failure *why) {
+  char *target = output_target(name, why);
+  if (!target) return false;
+  bool moved = rename(from, target) == 0;
+  int error = moved ? 0 : errno;
+  free(target);
+  if (error == EXDEV) return copy_to(from, name, why);
+  return moved || cannot_write(name, error, why);
+}
+
 static bool give_names(merging *m, uint32_t picture, failure *why) {
   const bake_job *job = m->job;
   bool ok = true;
@@ -69,11 +109,7 @@ static bool give_names(merging *m, uint32_t picture, failure *why) {
     int udim = job->ground->tiles ? job->ground->tiles[picture] : 1001;
     char *name = bake_file_name(job->path, udim, job->outputs->files[i].output);
     if (!name) return out_of_memory(why);
-    /* What a link points to is replaced, and not the link. */
-    char *real = realpath(name, NULL);
-    if (rename(m->growing[i], real ? real : name) != 0)
-      ok = fail(why, EXIT_FAILURE, "cannot write '%s': %s", name, strerror(errno));
-    free(real);
+    ok = move_to(m->growing[i], name, why);
     free(name);
   }
   return ok;

@@ -7,6 +7,7 @@
 #include "bake.h"
 #include "cancel.h"
 #include "options.h"
+#include "output_file.h"
 #include "pin.h"
 #include "progress.h"
 #include "report.h"
@@ -117,7 +118,7 @@ static bool work(const bench_options *o, choice *c, failure *why) {
 }
 
 int main(int argc, char **argv) {
-  signal(SIGPIPE, SIG_IGN); /* a closed pipe is a failed write, and reported as one */
+  signal(SIGPIPE, SIG_IGN); /* a closed pipe is a failed write: what is half made is taken away */
   cancel_install();
   bench_options o;
   failure why = {.exit_code = EXIT_FAILURE};
@@ -129,10 +130,9 @@ int main(int argc, char **argv) {
     ok = c.items ? work(&o, &c, &why) : fail(&why, EXIT_FAILURE, "out of memory");
     free(c.items);
   }
-  if (ok && (fflush(stdout) != 0 || ferror(stdout)))
-    ok = fail(&why, EXIT_FAILURE, "cannot write to standard output");
+  ok = ok && output_printed(&why);
   progress_clear();
-  if (!ok) fprintf(stderr, "sozai-bench: %s\n", why.text);
+  if (!ok && why.exit_code != EXIT_CLOSED_PIPE) fprintf(stderr, "sozai-bench: %s\n", why.text);
   cancel_end();
   return ok ? 0 : why.exit_code;
 }

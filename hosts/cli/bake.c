@@ -171,7 +171,7 @@ static bool bake_texture(bake_job *job, session *s, const recipe *r, const reque
 }
 
 static bool bake_recipe(session *s, recipe *r, const request *q, failure *why) {
-  const sozai_texture_info *info = recipe_info(r, s->plugin.textures, why);
+  const sozai_texture_info *info = recipe_info(r, s->plugin.textures, s->plugin.geometry, why);
   sozai_texture *texture = NULL;
   if (!info || !set_surface(r, q, why) || !saw(r, q, info, why) ||
       !recipe_create(r, s->plugin.textures, &s->host.abi, &texture, why))

@@ -52,7 +52,7 @@ static bool ask_recipe(colour_report *r, const session *s, const session_options
   r->uses = calloc(1, sizeof *r->uses);
   if (!r->uses) return fail(why, EXIT_FAILURE, "out of memory");
   if (!session_recipe(&q, name, o, why)) return false;
-  const sozai_texture_info *info = recipe_info(&q, s->plugin.textures, why);
+  const sozai_texture_info *info = recipe_info(&q, s->plugin.textures, s->plugin.geometry, why);
   r->uses[0].what = name;
   r->use_count = 1;
   bool ok = info && check_names(&q, info, why) &&

@@ -66,7 +66,7 @@ int run_describe(int argc, char **argv) {
   if (parsed == OPTIONS_BAD || !plugin_open(&p, &why)) return report(&why);
   recipe r;
   const sozai_texture_info *info = NULL;
-  const sozai_geometry_1 *geometry = p.entry->get_factory(SOZAI_GEOMETRY_1); /* or NULL */
+  const sozai_geometry_1 *geometry = p.geometry;
   const sozai_generator_info *grown = geometry ? geometry->find(name) : NULL;
   if (!as_grown && p.textures->find(name)) grown = NULL;
   if (as_grown && !grown)
@@ -81,7 +81,7 @@ int run_describe(int argc, char **argv) {
     }
   }
   if (!grown && !as_grown && recipe_open(&r, name, &why)) {
-    info = recipe_info(&r, p.textures, &why);
+    info = recipe_info(&r, p.textures, p.geometry, &why);
     if (info && as_json) describe_json(info);
     if (info && !as_json) describe_text(info);
     recipe_free(&r);

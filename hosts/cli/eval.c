@@ -245,7 +245,7 @@ static bool evaluate_named(const char *name, const session_options *shared, cons
   if (ok) {
     job j = {.textures = s.plugin.textures};
     sozai_texture *texture = NULL;
-    j.info = recipe_info(&r, s.plugin.textures, why);
+    j.info = recipe_info(&r, s.plugin.textures, s.plugin.geometry, why);
     ok = j.info && recipe_create(&r, s.plugin.textures, &s.host.abi, &texture, why);
     j.texture = texture;
     ok = ok && evaluate_files(&j, channels, s.host.threads, input, output, why);

@@ -71,7 +71,7 @@ int run_list(int argc, char **argv) {
   if (parsed == OPTIONS_DONE) return 0;
   plugin p;
   if (parsed == OPTIONS_BAD || !plugin_open(&p, &why)) return report(&why);
-  const sozai_geometry_1 *geometry = p.entry->get_factory(SOZAI_GEOMETRY_1); /* or NULL */
+  const sozai_geometry_1 *geometry = p.geometry;
   if (as_json)
     print_json(p.textures, geometry);
   else

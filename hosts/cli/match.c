@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "commands.h"
+#include "ending.h"
 #include "match_report.h"
 #include "numbers.h"
 #include "output_file.h"
@@ -54,8 +55,7 @@ static bool read_crop(request *q, failure *why) {
 }
 
 static bool check_output(const request *q, failure *why) {
-  size_t length = q->output ? strlen(q->output) : 0, tail = strlen(ENDING);
-  if (!q->output || (length > tail && strcmp(q->output + length - tail, ENDING) == 0)) return true;
+  if (!q->output || ends_in(q->output, ENDING)) return true;
   return fail(why, EXIT_BAD_INPUT, "--output: '%s' does not end in " ENDING, q->output);
 }
 

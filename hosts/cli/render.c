@@ -90,7 +90,7 @@ static bool render_to(const render_job *job, const session *s, const request *q,
 }
 
 static bool render_recipe(session *s, recipe *r, const request *q, int kind, failure *why) {
-  const sozai_texture_info *info = recipe_info(r, s->plugin.textures, why);
+  const sozai_texture_info *info = recipe_info(r, s->plugin.textures, s->plugin.geometry, why);
   sozai_texture *texture = NULL;
   if (!info || !recipe_create(r, s->plugin.textures, &s->host.abi, &texture, why)) return false;
   render_job job;
@@ -103,7 +103,7 @@ static bool render_recipe(session *s, recipe *r, const request *q, int kind, fai
 
 static bool saw(recipe *r, const request *q, const session *s, failure *why) {
   if (q->cut) return recipe_set(r, "cut", q->cut, 0, why);
-  const sozai_texture_info *info = recipe_info(r, s->plugin.textures, why);
+  const sozai_texture_info *info = recipe_info(r, s->plugin.textures, s->plugin.geometry, why);
   return info && session_saw(r, info, q->look.shape ? q->look.shape : "board", why);
 }
 

@@ -8,6 +8,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#define MOST_TRIES 10000
+
 static bool cannot(const saw_folder *f, failure *why) {
   return fail(why, EXIT_BAD_INPUT, "--output: cannot write '%s': %s", f->path, strerror(errno));
 }
@@ -16,6 +18,26 @@ static bool join(char out[FOLDER_PATH], const char *folder, const char *name, fa
   int n = snprintf(out, FOLDER_PATH, "%s/%s", folder, name);
   return (n > 0 && n < FOLDER_PATH) ||
          fail(why, EXIT_BAD_INPUT, "--output: '%.80s...' is too long a path", folder);
+}
+
+/* Within the folder or, where that is not there yet, beside it. Its name is its own, since the
+ * folder's may be as long as names can be; one that another has, or has left, is passed over. */
+static bool make_working(saw_folder *f, failure *why) {
+  const char *slash = strrchr(f->path, '/');
+  int length = f->existed ? (int)strlen(f->path) : slash ? (int)(slash - f->path) : -1;
+  for (int i = 0; i < MOST_TRIES; i++) {
+    int n = length < 0 ? snprintf(f->working, FOLDER_PATH, ".saw-%ld-%d", (long)getpid(), i)
+                       : snprintf(f->working, FOLDER_PATH, "%.*s/.saw-%ld-%d", length, f->path,
+                                  (long)getpid(), i);
+    if (n < 0 || n >= FOLDER_PATH) {
+      f->working[0] = '\0';
+      return fail(why, EXIT_BAD_INPUT, "--output: '%.80s...' is too long a path", f->path);
+    }
+    if (mkdir(f->working, 0777) == 0) return true;
+    if (errno != EEXIST) break;
+  }
+  f->working[0] = '\0';
+  return cannot(f, why);
 }
 
 bool saw_folder_begin(saw_folder *f, const char *path, failure *why) {
@@ -27,20 +49,10 @@ bool saw_folder_begin(saw_folder *f, const char *path, failure *why) {
   memcpy(f->path, path, length);
   struct stat status;
   f->existed = stat(f->path, &status) == 0;
+  if (!f->existed && errno != ENOENT) return cannot(f, why);
   if (f->existed && !S_ISDIR(status.st_mode))
     return fail(why, EXIT_BAD_INPUT, "--output: '%s' is there and is no folder", f->path);
-  const char *slash = strrchr(f->path, '/');
-  int before = slash ? (int)(slash + 1 - f->path) : 0;
-  int n = f->existed ? snprintf(f->working, FOLDER_PATH, "%s/.saw.%ld", f->path, (long)getpid())
-                     : snprintf(f->working, FOLDER_PATH, "%.*s.%s.%ld", before, f->path,
-                                f->path + before, (long)getpid());
-  if (n < 0 || n >= FOLDER_PATH) {
-    f->working[0] = '\0';
-    return fail(why, EXIT_BAD_INPUT, "--output: '%.80s...' is too long a path", f->path);
-  }
-  if (mkdir(f->working, 0777) == 0) return true;
-  f->working[0] = '\0';
-  return cannot(f, why);
+  return make_working(f, why);
 }
 
 bool saw_folder_file(const saw_folder *f, const char *name, char out[FOLDER_PATH], failure *why) {

@@ -7,10 +7,13 @@
 
 typedef struct output_file {
   char *path;    /* where the file will be */
-  char *writing; /* the name to write to: in the same folder, with the same ending */
+  char *writing; /* the name to write to: hidden, in the same folder, with the ending asked for */
   bool in_place; /* a device or a pipe: written directly, never renamed over or removed */
 } output_file;
 
+/* The file that path stands for: where it is a link what that points to, there or not, so
+ * that it is replaced and not the link. To be freed; NULL: none can be there, as why says. */
+char *output_target(const char *path, failure *why);
 /* Also checks that the folder can be written, before hours of work. */
 bool output_begin(output_file *o, const char *path, failure *why);
 /* Give the file its name. Ends the output either way. */
@@ -23,7 +26,8 @@ void output_discard(output_file *o);
 
 /* Whether what was printed to standard output was taken; if not, that is said. */
 bool output_printed(failure *why);
-/* It was not: say so, or nothing of a pipe that nobody reads any more. Always false. */
+/* It was not, as errno says: say so, or nothing of a pipe that nobody reads any more. Always false.
+ */
 bool output_unprinted(failure *why);
 
 #endif

@@ -59,6 +59,7 @@ static bool open_found(plugin *p, const char *library, failure *why) {
     plugin_close(p);
     return false;
   }
+  p->geometry = p->entry->get_factory(SOZAI_GEOMETRY_1);
   return true;
 }
 

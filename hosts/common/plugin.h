@@ -11,6 +11,7 @@ typedef struct plugin {
   char *path;
   const sozai_entry_v1 *entry;
   const sozai_textures_1 *textures;
+  const sozai_geometry_1 *geometry; /* NULL: an older plugin, without it */
 } plugin;
 
 /* Load $SOZAI_PLUGIN if that is set, else the sozai.so that belongs to this

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include "numbers.h"
 #include "utf8.h"
 #include "ceilings.h"
@@ -136,18 +137,21 @@ static bool apply_overrides(recipe *r, const char *query, failure *why) {
   return ok;
 }
 
+size_t recipe_file_length(const char *name) {
+  size_t tail = strlen(ENDING), length = strlen(name);
+  for (const char *at = name; (at = strchr(at, ENDING[0])); at++)
+    if (strncasecmp(at, ENDING, tail) == 0 && at[tail] == '?') return (size_t)(at - name) + tail;
+  return length >= tail && strcasecmp(name + length - tail, ENDING) == 0 ? length : 0;
+}
+
 bool recipe_open(recipe *r, const char *name, failure *why) {
   memset(r, 0, sizeof *r);
-  const char *query = strstr(name, ENDING "?");
-  if (query) query += strlen(ENDING);
-  size_t length = query ? (size_t)(query - name) : strlen(name);
-  bool is_file = length >= strlen(ENDING) &&
-                 strncmp(name + length - strlen(ENDING), ENDING, strlen(ENDING)) == 0;
+  size_t length = recipe_file_length(name);
   bool ok;
-  if (is_file) {
+  if (length > 0) {
     r->file = strndup(name, length);
     ok = r->file ? recipe_read_file(r, r->file, why) : out_of_memory(why);
-    if (ok && query) ok = apply_overrides(r, query + 1, why);
+    if (ok && name[length]) ok = apply_overrides(r, name + length + 1, why);
   } else
     ok = set_string(&r->material, name, why);
   if (!ok) recipe_free(r);
@@ -179,8 +183,33 @@ static const sozai_texture_info *preset_owner(const sozai_textures_1 *textures, 
   return NULL;
 }
 
+static bool has_preset(const sozai_generator_info *g, const char *name) {
+  for (uint32_t k = 0; k < g->preset_count; k++)
+    if (strcmp(g->presets[k]->id, name) == 0) return true;
+  return false;
+}
+
+/* What the name is of, where it is no material's. */
+static void add_hint(char hint[200], const recipe *r, const sozai_textures_1 *textures,
+                     const sozai_geometry_1 *geometry) {
+  const char *name = r->material;
+  const sozai_texture_info *of = preset_owner(textures, name);
+  if (of)
+    snprintf(hint, 200,
+             r->file ? ", which is a preset: material: %s, preset: %.80s"
+                     : ", which is a preset: %s --preset %.80s",
+             of->id, name);
+  for (uint32_t i = 0; !of && geometry && i < geometry->count(); i++) {
+    const sozai_generator_info *g = geometry->info(i);
+    if (strcmp(g->id, name) == 0)
+      snprintf(hint, 200, ", which is grown: sozai grow %.80s", name);
+    else if (has_preset(g, name))
+      snprintf(hint, 200, ", which is grown: sozai grow %.80s --preset %.80s", g->id, name);
+  }
+}
+
 const sozai_texture_info *recipe_info(const recipe *r, const sozai_textures_1 *textures,
-                                      failure *why) {
+                                      const sozai_geometry_1 *geometry, failure *why) {
   const sozai_texture_info *info = textures->find(r->material);
   if (info) return info;
   char known[512] = "";
@@ -188,13 +217,8 @@ const sozai_texture_info *recipe_info(const recipe *r, const sozai_textures_1 *t
     size_t used = strlen(known);
     snprintf(known + used, sizeof known - used, "%s%s", i ? ", " : "", textures->info(i)->id);
   }
-  const sozai_texture_info *of = preset_owner(textures, r->material);
   char hint[200] = "";
-  if (of)
-    snprintf(hint, sizeof hint,
-             r->file ? ", which is a preset: material: %s, preset: %.80s"
-                     : ", which is a preset: %s --preset %.80s",
-             of->id, r->material);
+  add_hint(hint, r, textures, geometry);
   fail(why, EXIT_BAD_INPUT, "%s%sunknown material '%s'%s; there is %s", r->file ? r->file : "",
        r->file ? ": " : "", r->material, hint, known);
   return NULL;
@@ -230,7 +254,7 @@ static bool settle_paths(recipe *r, const sozai_texture_info *info, failure *why
 }
 
 bool recipe_settle(recipe *r, const sozai_textures_1 *textures, failure *why) {
-  const sozai_texture_info *info = recipe_info(r, textures, why);
+  const sozai_texture_info *info = recipe_info(r, textures, NULL, why);
   return info && settle_paths(r, info, why);
 }
 

@@ -40,6 +40,9 @@ typedef struct recipe {
   recipe_image image;
 } recipe;
 
+/* Of a name that is a .sozai file's, in capitals or not: the bytes of the path, which may go on
+ * in "?"; 0: it is none. */
+size_t recipe_file_length(const char *name);
 /* name: a material's id, or the path of a .sozai file, which may go on in
  * "?key=value&...": the image's keys ("res" stands for its resolution), "preset",
  * and parameters. */
@@ -57,9 +60,9 @@ bool recipe_sets(const recipe *r, const char *id);
 /* That parameter of a texture, or NULL. */
 const sozai_parameter *parameter_of(const sozai_texture_info *info, const char *id);
 
-/* The kind of texture it names. */
+/* The kind of texture it names. geometry: for a hint where it names what is grown; may be NULL. */
 const sozai_texture_info *recipe_info(const recipe *r, const sozai_textures_1 *textures,
-                                      failure *why);
+                                      const sozai_geometry_1 *geometry, failure *why);
 /* Relative paths among the file's parameters start from its folder: make them
  * whole. recipe_create does this first. */
 bool recipe_settle(recipe *r, const sozai_textures_1 *textures, failure *why);

@@ -322,7 +322,7 @@ bool match_run(match_result *out, recipe *r, const match_material *m, photo *p, 
                const colour *c, failure *why) {
   memset(out, 0, sizeof *out);
   matching all = {.out = out, .recipe = r, .photo = p, .board = b, .colour = c};
-  all.info = recipe_info(r, b->textures, why);
+  all.info = recipe_info(r, b->textures, NULL, why);
   if (!all.info) return false;
   out->material = match_material_of(m, all.info);
   all.roles = match_role_count(&out->material);

@@ -52,16 +52,10 @@ static bool open_parts(picture *p, failure *why) {
   return true;
 }
 
-static bool is_sozai(const char *name) {
-  static const char ending[] = ".sozai";
-  const char *query = strstr(name, ".sozai?");
-  size_t length = strlen(name), least = sizeof ending - 1;
-  return query || (length >= least && strcmp(name + length - least, ending) == 0);
-}
-
 bool picture_open(picture **out, const char *name, failure *why) {
   *out = NULL;
-  if (!is_sozai(name)) return fail(why, EXIT_BAD_INPUT, "%.200s: not a .sozai file", name);
+  if (recipe_file_length(name) == 0)
+    return fail(why, EXIT_BAD_INPUT, "%.200s: not a .sozai file", name);
   if (!limits_check(HOST_LIMIT_QUERY_BYTES, strlen(name), "a file's name", why)) return false;
   picture *p = calloc(1, sizeof *p);
   if (!p) return fail(why, EXIT_FAILURE, "out of memory");

@@ -25,9 +25,15 @@ static corners corners_of(const mesh *m, uint32_t triangle) {
   return c;
 }
 
-static bool usable(const corners *c) {
+static bool has_numbers(const corners *c) {
   for (int k = 0; k < 3; k++)
-    if (!(fabs(c->u[k]) <= MOST_UV && fabs(c->v[k]) <= MOST_UV)) return false;
+    if (isnan(c->u[k]) || isnan(c->v[k])) return false;
+  return true;
+}
+
+static bool in_range(const corners *c) {
+  for (int k = 0; k < 3; k++)
+    if (fabs(c->u[k]) > MOST_UV || fabs(c->v[k]) > MOST_UV) return false;
   return true;
 }
 
@@ -107,8 +113,10 @@ static uint32_t choose(atlas *a, uint32_t *keep) {
   a->counts.triangles = a->mesh.triangle_count;
   for (uint32_t i = 0; i < a->mesh.triangle_count; i++) {
     corners c = corners_of(&a->mesh, i);
-    if (!usable(&c))
+    if (!has_numbers(&c))
       a->counts.without++;
+    else if (!in_range(&c))
+      a->counts.afar++;
     else if (!has_area(&c))
       a->counts.degenerate++;
     else if (!in_some_tile(&c))
@@ -204,6 +212,7 @@ bool atlas_warning(const atlas *a, char *text, size_t size) {
     uint32_t count;
     const char *what;
   } rows[] = {{a->counts.without, "without UVs"},
+              {a->counts.afar, "with UVs past 1000000"},
               {a->counts.degenerate, "without area in UV space"},
               {a->counts.outside, "outside every UDIM tile"},
               {a->counts.hidden, "lying over earlier ones, which are shown instead"}};

@@ -38,7 +38,8 @@ const mesh *atlas_mesh(const atlas *a);
 
 typedef struct atlas_counts {
   uint32_t triangles;  /* of the mesh; the rest are counts of these */
-  uint32_t without;    /* left out: no UVs, or UVs that are no numbers or past 1e6 */
+  uint32_t without;    /* left out: UVs that are no numbers, as of a corner that has none */
+  uint32_t afar;       /* left out: UVs past 1e6, where a float has no room for texels */
   uint32_t degenerate; /* left out: no area in UV space */
   uint32_t outside;    /* left out: no part of it lies in a tile */
   uint32_t hidden;     /* its middle lies under an earlier triangle, which is shown there */

@@ -166,8 +166,7 @@ static bool judge(const settings *s, result *results, uint32_t count, bool *pass
       text_end(stdout, &t);
     else
       report_json(stdout, &head, results, count);
-    good = fflush(stdout) == 0 && !ferror(stdout);
-    if (!good) fail(why, EXIT_FAILURE, "cannot write standard output");
+    good = output_printed(why);
   }
   if (good)
     return report_end(&json, &head, results, count, why) &&
@@ -189,7 +188,7 @@ int main(int argc, char **argv) {
   if (parsed == OPTIONS_BAD) return report(&why);
   if (s.list) {
     text_list(stdout);
-    return fflush(stdout) == 0 && !ferror(stdout) ? 0 : EXIT_FAILURE;
+    return output_printed(&why) ? 0 : report(&why);
   }
   result *results = NULL;
   uint32_t count = 0;

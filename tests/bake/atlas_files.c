@@ -33,11 +33,12 @@ static void useless_uvs_are_counted_and_left_out(void **state) {
   assert_int_equal(c->hidden, 1);
   assert_int_equal(c->degenerate, 2);
   assert_int_equal(c->outside, 2);
-  assert_int_equal(c->without, 1);
+  assert_int_equal(c->without, 0);
+  assert_int_equal(c->afar, 1);
   assert_int_equal(atlas_udim_count(a), 1);
   char text[256];
   assert_true(atlas_warning(a, text, sizeof text));
-  assert_non_null(strstr(text, "of 7 triangles 1 without UVs"));
+  assert_non_null(strstr(text, "of 7 triangles 1 with UVs past 1000000"));
   texels p = texels_of(a, 1001, 20, 20);
   for (int i = 0; i < 400; i++)
     if (p.room.covered[i]) assert_true(p.room.point[2][i] == 0); /* the first of the two */
@@ -93,6 +94,8 @@ static void meshes_of_no_use_are_refused(void **state) {
           (const char *const[]){"line.obj", "1 without area", NULL});
   refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt -1 -1\nvt -1 -2\nvt -2 -2\nf 1/1 2/2 3/3\n", "under.obj",
           (const char *const[]){"under.obj", "outside every UDIM tile", NULL});
+  refused("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1e9 0\nvt 0 1e9\nf 1/1 2/2 3/3\n", "afar.obj",
+          (const char *const[]){"afar.obj", "1 with UVs past 1000000", NULL});
   refused("", "empty.obj", (const char *const[]){"empty.obj", NULL});
   refused("ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nend_header\n0",
           "huge.ply", (const char *const[]){"huge.ply", "4000000000", NULL});

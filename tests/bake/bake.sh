@@ -43,6 +43,20 @@ if command -v oiiotool >/dev/null; then
   check "a level is evaluated at its own texels" "$picture" between level.exr 0 0 reference.x -19.01 -18.99
 fi
 
+# ---- to another file system, through a link -------------------------------------------
+if [[ -w /dev/shm && $(stat -c %d /dev/shm) != "$(stat -c %d .)" ]]; then
+  far=$(mktemp -d -p /dev/shm)
+  ln -s "$far/plane.exr" far.exr
+  for state in "not there yet" "there"; do
+    works bake wood -o far.exr --size 40x20 --res 80x40
+    check "$state: it is where the link leads" cmp plane.exr "$far/plane.exr"
+    check "$state: the link stays" test -L far.exr
+    same "$state: nothing else is left" plane.exr "$(ls -A "$far")"
+    check "$state: nor the pieces" test ! -e far.exr.bake
+  done
+  rm -rf "$far"
+fi
+
 # ---- a .sozai file --------------------------------------------------------------------
 cat >box.sozai <<'YAML'
 material: wood
@@ -138,5 +152,5 @@ head -c 500 box.obj >cut.obj
 refuses 2 "cut.obj" bake wood -o gone.exr --shape cut.obj
 mkdir folder.exr
 refuses 2 "folder.exr|not a file" bake wood -o folder.exr --res 8
-same "nothing is left of them" "" "$(find . -name '*gone*')"
+same "nothing is left of them" "" "$(find . -name '*gone*' -o -name '.sozai-*')"
 finish

@@ -97,6 +97,6 @@ refuses 2 "--look|'cold'|warm, dim" render "${long[@]}" --config other.ocio --lo
 refuses 2 "--view|a PNG|'late.exr'" render wood -o late.exr --res 16384x16384 --view Filmic
 refuses 2 "--view|'Filmic'" figures -o late --view Filmic
 refuses 2 "--display|'Wall'" gallery -o late --display Wall
-same "nothing is made of them" "" "$(find . -name '*late*')"
+same "nothing is made of them" "" "$(find . -name '*late*' -o -name '.sozai-*')"
 cd / || exit 1
 finish

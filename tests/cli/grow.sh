@@ -22,6 +22,13 @@ works list
 check "list says what is grown" grep -q '^tree  .*sozai grow tree' out
 check "and what is not" grep -qx 'wood  Wood' out
 refuses 2 "unknown material 'oak'|wood --preset oak" render oak -o gone.png
+# what `sozai list` shows is pointed at, where it is no material
+printf 'material: tree\n' >tree.sozai
+for words in "render tree -o gone.png" "bake tree -o gone.png" "eval tree" "colour tree" "render tree.sozai -o gone.png"; do
+  read -ra arguments <<<"$words"
+  refuses 2 "unknown material 'tree'|which is grown: sozai grow tree;" "${arguments[@]}" <<<$'px,py,pz\n1,2,3'
+done
+refuses 2 "unknown material 'sugi_paper'|sozai grow tree --preset sugi_paper" render sugi_paper -o gone.png
 
 # ---- a view shows bark by its age, and not its part's colour -------------------------------
 if command -v oiiotool >/dev/null; then
@@ -70,5 +77,5 @@ refuses 2 "--field|'/dev/null'|empty" grow tree --field /dev/null -o gone.obj
 printf 'trunk\n1 2 x 4\n' >bad.field
 refuses 2 "--field: bad.field: line 2|\"x\"" grow tree --field bad.field -o gone.obj
 refuses 2 "--field: bad.field: line 2|\"x\"" saw --field bad.field --wood sugi -o gone
-same "nothing is left of them" "" "$(find . -name '*gone*')"
+same "nothing is left of them" "" "$(find . -name '*gone*' -o -name '.sozai-*')"
 finish

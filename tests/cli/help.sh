@@ -24,11 +24,12 @@ done
 works render wood --spp nonsense --help
 
 if [[ -c /dev/full ]]; then # what is not taken is told
-  for words in --help --version "render --help" "grow fiber --help"; do
+  for words in --help --version "render --help" "grow fiber --help" list "describe wood --json" "validate --list"; do
     read -ra arguments <<<"$words"
     "$sozai" "${arguments[@]}" >/dev/full 2>"$scratch/err"
     same "exit code of: sozai $words, to a full device" 1 "$?"
-    check "and a message" grep -q 'cannot write standard output' "$scratch/err"
+    check "and why: $(<"$scratch/err")" \
+      grep -q 'cannot write standard output: No space left on device' "$scratch/err"
   done
 fi
 # A pipe that nobody reads any more is no mistake of ours.

@@ -33,6 +33,12 @@ same "-p over the file" $'albedo_r,albedo_g,albedo_b\n0.5,0.75,1' "$out"
 works eval "$scratch/whole.sozai?pitch=100&tint=0.25+0.5+%30.75&res=512" --channels albedo <<<"$points"
 same "values in the name" $'albedo_r,albedo_g,albedo_b\n0.25,0.5,0.75' "$out"
 works describe "$scratch/whole.sozai"
+# as a card of some camera or an old share names files
+for name in WHOLE.SOZAI Whole.Sozai; do
+  cp "$scratch/whole.sozai" "$scratch/$name"
+  works describe "$scratch/$name"
+  works eval "$scratch/$name?pitch=100" --channels albedo <<<"$points"
+done
 
 mistake() { # words, then the file from standard input
   recipe bad

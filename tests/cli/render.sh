@@ -160,7 +160,7 @@ done
 refuses 2 "--cut|'end'|-p cut=flat" render wood -o x.png -p cut=flat --cut end
 refuses 2 "cannot write|nowhere" render wood -o nowhere/x.png
 refuses 1 "none.ocio" render wood -o x.png --config none.ocio # the mock has no colour service
-same "nothing is left of them" "" "$(find . -name '*x.png*' -o -name '*x.exr*')"
+same "nothing is left of them" "" "$(find . -name '*x.png*' -o -name '*x.exr*' -o -name '.sozai-*')"
 
 # ---- Ctrl-C --------------------------------------------------------------------
 # It cleans up, and dies of the signal, as whoever started it waits to see.
@@ -169,7 +169,7 @@ begin() { # what SIGINT is to it: default or ignore
     >cancel.out 2>cancel.err &
   pid=$!
   for _ in {1..100}; do
-    [[ -n $(find . -name '.*cancelled.exr') ]] && break
+    [[ -n $(find . -name '.sozai-*.exr') ]] && break
     sleep 0.1
   done
 }
@@ -180,7 +180,7 @@ for signal in INT TERM HUP; do
   code=$?
   same "$signal: exit code when cancelled" "$signal" "$(kill -l "$code")"
   check "$signal: it says so" grep -q cancelled cancel.err
-  same "$signal: nothing is left of it" "" "$(find . -name '*cancelled.exr*')"
+  same "$signal: nothing is left of it" "" "$(find . -name '*cancelled.exr*' -o -name '.sozai-*')"
 done
 begin ignore # as nohup, and a shell's background jobs, have it
 kill -INT "$pid"
@@ -205,13 +205,13 @@ env --default-signal=INT setsid bash -c 'for i in 1 2; do
 done' "$sozai" &
 pid=$!
 for _ in {1..100}; do
-  [[ -n $(find . -name '.*looped.exr') ]] && break
+  [[ -n $(find . -name '.sozai-*.exr') ]] && break
   sleep 0.1
 done
 kill -INT -- "-$pid" # as a terminal does: the shell and what it waits for
 wait "$pid"
 same "a loop's exit code" 130 $?
 check "it did not go on" test ! -e looped.txt
-same "nothing is left of it either" "" "$(find . -name '*looped*')"
+same "nothing is left of it either" "" "$(find . -name '*looped*' -o -name '.sozai-*')"
 cd / || exit 1
 finish

@@ -241,6 +241,14 @@ rm -f code full.txt
 find . | sort | grep -vx -e ./out -e ./err -e ./before -e ./after >after
 same "nothing is left" "" "$(diff before after)"
 
+# ---- a folder's name as long as names can be ---------------------------------------
+
+printf -v name '%255s' ''
+works saw "${quick[@]}" -o "${name// /n}"
+check "its plan is there" test -s "${name// /n}/saw.json"
+rm -rf "${name// /n}"
+same "nothing else is" "" "$(compgen -G '.saw*')"
+
 # ---- stopped ---------------------------------------------------------------------
 
 for signal in INT TERM; do
@@ -249,7 +257,7 @@ for signal in INT TERM; do
   env --default-signal=INT "$sozai" saw "${log[@]}" --res 8000x6000 -o stopped 2>stopped.err &
   pid=$!
   for ((i = 0; i < 600; i++)); do
-    compgen -G '.stopped.*' >nowhere && break
+    compgen -G '.saw-*' >nowhere && break
     sleep 0.05
   done
   check "$signal: the work had begun" test -s nowhere
@@ -258,6 +266,6 @@ for signal in INT TERM; do
   code=$?
   same "$signal: exit code" "$signal" "$(kill -l "$code")"
   check "$signal: says so" grep -q 'cancelled' stopped.err
-  same "$signal: nothing is left" "" "$(find . -name '*stopped*' ! -name stopped.err)"
+  same "$signal: nothing is left" "" "$(find . \( -name '*stopped*' -o -name '.saw-*' \) ! -name stopped.err)"
 done
 finish

@@ -77,6 +77,18 @@ while IFS='|' read -r ending words; do
   rm -rf made
   mkdir made
 
+  # a link to a file that is not there, whose name is as long as a name can be
+  printf -v name '%*s' $((254 - ${#ending})) ''
+  name=${name// /n}.$ending
+  mkdir made/far
+  ln -s "far/$name" "made/link.$ending"
+  works "${arguments[@]}" -o "made/link.$ending"
+  same "a link: what sozai $words leaves" "made/far/$name made/link.$ending" \
+    "$(find made -type l -o -type f -size +0 | sort | paste -sd ' ')"
+  check "a link: sozai $words leaves it a link" test -L "made/link.$ending"
+  rm -rf made
+  mkdir made
+
   # a device that is full
   ln -sf /dev/full "in/full.$ending"
   run_command "${arguments[@]}" -o "in/full.$ending"
@@ -116,6 +128,42 @@ for words in "png|render wood --res 16x16 --spp 1" "exr|bake wood --size 40x20 -
   must_fail "a folder for a file" "in/taken.$ending" "${arguments[@]}" -o "in/taken.$ending"
 done
 
+# ---- links -----------------------------------------------------------------------------
+links() { # those below, in made
+  mkdir made/there made/links
+  ln -s ../there/a.png made/links/first.png
+  ln -s "$PWD/made/links/first.png" made/second.png
+  ln -s none/a.png made/astray.png
+  ln -s there/new/ made/folder.png
+  ln -s round.png made/about.png
+  ln -s about.png made/round.png
+}
+for words in "render wood --res 16x16 --spp 1" "bake wood --size 40x20 --res 80x40"; do
+  read -ra arguments <<<"$words"
+  links
+  find made | sort >before
+  works "${arguments[@]}" -o made/second.png
+  check "from link to link: sozai $words" test -s made/there/a.png
+  rm -f made/there/a.png
+  refuses 2 "'made/astray.png'|'made/none/a.png'|whose folder is not there" "${arguments[@]}" -o made/astray.png
+  refuses 2 "'made/folder.png'|'made/there/new/'|not the name of a file" "${arguments[@]}" -o made/folder.png
+  refuses 2 "'made/about.png'|a link that leads back to itself" "${arguments[@]}" -o made/about.png
+  same "the links are as they were, after sozai $words" "" "$(find made | sort | diff before -)"
+  rm -rf made
+  mkdir made
+done
+# As long as a name can be, and longer.
+printf -v name '%251s' ''
+for words in "render wood --res 16x16 --spp 1" "bake wood --size 40x20 --res 80x40"; do
+  read -ra arguments <<<"$words"
+  works "${arguments[@]}" -o "made/${name// /n}.png"
+  same "all that sozai $words leaves" "made/${name// /n}.png" "$(find made -mindepth 1)"
+  rm -rf made
+  mkdir made
+done
+printf -v name '%252s' ''
+must_fail "too long a name" "File name too long" render wood "${tiny[@]}" -o "made/${name// /n}.png"
+
 # ---- folders of files ------------------------------------------------------------------
 readonly sawn=(saw --species sugi --age 20 --log-length 300 --res 320x320)
 err=$( (
@@ -146,6 +194,9 @@ must_fail "recipe" in/pipe.sozai eval in/pipe.sozai --input in/points.csv -o mad
 printf 'material: wood\nparams: {section: loop.sozai}\n' >in/loop.sozai
 OIIO_LIBRARY_PATH=${SOZAI_PLUGIN%/*} must_fail "itself" loop.sozai \
   render in/loop.sozai -o made/a.png "${tiny[@]}"
+printf 'material: wood\nparams: {section: LOOP.SOZAI}\n' >in/LOOP.SOZAI
+OIIO_LIBRARY_PATH=${SOZAI_PLUGIN%/*} must_fail "itself" "LOOP.SOZAI: a .sozai file" \
+  render in/LOOP.SOZAI -o made/a.png "${tiny[@]}"
 works render wood -o made/a.png "${tiny[@]}" --shape in/mesh.obj
 rm -f made/a.png
 for from in in/none.obj in/folder.obj in/pipe.obj; do
@@ -171,6 +222,21 @@ for from in in/none.field in/folder.field; do
 done
 head -c 30 in/tree.field >in/cut.field
 must_fail "field cut short" "field" grow tree --field in/cut.field -o made/a.obj
+
+# A full disk where pictures are kept is nobody's mistake, and says so by its code.
+for words in "render wood --res 16x16 --spp 1 -o made/a.png" "eval wood --input in/points.csv" \
+  "bake wood --size 4x2 --res 8x4 -o made/a.png"; do
+  read -ra arguments <<<"$words"
+  err=$( (
+    ulimit -f 64
+    "$sozai" "${arguments[@]}" -p section=in/photo.png 2>&1 >/dev/null
+    echo "exit $?"
+  ) | cat)
+  same "no room for pictures: exit code of sozai $words" 1 "${err##*exit }"
+  check "no room for pictures: sozai $words says so: $err" grep -q "section: no room for .* of pictures in" <<<"$err"
+  rm -rf made
+  mkdir made
+done
 
 # ---- what goes while it is wanted -------------------------------------------------------
 # a share of a bake, gone before they are put together

@@ -31,6 +31,13 @@ holds() { # what, word...
   done
 }
 
+# ---- a name in capitals
+cp "$file" "$scratch/KEYAKI.SOZAI"
+tool iinfo "$scratch/KEYAKI.SOZAI"
+holds "KEYAKI.SOZAI" "512 x  512, 3 channel, float sozai"
+tool iinfo "$scratch/KEYAKI.SOZAI?res=64"
+holds "KEYAKI.SOZAI?res=64" "64 x   64, 3 channel, float sozai"
+
 # ---- iinfo
 tool iinfo -v "$file"
 holds "iinfo" "512 x  512, 3 channel, float sozai" "channel list: R, G, B" "tile size: 64 x 64" \

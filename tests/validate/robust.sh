@@ -119,7 +119,7 @@ EOF
 # ---- a full disk
 if [[ -e /dev/full ]]; then
   "$program" "$plugin" --only '^symbols' >/dev/full 2>"$scratch/err" && wrong "a full disk is no failure"
-  grep -q 'cannot write standard output' "$scratch/err" || wrong "a full disk: $(<"$scratch/err")"
+  grep -q 'cannot write standard output: No space left on device' "$scratch/err" || wrong "a full disk: $(<"$scratch/err")"
 fi
 # ---- restricted to a texture, everything else is skipped or passed
 "$program" "$plugin" --texture plain --seed 1 >"$scratch/out" || wrong "--texture plain fails"
