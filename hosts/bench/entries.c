@@ -6,6 +6,7 @@
 #define FULL_ON(set) FULL("wood.full.batch1024@" set, 1024, set), \
   FULL("wood.full.batch16@" set, 16, set), FULL("wood.full.batch1@" set, 1, set)
 #define ALONE(label, ...) {.name = "wood." label ".batch1024", .batch = 1024, __VA_ARGS__}
+#define MASKED(label, inactive) ALONE("masked_" label, .masked = (inactive) + 1)
 #define CHANNEL(id) ALONE(id, .channel = id)
 #define GRAIN(id) ALONE("grain_" id, .channel = "albedo", .wood = {.grain = id})
 #define POROSITY(id) ALONE("porosity_" id, .channel = "albedo", .wood = {.porosity = id})
@@ -53,6 +54,9 @@ const entry entries[] = {
     FULL_ON("neon"),
 #endif
     FULL_ON("scalar"),
+    MASKED("none", 0),
+    MASKED("half", 50),
+    MASKED("all", 100),
     CHANNEL("albedo"),
     CHANNEL("radiance"),
     CHANNEL("fiber"),

@@ -28,6 +28,7 @@ typedef struct entry {
   uint32_t batch;
   float footprint;     /* mm; 0: a texel */
   const char *channel; /* NULL: all */
+  uint32_t masked;     /* 0: none is; of a hundred points the inactive, scattered, and one more */
   wood wood;
   tile_kind tile;
   const char *tree; /* the preset, 7 years old, all four orders */

@@ -128,6 +128,7 @@ static bool open_walk(job *j, int which, uint32_t batch, failure *why) {
                     .texture = j->texture,
                     .components = wood_components(&e->wood, &j->bench->plugin),
                     .edge = e->wood.edge,
+                    .masked = e->masked,
                     .board = &j->bench->board,
                     .batch = batch,
                     .footprint = e->footprint > 0 ? e->footprint : TEXEL_MM};

@@ -14,7 +14,8 @@ typedef struct walk_plan {
   const board *board;
   uint32_t batch; /* points at a time, at most LARGEST_BATCH */
   float footprint;
-  bool edge; /* the plane x, z, from -y */
+  bool edge;       /* the plane x, z, from -y */
+  uint32_t masked; /* see entry.masked */
 } walk_plan;
 
 /* A thread's own inputs and outputs: small enough to stay in its cache, as a

@@ -67,8 +67,8 @@ bool session_recipe(recipe *r, const char *name, const session_options *o, failu
 bool session_saw(recipe *r, const sozai_texture_info *info, const char *shape, failure *why) {
   bool face = strcmp(shape, "board") == 0 || strcmp(shape, "plane") == 0;
   if (!face || r->file || recipe_sets(r, "cut") || !parameter_of(info, "cut")) return true;
-  if (!recipe_sets(r, "cut_distance") && !recipe_set(r, "cut_distance", BOARD_FROM_PITH, 0, why))
-    return false;
+  bool far = !recipe_sets(r, "cut_distance") && parameter_of(info, "cut_distance");
+  if (far && !recipe_set(r, "cut_distance", BOARD_FROM_PITH, 0, why)) return false;
   return recipe_set(r, "cut", "flat", 0, why);
 }
 

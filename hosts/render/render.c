@@ -40,7 +40,8 @@ static int32_t find(const sozai_texture_info *info, const char *id, uint32_t com
   return -1;
 }
 
-static void find_sky(tile_context *c) {
+static void find_channels(tile_context *c) {
+  c->coverage = find(c->info, "coverage", 1);
   c->occlusion = find(c->info, "occlusion", 1);
   c->normal = find(c->info, "normal", 3);
   c->roughness = find(c->info, "roughness", 1);
@@ -64,7 +65,7 @@ static bool run_tiles(const render_job *job, const scene *s, const sozai_texture
                         .radiance = find(info, "radiance", 3)},
             .tiles = tile_count(out),
             .lock = PTHREAD_MUTEX_INITIALIZER};
-  find_sky(&w.context);
+  find_channels(&w.context);
   parallel_for(job->threads, w.tiles, run_tile, &w);
   if (!job->quiet) progress_clear();
   if (atomic_load(&w.failed)) *why = w.why;

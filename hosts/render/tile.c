@@ -45,6 +45,7 @@ static uint32_t wanted_components(const tile_context *c, bool *wanted) {
     wanted[c->occlusion] = wanted[c->roughness] = wanted[c->specular] = true;
     for (int32_t k = 0; k < 3; k++) wanted[c->normal + k] = true;
   }
+  if (c->coverage >= 0) wanted[c->coverage] = true;
   for (uint32_t i = 0; i < c->film->components; i++)
     wanted[c->film->channel_of[i]->first + c->film->component_of[i]] = true;
   for (uint32_t i = 0; i < c->info->component_count; i++) count += wanted[i];
@@ -170,6 +171,16 @@ static vec sky_light(const tile *t, uint32_t at, vec albedo) {
   return vec_along(sum, f * occlusion, studio_mirrored(c->studio, c->scene, mirror));
 }
 
+/* A matt card under what does not cover all: strands over nothing were strands over black. */
+static vec card(const tile *t, uint32_t at) {
+  const tile_context *c = t->c;
+  float bare = c->coverage < 0 ? 0 : NEUTRAL * (1 - t->out[c->coverage][at]);
+  vec n = {t->input[3][at], t->input[4][at], t->input[5][at]};
+  float slope = fmaxf(0, vec_dot(n, c->studio->light));
+  vec lit = vec_along(t->fill[at], t->key[at] * slope, c->studio->light_colour);
+  return vec_scale(bare, lit);
+}
+
 static void add_up(const tile *t) {
   const tile_context *c = t->c;
   film *f = c->film;
@@ -184,6 +195,7 @@ static void add_up(const tile *t) {
     }
     float *beauty = beauty_of(t, t->pixel[at]);
     add(beauty, vec_add(vec_scale(t->key[at], radiance), sky_light(t, at, albedo)));
+    if (c->coverage >= 0) add(beauty, card(t, at));
     float *layers = f->layers + (size_t)(beauty - f->beauty) / 3 * f->components;
     for (uint32_t i = 0; i < f->components; i++)
       layers[i] += t->out[f->channel_of[i]->first + f->component_of[i]][at];

@@ -29,7 +29,7 @@ wood_irregular wood_irregular_of(double amount, double length, double variance) 
 #define BOLT_LEAST 12.0    /* mm */
 #define BOLT_MOST 100000.0 /* mm: longer than any tree */
 #define BOLT_UNEVEN 20.0   /* mm: how far a bolt's end strays to either side, */
-#define BOLT_STRAYS 0.7   /* and of its length at most: what is next to it, too */
+#define BOLT_STRAYS 0.7    /* and of its length at most: what is next to it, too */
 
 /* See bolt.h: how far fibres part, per mm of height and of radius. */
 static void build_bolts(wood_constants *w) {

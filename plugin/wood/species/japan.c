@@ -91,7 +91,7 @@ static const sozai_value values_mizunara[] = {
     NUMBER("fibre_brightness", 0.13),
     SRGB("earlywood_colour", 203, 171, 128),
     SRGB("latewood_colour", 180, 144, 100),
-    SRGB("vessel_colour", 161, 130, 92),
+    SRGB("vessel_colour", 165, 135, 96),
     BETWEEN(0.4),
     SOFT_BANDS(20.0, 0.18, 0.6),
     SRGB("parenchyma_colour", 197, 165, 122),

@@ -222,7 +222,7 @@ static void build_checks(wood_surface *m, const surface_finish *f, const setting
   /* of many sizes, most of them small */
   tubes_met(&m->checks, r, number_at(s, P_CHECK_LENGTH), 0.3, count);
   m->check_depth = (float)(f->check_depth > 0.0 ? f->check_depth : 0.5);
-  m->check_dark = 0.55f;
+  m->check_dark = 0.45f;
   m->stains = 1;
 }
 

@@ -191,17 +191,6 @@ INLINE void relief_vessels(const wood_constants *w, const surface_place *p, surf
   }
 }
 
-/* How dark a check is, by its depth: steep-walled, it is nearly as dark beside its edge as in its
- * middle. Where a footprint has blurred it away, what that comes to over its width. left: how much
- * is not blurred. */
-#define CHECK_STEEP 0.3f
-#define CHECK_BLURRED 1.8f
-INLINE vf check_dark(vf depth, vf left) {
-  const vf steep = splat(CHECK_STEEP);
-  vf sharp = splat(1.0f + CHECK_STEEP) * depth / (depth + steep);
-  return mix(splat(CHECK_BLURRED) * depth, sharp, left);
-}
-
 INLINE void relief_checks(const wood_constants *w, const surface_place *p, surface_relief *r,
                           surface_shade *s) {
   const wood_surface *m = &w->surface;
@@ -217,7 +206,7 @@ INLINE void relief_checks(const wood_constants *w, const surface_place *p, surfa
   float share = RELIEF_CHECKED * m->checks.mean;
   slopes_steep(&r->lost, splat(share), one - left,
                slope * slope * relief_square(p, &p->stem, m->checks.slope2, share));
-  r->dark = vmin(r->dark + splat(m->check_dark) * check_dark(g.depth, left), one);
+  r->dark = vmin(r->dark + splat(m->check_dark) * g.depth, one);
   if (!s) return;
   vf x, z;
   relief_way(&p->stem, s, &x, &z);
