@@ -51,11 +51,20 @@ works render wood --preset keyaki -o "$scratch/shown.png" --res 64x48 --spp 4
 works render wood --preset keyaki -o "$scratch/raw.png" --res 64x48 --spp 4 --view Raw
 check "the view is the display's" not cmp -s "$scratch/shown.png" "$scratch/raw.png"
 # A board of the command line is sawn, and baked as it is rendered.
-for cut in '' cut=flat cut=log; do
-  works bake wood --shape board --size 60x40x20 --res 32 ${cut:+-p "$cut"} -o "$scratch/board$cut.exr"
+for shape in board plane; do
+  size=60x40
+  if [[ $shape == board ]]; then size=60x40x20; fi
+  bake() { works bake wood --shape $shape --size $size --res 32 "${@:2}" -o "$scratch/$shape$1.exr"; }
+  bake ''
+  bake -flat -p cut=flat -p cut_distance=100
+  bake cut=log -p cut=log
+  check "bake: a $shape is sawn flat" cmp -s "$scratch/$shape.exr" "$scratch/$shape-flat.exr"
+  check "unless it is said how" not cmp -s "$scratch/$shape.exr" "$scratch/${shape}cut=log.exr"
 done
-check "bake: a board is sawn flat" cmp -s "$scratch/board.exr" "$scratch/boardcut=flat.exr"
-check "unless it is said how" not cmp -s "$scratch/board.exr" "$scratch/boardcut=log.exr"
+works render wood -o "$scratch/plane-by-itself.exr" --shape plane --camera front --size 60x40 --res 48x32 --spp 1
+works render wood -o "$scratch/plane-sawn.exr" --shape plane --camera front --size 60x40 --res 48x32 --spp 1 \
+  -p cut=flat -p cut_distance=100
+check "and rendered so" "$picture" same "$scratch/plane-by-itself.exr" "$scratch/plane-sawn.exr"
 printf 'material: wood\nsurface: {shape: board, size: [60, 40, 20]}\nimage: {resolution: 32}\n' >"$scratch/board.sozai"
 works bake "$scratch/board.sozai" -o "$scratch/file.exr"
 check "and a file's is as any host sees it" cmp -s "$scratch/file.exr" "$scratch/boardcut=log.exr"
