@@ -33,6 +33,8 @@ static void run_tile(void *context, uint32_t index) {
   if (!w->context.job->quiet) progress_show((float)done / (float)w->tiles, "rendering");
 }
 
+#define MOST_COMPONENTS 64
+
 static int32_t find(const sozai_texture_info *info, const char *id, uint32_t components) {
   for (uint32_t i = 0; i < info->channel_count; i++)
     if (strcmp(info->channels[i]->id, id) == 0 && info->channels[i]->components == components)
@@ -47,6 +49,26 @@ static void find_channels(tile_context *c) {
   c->roughness = find(c->info, "roughness", 1);
   c->specular = find(c->info, "specular", 1);
   if (c->normal < 0 || c->roughness < 0 || c->specular < 0) c->occlusion = -1;
+}
+
+#define AFAR 1e4f /* mm: the widest footprint there is */
+
+/* What of a face is not covered, over all. */
+static float find_gaps(const tile_context *c) {
+  const float zero = 0, one = 1, afar = AFAR;
+  float covered = 0, *out[MOST_COMPONENTS] = {NULL};
+  if (c->coverage < 0 || c->coverage >= MOST_COMPONENTS) return 0;
+  out[c->coverage] = &covered;
+  const sozai_batch batch = {.size = sizeof batch,
+                             .count = 1,
+                             .point = {&zero, &zero, &zero},
+                             .normal = {&zero, &zero, &one},
+                             .light = {&zero, &zero, &one},
+                             .view = {&zero, &zero, &one},
+                             .footprint = &afar,
+                             .out = out,
+                             .out_count = (uint32_t)c->coverage + 1};
+  return c->job->textures->evaluate(c->job->texture, &batch) == SOZAI_OK ? 1 - covered : 1;
 }
 
 static bool run_tiles(const render_job *job, const scene *s, const sozai_texture_info *info,
@@ -66,6 +88,7 @@ static bool run_tiles(const render_job *job, const scene *s, const sozai_texture
             .tiles = tile_count(out),
             .lock = PTHREAD_MUTEX_INITIALIZER};
   find_channels(&w.context);
+  w.context.gaps = find_gaps(&w.context);
   parallel_for(job->threads, w.tiles, run_tile, &w);
   if (!job->quiet) progress_clear();
   if (atomic_load(&w.failed)) *why = w.why;

@@ -174,7 +174,7 @@ static vec sky_light(const tile *t, uint32_t at, vec albedo) {
 /* A matt card under what does not cover all: strands over nothing were strands over black. */
 static vec card(const tile *t, uint32_t at) {
   const tile_context *c = t->c;
-  float bare = c->coverage < 0 ? 0 : NEUTRAL * (1 - t->out[c->coverage][at]);
+  float bare = c->coverage < 0 ? 0 : NEUTRAL * c->gaps * (1 - t->out[c->coverage][at]);
   vec n = {t->input[3][at], t->input[4][at], t->input[5][at]};
   float slope = fmaxf(0, vec_dot(n, c->studio->light));
   vec lit = vec_along(t->fill[at], t->key[at] * slope, c->studio->light_colour);

@@ -68,6 +68,11 @@ check "and rendered so" "$picture" same "$scratch/plane-by-itself.exr" "$scratch
 printf 'material: wood\nsurface: {shape: board, size: [60, 40, 20]}\nimage: {resolution: 32}\n' >"$scratch/board.sozai"
 works bake "$scratch/board.sozai" -o "$scratch/file.exr"
 check "and a file's is as any host sees it" cmp -s "$scratch/file.exr" "$scratch/boardcut=log.exr"
+# What strands leave bare is a card that half of the light comes back from; where they are dense, dark.
+works render fiber --preset dust --shape plane --camera front --size 4000x3000 --res 16x12 --spp 1 -o "$scratch/dust.exr"
+check "dust over a grey card" "$picture" between "$scratch/dust.exr" 8 6 R 0.2 0.6
+works render fiber --preset coir --shape plane --camera front --size 4000x3000 --res 16x12 --spp 1 -o "$scratch/coir.exr"
+check "coir is its own ground" "$picture" between "$scratch/coir.exr" 8 6 B 0.002 0.08
 # What no line may run through.
 printf 'material: stone\npreset: granite_fan\nimage: {resolution: 32, wrap: periodic}\n' >"$scratch/fan.sozai"
 refuses 2 "fan.sozai|wrap: periodic|layout|'fan'" bake "$scratch/fan.sozai" -o "$scratch/fan.exr"

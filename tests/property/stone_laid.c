@@ -126,6 +126,34 @@ static void each_stone_is_its_own(void **state) {
   textures->destroy(t);
 }
 
+/* Albedo over a square of 200 mm, the sum of how it differs between two sets of values. */
+static double apart(const char *one, const char *other) {
+  sozai_texture *t[2] = {make("sandstone", one), make("sandstone", other)};
+  points p[2] = {{0}, {0}};
+  double sum = 0;
+  for (int k = 0; k < 2; k++) {
+    for (int i = 0; i < 400; i++) points_add(&p[k], 10 * (i % 20), 10 * (i / 20), 0, 0);
+    points_ask(&p[k], t[k]);
+  }
+  for (unsigned i = 0; i < p[0].count; i++) sum += fabs(at(&p[0], 1, i) - at(&p[1], 1, i));
+  for (int k = 0; k < 2; k++) {
+    points_free(&p[k]);
+    textures->destroy(t[k]);
+  }
+  return sum;
+}
+
+/* What is laid shows the bed, as flags are split; what is not shows the beds' edges. */
+static void laid_stones_show_the_bed(void **state) {
+  (void)state;
+  double flags = apart("layout=crazy", "layout=crazy; bed=z"), block = apart("", "bed=y"),
+         edges = apart("layout=crazy", "layout=crazy; bed=y");
+  CHECK(
+      flags == 0 && block == 0 && edges > 1,
+      "flags differ by %g from those split along the bed and by %.1f from others, a block by %g\n",
+      flags, edges, block);
+}
+
 /* Along courses of 200 m, which of course repeat across: footprints of 20 mm
  * against themselves, shifted by every lag from two stones up to 100 m. */
 static void no_visible_repeat(void **state) {
@@ -380,15 +408,11 @@ static void refused(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(joints_are_as_wide),
-      cmocka_unit_test(joints_wander),
-      cmocka_unit_test(each_stone_is_its_own),
-      cmocka_unit_test(no_visible_repeat),
-      cmocka_unit_test(normals_are_slopes),
-      cmocka_unit_test(moss_and_water),
-      cmocka_unit_test(joints_lie_in_shadow),
-      cmocka_unit_test(none_without_a_layout),
-      cmocka_unit_test(refused),
+      cmocka_unit_test(joints_are_as_wide),       cmocka_unit_test(joints_wander),
+      cmocka_unit_test(each_stone_is_its_own),    cmocka_unit_test(no_visible_repeat),
+      cmocka_unit_test(laid_stones_show_the_bed), cmocka_unit_test(normals_are_slopes),
+      cmocka_unit_test(moss_and_water),           cmocka_unit_test(joints_lie_in_shadow),
+      cmocka_unit_test(none_without_a_layout),    cmocka_unit_test(refused),
   };
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }
