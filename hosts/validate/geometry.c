@@ -84,7 +84,7 @@ CHECKS(geometry, //
        {"geometry.levels", "geometry.grows",
         "levels 0 to 8, none more than the one before; others refused", geometry_levels},
        {"geometry.same", "geometry.grows",
-        "the same bits again, and with tasks in any order or refused", geometry_same},
+        "the same bits again, and with tasks in any order, refused or dropped", geometry_same},
        {"geometry.outlives", "geometry.grows", "meshes and curves outlive what they are of",
         geometry_outlives},
        {"geometry.cancelled", "geometry.grows", "growing stops where progress says so, cleanly",

@@ -47,19 +47,18 @@ static uint64_t digest_of(subject *s, const sozai_geometry *g) {
 
 /* "The same values give the same bits on every machine, with or without the host's thread pool." */
 static void same_of(subject *s, const sozai_generator_info *info, grown *g) {
-  static const char *const ways[] = {"in order", "backwards", "on three threads", "refused"};
   uint64_t was = digest_of(s, g->geometry);
-  for (uint32_t way = PARALLEL_FORWARD; way <= PARALLEL_REFUSED && !enough(); way++) {
+  for (uint32_t way = PARALLEL_FORWARD; way < PARALLEL_WAYS && !enough(); way++) {
     grown other;
     recorder_init(&rec);
     rec.parallel = way;
-    doing("grow of %s, tasks %s", info->id, ways[way]);
+    doing("grow of %s, tasks %s", info->id, parallel_words[way]);
     int32_t r = grow_plain(s, info, &rec.abi, &other);
     if (!EXPECT(r == SOZAI_OK, "%s: grow gave %s with a thread pool, tasks %s", info->id,
-                result_name(r), ways[way]))
+                result_name(r), parallel_words[way]))
       continue;
     EXPECT(digest_of(s, other.geometry) == was, "%s: other bits with tasks %s", info->id,
-           ways[way]);
+           parallel_words[way]);
     s->geometry->release(other.geometry);
     recorder_judge(&rec, info->id);
     recorder_empty(&rec, info->id, "after release");

@@ -12,8 +12,13 @@ typedef enum parallel_way {
   PARALLEL_FORWARD,
   PARALLEL_BACKWARD,
   PARALLEL_THREADS,
-  PARALLEL_REFUSED
+  PARALLEL_REFUSED,
+  PARALLEL_DROPPED, /* every other, and says nothing */
+  PARALLEL_WAYS
 } parallel_way;
+
+/* What is done with tasks, in words. */
+extern const char *const parallel_words[PARALLEL_WAYS];
 
 typedef struct recorder {
   sozai_host abi; /* to be handed over; every service is there */

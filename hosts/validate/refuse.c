@@ -84,6 +84,18 @@ static void unreadable(subject *s) { all_refused(s, is_unreadable); }
 static void null_text(subject *s) { all_refused(s, is_null); }
 static void buffer(subject *s) { all_refused(s, is_buffer); }
 
+/* "reserved: 0, else ARGUMENT" */
+static void reserved(subject *s) {
+  uint32_t n = subject_all(s, kinds);
+  for (uint32_t i = 0; i < n; i++)
+    for (uint32_t p = 0; p < kinds[i].parameter_count && !enough(); p++) {
+      bad b = {.what = "with a reserved of 1", .wanted = SOZAI_ERROR_ARGUMENT};
+      if (!make_default(kinds[i].parameters[p], &b.value)) continue;
+      b.value.reserved = 1;
+      refused(s, &kinds[i], &b);
+    }
+}
+
 /* "UNKNOWN: no texture, preset, parameter or channel of that name" */
 static void unknown(subject *s) {
   if (!subject_start(s)) return;
@@ -175,19 +187,19 @@ static void among_good(subject *s) {
   }
 }
 
-CHECKS(refuse, //
-       {"refuse.unknown", "create.default", "an unknown parameter is refused as UNKNOWN", unknown},
-       {"refuse.kind", "create.default", "a value of another kind is refused as KIND", wrong_kind},
-       {"refuse.range", "create.default", "a value outside its range is refused as RANGE", range},
-       {"refuse.not-finite", "create.default", "NaN is refused, and infinity where the range ends",
-        not_finite},
-       {"refuse.whole", "create.default", "0.5 is refused by an INT and a BOOL", whole},
-       {"refuse.choice", "create.default", "what is none of the choices is refused as RANGE",
-        choice},
-       {"refuse.text", "create.default", "unreadable text is refused as KIND", unreadable},
-       {"refuse.null-text", "create.default", "a NULL for a text is refused", null_text},
-       {"refuse.huge-text", "create.default", "4 MiB of text do no harm", huge},
-       {"refuse.buffer", "create.default", "buffers that say more than they hold are refused",
-        buffer},
-       {"refuse.among-good", "create.default", "one bad value among good ones is refused",
-        among_good});
+CHECKS(
+    refuse, //
+    {"refuse.unknown", "create.default", "an unknown parameter is refused as UNKNOWN", unknown},
+    {"refuse.kind", "create.default", "a value of another kind is refused as KIND", wrong_kind},
+    {"refuse.range", "create.default", "a value outside its range is refused as RANGE", range},
+    {"refuse.not-finite", "create.default", "NaN is refused, and infinity where the range ends",
+     not_finite},
+    {"refuse.whole", "create.default", "0.5 is refused by an INT and a BOOL", whole},
+    {"refuse.choice", "create.default", "what is none of the choices is refused as RANGE", choice},
+    {"refuse.text", "create.default", "unreadable text is refused as KIND", unreadable},
+    {"refuse.null-text", "create.default", "a NULL for a text is refused", null_text},
+    {"refuse.huge-text", "create.default", "4 MiB of text do no harm", huge},
+    {"refuse.reserved", "create.default", "a value whose reserved is not 0 is refused", reserved},
+    {"refuse.buffer", "create.default", "buffers that say more than they hold are refused", buffer},
+    {"refuse.among-good", "create.default", "one bad value among good ones is refused",
+     among_good});

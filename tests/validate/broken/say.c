@@ -110,6 +110,18 @@ bool host_cancels(const sozai_host *h, float fraction) {
   return h->progress && h->progress(h->user, fraction, "plain") != 0;
 }
 
+typedef struct {
+  void (*task)(void *, uint32_t);
+  void *context;
+  unsigned char *ran;
+} once;
+
+static void run_once(void *context, uint32_t i) {
+  const once *o = context;
+  if (!o->ran[i]) o->task(o->context, i);
+  o->ran[i] = 1;
+}
+
 void run_all(const sozai_host *h, uint32_t count, void (*task)(void *, uint32_t), void *context) {
 #ifdef REFUSAL_IGNORED
   if (h->parallel) {
@@ -117,6 +129,13 @@ void run_all(const sozai_host *h, uint32_t count, void (*task)(void *, uint32_t)
     return;
   }
 #endif
+#ifdef POOL_TRUSTED
   if (h->parallel && h->parallel(h->user, count, task, context) == 0) return;
   for (uint32_t i = 0; i < count; i++) task(context, i);
+#else
+  once o = {task, context, calloc(count, 1)};
+  if (o.ran && h->parallel) h->parallel(h->user, count, run_once, &o);
+  for (uint32_t i = 0; o.ran && i < count; i++) run_once(&o, i);
+  free(o.ran);
+#endif
 }

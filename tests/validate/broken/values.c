@@ -185,6 +185,10 @@ static int32_t read_values(setting *out, const char *owner,
 #endif
     if (k < 0)
       return say(SOZAI_ERROR_UNKNOWN, "%s has no parameter \"%.60s\"", owner, values[i].id);
+#ifndef RESERVED_TAKEN
+    if (values[i].reserved)
+      return say(SOZAI_ERROR_ARGUMENT, "%s: reserved is %u", values[i].id, values[i].reserved);
+#endif
     int32_t r = read_value(parameters[k], &values[i], &out[k]);
     if (r) return r;
   }
