@@ -106,7 +106,7 @@ static const sozai_value values_wenge[] = {
     SRGB("earlywood_colour", 56, 39, 30),
     SRGB("latewood_colour", 36, 26, 22),
     SRGB("vessel_colour", 52, 37, 28),
-    SOFT_BANDS(190.0, 0.55, 0.5),
+    SOFT_BANDS(190.0, 0.55, 0.18),
     SRGB("parenchyma_colour", 124, 92, 66),
     SRGB("sapwood_earlywood_colour", 212, 188, 150),
     SRGB("sapwood_parenchyma_colour", 227, 198, 156),
