@@ -38,9 +38,11 @@ static void set_inputs(walk *w) {
                            .light = {w->light[0], w->light[1], w->light[2]},
                            .footprint = w->footprint,
                            .out = w->out};
-  for (uint32_t i = 0; i < LARGEST_BATCH; i++) /* 61: an order of its own */
-    w->active[i] = i * 61 % 100 + 1 >= w->plan.masked;
-  if (w->plan.masked) w->batch.active = w->active;
+  if (w->plan.masked) {
+    for (uint32_t i = 0; i < LARGEST_BATCH; i++) /* 61: an order of its own */
+      w->active[i] = i * 61 % 100 + 1 >= w->plan.masked;
+    w->batch.active = w->active;
+  }
   if (!w->plan.edge) return;
   for (int c = 0; c < 2; c++) {
     const float *swap = c ? w->batch.normal[1] : w->batch.point[1];

@@ -174,7 +174,7 @@ static vec sky_light(const tile *t, uint32_t at, vec albedo) {
 /* A matt card under what does not cover all: strands over nothing were strands over black. */
 static vec card(const tile *t, uint32_t at) {
   const tile_context *c = t->c;
-  float bare = c->coverage < 0 ? 0 : NEUTRAL * c->gaps * (1 - t->out[c->coverage][at]);
+  float bare = NEUTRAL * c->gaps * (1 - t->out[c->coverage][at]);
   vec n = {t->input[3][at], t->input[4][at], t->input[5][at]};
   float slope = fmaxf(0, vec_dot(n, c->studio->light));
   vec lit = vec_along(t->fill[at], t->key[at] * slope, c->studio->light_colour);
@@ -195,7 +195,7 @@ static void add_up(const tile *t) {
     }
     float *beauty = beauty_of(t, t->pixel[at]);
     add(beauty, vec_add(vec_scale(t->key[at], radiance), sky_light(t, at, albedo)));
-    if (c->coverage >= 0) add(beauty, card(t, at));
+    if (c->gaps > 0) add(beauty, card(t, at));
     float *layers = f->layers + (size_t)(beauty - f->beauty) / 3 * f->components;
     for (uint32_t i = 0; i < f->components; i++)
       layers[i] += t->out[f->channel_of[i]->first + f->component_of[i]][at];

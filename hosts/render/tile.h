@@ -21,8 +21,8 @@ typedef struct tile_context {
   int32_t albedo, radiance; /* first components; -1: the texture has none */
   /* likewise, and all four or none: what the sky's light takes beyond albedo */
   int32_t occlusion, normal, roughness, specular;
-  int32_t coverage; /* what there is of it; -1: all. The rest is a grey card beneath, */
-  float gaps;       /* which the light reaches by what is not covered, seen from afar */
+  int32_t coverage; /* likewise; what it leaves bare shows a grey card */
+  float gaps;       /* of the whole face the bare share, by which light reaches the card */
 } tile_context;
 
 bool tile_render(const tile_context *c, uint32_t index, failure *why);

@@ -5,41 +5,18 @@
 
 /* Points: shorter ones are copied, which is sooner than half a block's waste. */
 #define STRETCH 48u
-#define STRETCH_MOST (1u << 30)
 #define PACKED 64u /* points that are copied at a time */
-#define INPUTS 16
-
-/* The batch's input arrays, by number. */
-static const float **input(sozai_batch *b, int i) {
-  const float **const list[] = {b->point, b->normal, b->light, b->light_colour, b->view};
-  return i < INPUTS - 1 ? &list[i / 3][i % 3] : &b->footprint;
-}
-
-/* From `first` on `count` points, which are all active. */
-static void run_stretch(const kernel_set *use, const void *constants, const kernel_io *io,
-                        uint32_t first, uint32_t count) {
-  sozai_batch b = *io->in;
-  float *out[64] = {NULL};
-  for (int k = 0; k < ACTIVE_OUTPUTS; k++) out[k] = io->wanted >> k & 1 ? io->out[k] + first : NULL;
-  for (int i = 0; i < INPUTS; i++) {
-    if (*input(&b, i)) *input(&b, i) += first;
-  }
-  b.count = count;
-  b.active = NULL;
-  const kernel_io part = {&b, out, io->wanted};
-  kernel_run(use, constants, &part);
-}
 
 /* So many points that stand at `at`. */
 static __attribute__((noinline)) void run_packed(const kernel_set *use, const void *constants,
                                                  const kernel_io *io, const uint32_t *at,
                                                  uint32_t count) {
-  float in[INPUTS][PACKED], room[ACTIVE_OUTPUTS][PACKED];
+  float in[KERNEL_INPUTS][PACKED], room[ACTIVE_OUTPUTS][PACKED];
   sozai_batch b = *io->in;
-  float *out[64] = {NULL};
+  float *out[ACTIVE_OUTPUTS];
   for (int k = 0; k < ACTIVE_OUTPUTS; k++) out[k] = io->wanted >> k & 1 ? room[k] : NULL;
-  for (int i = 0; i < INPUTS; i++) {
-    const float **from = input(&b, i);
+  for (int i = 0; i < KERNEL_INPUTS; i++) {
+    const float **from = kernel_input(&b, i);
     if (!*from) continue;
     for (uint32_t n = 0; n < count; n++) in[i][n] = (*from)[at[n]];
     *from = in[i];
@@ -55,7 +32,7 @@ static __attribute__((noinline)) void run_packed(const kernel_set *use, const vo
 
 /* How many points from the first on are active, of so many at most. */
 static uint32_t stretch(const uint8_t *active, uint32_t most) {
-  if (most > STRETCH_MOST) most = STRETCH_MOST;
+  most = kernel_piece(most);
   const uint8_t *end = memchr(active, 0, most);
   return end ? (uint32_t)(end - active) : most;
 }
@@ -68,7 +45,7 @@ void active_run(const kernel_set *use, const void *constants, const kernel_io *i
     if (!active[i]) continue;
     n = stretch(active + i, count - i);
     if (n >= STRETCH) {
-      run_stretch(use, constants, io, i, n);
+      kernel_run_part(use, constants, io, i, n);
       continue;
     }
     for (uint32_t k = 0; k < n; k++) {

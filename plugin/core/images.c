@@ -80,7 +80,9 @@ static int32_t check_pixels(const image_set *set, uint32_t i, const sozai_host *
                             const char *id) {
   uint32_t width = 0, height = 0;
   int32_t r = set->service->resolution(set->service->self, set->list[i], &width, &height);
-  if (r) return fail(image_result(r), "%s: the image service does not say how large it is", id);
+  if (r) {
+    return fail(image_result(r), "%s: the image service does not say how large the picture is", id);
+  }
   return limit_check(host, LIMIT_IMAGE_PIXELS, (uint64_t)width * height, id);
 }
 

@@ -20,35 +20,31 @@ static void run(const kernel_set *use, const void *constants, const kernel_io *i
   if (rest) (rest == 1 ? use->single : use->narrow)->evaluate(constants, io, whole, count);
 }
 
-static void skip(const float **array, uint32_t count) {
-  if (*array) *array += count;
+const float **kernel_input(sozai_batch *b, int i) {
+  const float **const list[] = {b->point, b->normal, b->light, b->light_colour, b->view};
+  return i < KERNEL_INPUTS - 1 ? &list[i / 3][i % 3] : &b->footprint;
 }
 
-/* Of a batch what lies behind the first so many points. */
-static void skip_all(sozai_batch *b, float *out[64], uint32_t count) {
-  for (int c = 0; c < 3; c++) {
-    skip(&b->point[c], count);
-    skip(&b->normal[c], count);
-    skip(&b->light[c], count);
-    skip(&b->light_colour[c], count);
-    skip(&b->view[c], count);
+void kernel_run_part(const kernel_set *use, const void *constants, const kernel_io *io,
+                     uint32_t first, uint32_t count) {
+  sozai_batch b = *io->in;
+  float *out[64];
+  for (int i = 0; i < KERNEL_INPUTS; i++) {
+    const float **array = kernel_input(&b, i);
+    if (*array) *array += first;
   }
-  skip(&b->footprint, count);
-  for (int k = 0; k < 64; k++) {
-    if (out[k]) out[k] += count;
-  }
+  for (int k = 0; k < 64; k++) out[k] = io->wanted >> k & 1 ? io->out[k] + first : NULL;
+  b.count = count;
+  b.active = NULL;
+  const kernel_io part = {&b, out, io->wanted};
+  run(use, constants, &part);
 }
 
 static __attribute__((noinline)) void run_pieces(const kernel_set *use, const void *constants,
                                                  const kernel_io *io) {
-  sozai_batch b = *io->in;
-  float *out[64];
-  for (int k = 0; k < 64; k++) out[k] = io->wanted >> k & 1 ? io->out[k] : NULL;
-  const kernel_io piece = {&b, out, io->wanted};
-  for (uint32_t left = io->in->count; left; left -= b.count) {
-    b.count = kernel_piece(left);
-    run(use, constants, &piece);
-    skip_all(&b, out, b.count);
+  for (uint32_t done = 0, n; done < io->in->count; done += n) {
+    n = kernel_piece(io->in->count - done);
+    kernel_run_part(use, constants, io, done, n);
   }
 }
 

@@ -78,6 +78,13 @@ static inline uint32_t kernel_piece(uint32_t left) { return left < 1u << 30 ? le
 /* That of cpu_choose, whose errors it has. */
 int32_t kernel_choose(const kernel_set table[CPU_COUNT], kernel_set *out);
 
+/* A batch's input arrays, by number below KERNEL_INPUTS. */
+#define KERNEL_INPUTS 16
+const float **kernel_input(sozai_batch *b, int i);
+
+/* Of a batch so many points from `first` on, no more than a piece: all of them, active or not. */
+void kernel_run_part(const kernel_set *use, const void *constants, const kernel_io *io,
+                     uint32_t first, uint32_t count);
 /* A whole batch, each point by the kernel that is cheapest for it. */
 void kernel_run(const kernel_set *use, const void *constants, const kernel_io *io);
 

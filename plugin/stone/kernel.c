@@ -422,6 +422,12 @@ static __attribute__((noinline)) void evaluate_some(const stone_constants *w, co
   }
 }
 
+INLINE void block_at(block *k, uint32_t i, uint32_t n, uint32_t first) {
+  k->i = i;
+  k->n = n;
+  k->o = i - first;
+}
+
 static void evaluate(const void *constants, const kernel_io *io, uint32_t from, uint32_t to) {
   const stone_constants *w = constants;
   const stone_wants want = wants_of(w, io);
@@ -431,16 +437,10 @@ static void evaluate(const void *constants, const kernel_io *io, uint32_t from, 
   for (uint32_t i = from; i < to;) {
     uint32_t first = i;
     int count = 0;
-    for (; count < STONE_BLOCKS && to - i >= LANES; count++, i += LANES) {
-      block *k = &blocks[count];
-      k->i = i;
-      k->n = LANES;
-      k->o = i - first;
-    }
+    for (; count < STONE_BLOCKS && to - i >= LANES; count++, i += LANES)
+      block_at(&blocks[count], i, LANES, first);
     if (!count) {
-      blocks[0].i = i;
-      blocks[0].n = to - i;
-      blocks[0].o = 0;
+      block_at(blocks, i, to - i, i);
       evaluate_some(w, io, &want, blocks);
       return;
     }

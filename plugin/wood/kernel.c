@@ -340,6 +340,16 @@ INLINE void evaluate_blocks(const wood_constants *w, const wood_io *io, const wo
   }
 }
 
+INLINE void block_at(const wood_constants *w, wood_blocks *b, uint32_t which, uint32_t i,
+                     uint32_t n, uint32_t first) {
+  block *k = &b->blocks[which];
+  k->i = i;
+  k->n = n;
+  k->o = i - first;
+  k->held = &b->held;
+  k->knot = w->knots ? &b->knots[which] : NULL;
+}
+
 #if LANES == 1
 INLINE void evaluate_points(const wood_constants *w, const kernel_io *io, const wood_wants *want,
                             int boards, uint32_t from, uint32_t to) {
@@ -347,11 +357,7 @@ INLINE void evaluate_points(const wood_constants *w, const kernel_io *io, const 
   wood_held_none(&b.held);
   const wood_io part = {io->in, io->out};
   for (uint32_t i = from; i < to; i++) {
-    b.blocks[0].i = i;
-    b.blocks[0].n = 1;
-    b.blocks[0].o = 0;
-    b.blocks[0].held = &b.held;
-    b.blocks[0].knot = w->knots ? b.knots : NULL;
+    block_at(w, &b, 0, i, 1, i);
     evaluate_blocks(w, &part, want, boards, &b, 1);
   }
 }
@@ -370,16 +376,6 @@ static __attribute__((noinline)) void evaluate_some(const wood_constants *w, con
   for (int c = 0; c < WOOD_COMPONENTS; c++) {
     if (io->out[c]) memcpy(io->out[c] + k->i, room[c], k->n * sizeof(float));
   }
-}
-
-INLINE void block_at(const wood_constants *w, wood_blocks *b, uint32_t which, uint32_t i,
-                     uint32_t n, uint32_t first) {
-  block *k = &b->blocks[which];
-  k->i = i;
-  k->n = n;
-  k->o = i - first;
-  k->held = &b->held;
-  k->knot = w->knots ? &b->knots[which] : NULL;
 }
 
 /* Points from..to, those of plies as wood in a layout is. */

@@ -18,14 +18,14 @@ run() { # a command of the page's
     grow) size=(--res 72x96 --spp 2) ;;
     bake) size=(--res 64) ;;
   esac
-  "$sozai" "${words[@]:1}" "${size[@]}" >/dev/null 2>error
+  "$sozai" "${words[@]:1}" "${size[@]}" >/dev/null
 }
 
 pictures=0
 while IFS= read -r line; do
   case $line in
     sozai\ *)
-      check "$line: $(cat error 2>/dev/null)" run "$line"
+      check "$line" run "$line"
       [[ $line =~ -o\ ([a-z]+\.(png|exr)) ]] || continue
       check "$line: writes ${BASH_REMATCH[1]}" test -s "${BASH_REMATCH[1]}"
       check "$line: shows something" "$picture" varies "${BASH_REMATCH[1]}"

@@ -51,10 +51,10 @@ works render wood --preset keyaki -o "$scratch/shown.png" --res 64x48 --spp 4
 works render wood --preset keyaki -o "$scratch/raw.png" --res 64x48 --spp 4 --view Raw
 check "the view is the display's" not cmp -s "$scratch/shown.png" "$scratch/raw.png"
 # A board of the command line is sawn, and baked as it is rendered.
+bake() { works bake wood --shape "$shape" --size "$size" --res 32 "${@:2}" -o "$scratch/$shape$1.exr"; }
 for shape in board plane; do
   size=60x40
   if [[ $shape == board ]]; then size=60x40x20; fi
-  bake() { works bake wood --shape $shape --size $size --res 32 "${@:2}" -o "$scratch/$shape$1.exr"; }
   bake ''
   bake -flat -p cut=flat -p cut_distance=100
   bake cut=log -p cut=log
