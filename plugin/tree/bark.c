@@ -22,11 +22,11 @@ static void follow_curve(bark_growth *g, const tree *t, const tree_branch *b, fl
 
 void bark_growth_of(bark_growth *out, const tree *t, const tree_branch *b) {
   float end = end_of(t, b);
-  if (t->by_years && b->order < 2) {
+  if (t->by_years && (!b->order || (b->order == 1 && !b->parent))) {
     follow_curve(out, t, b, end);
     return;
   }
-  /* a shoot, or measured: nobody knows better than evenly */
+  /* a shoot, an arm, or measured: nobody knows better than evenly */
   out->count = 2;
   out->along[0] = 0.0f, out->along[1] = b->length;
   out->year[0] = b->birth, out->year[1] = end;

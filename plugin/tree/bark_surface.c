@@ -21,7 +21,7 @@ bark_surface bark_surface_of(const tree_plan *p) {
 int bark_surface_on(const bark_surface *s, const tree *t, const tree_branch *b) {
   int shown = s->furrows.depth > 0.0f || (s->lenticels.shade > 0.0f && b->radius >= MARKED_FROM) ||
               scars_on(t, b);
-  return shown && b->order < 2 && b < t->branches + t->stems && b->radius >= shown_from[b->order];
+  return shown && b->order < 2 && b < t->branches + t->limbs && b->radius >= shown_from[b->order];
 }
 
 bark_ring bark_ring_at(const bark_surface *s, const tree_plan *p, float age, float r, float y,

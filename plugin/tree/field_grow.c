@@ -104,6 +104,6 @@ int32_t field_grow(tree *t, const sozai_host *host, const tree_field *f) {
     grow_block(t, f, i);
     if ((int)f->blocks[i].order > t->measured) t->measured = (int)f->blocks[i].order;
   }
-  t->branch_count = t->stems = f->block_count;
+  t->branch_count = t->stems = t->limbs = f->block_count;
   return SOZAI_OK;
 }

@@ -106,7 +106,7 @@ int32_t tree_mesh(const tree *t, const sozai_host *host, uint32_t level, mesh_bl
   for (uint32_t i = 0; !r && i < t->branch_count; i++) {
     int drawn = tube_shape_of(t, &pen.bark, i, level, &tube);
     if (drawn) tube_write(&pen, t, i, &tube);
-    if (i + 1 == t->stems) ends[0] = pen.triangle;
+    if (i + 1 == t->limbs) ends[0] = pen.triangle;
     /* a stem with bark may be a million points */
     if (++done % REPORT_EACH == 0 || (drawn && tube.fine))
       r = host_progress(host, (double)done / (double)work, "making the mesh");
@@ -170,7 +170,7 @@ int32_t tree_curves(const tree *t, const sozai_host *host, uint32_t level, curve
     if (tube_shape_of(t, NULL, i, level, &tube)) {
       write_curve(c, curve++, &point, t, tube.stride, i);
     }
-    if (i + 1 == t->stems) ends[0] = curve;
+    if (i + 1 == t->limbs) ends[0] = curve;
   }
   ends[1] = curve;
   for (uint64_t i = 0; i < leaves; i++) {

@@ -32,7 +32,7 @@
  N(STEM_FORM, "stem_form", "Stem form", "growth", "", 0.3, 2, 0.5, 1.2, 0.8, "Radius falls as (1 - h / H)^stem_form.") \
  N(BUTT, "butt", "Butt swell", "growth", "", 0, 2, 0, 1, 0.3, "Added to the radius at the ground, as a share; gone at some three diameters up.") \
  N(SWAY, "sway", "Sway", "growth", "", 0, 0.3, 0, 0.1, 0.003, "How far the stem wanders, as a share of its height.") \
- N(TURNS, "turns_year", "Turns a year", "turning", "1/year", 0.1, 20, 0.5, 6, 3.19, "How often the branches of a year climb round the stem.") \
+ N(TURNS, "turns_year", "Turns a year", "turning", "1/year", 0.1, 20, 0.1, 6, 3.19, "How often the branches of a year climb round the stem.") \
  N(BRANCHES, "branches_turn", "Branches a turn", "turning", "", 1, 12, 1.5, 6, 2.1, "How many branches in a turn; the mean divergence is 360 over it.") \
  N(TURN_SPREAD, "turning_spread", "Spread of turning", "turning", "", 0, 1, 0, 1, 1, "How much trees differ in the two: 1 as the 17 sugi of the paper's table 1.") \
  N(DIVERGENCE_SD, "divergence_sd", "Divergence, spread", "turning", "deg", 0, 150, 0, 90, 73, "Standard deviation of the angle from a branch to the next.") \
@@ -59,6 +59,10 @@
  N(WANDER, "wander", "Wander", "branches", "deg", 0, 90, 0, 40, 6, "How crooked: how far it may turn aside every 180 or 300 mm, of which it keeps four fifths each time.") \
  N(SLENDER, "slenderness", "Slenderness", "branches", "", 0.001, 0.2, 0.005, 0.04, 0.013, "Diameter at the base over length, where the parent is thick enough.") \
  N(THICKEST, "thickest", "Thickest", "branches", "", 0.05, 0.95, 0.2, 0.9, 0.5, "Radius at the base over the parent's there, at most; what a missing thickness is.") \
+ N(FORK_SPACING, "fork_spacing", "Fork spacing", "branches", "mm", 0, 20000, 0, 3000, 0, "How far apart a branch forks along it, about; at most 6 times. Its arms fork likewise, and theirs. 0: never.") \
+ N(FORK_FROM, "fork_from", "Forks from", "branches", "", 0, 0.95, 0, 0.6, 0.15, "Share of a branch that does not fork, from its base.") \
+ N(FORK_SHARE, "fork_share", "Fork share", "branches", "", 0.05, 1.2, 0.4, 1, 0.9, "Length of an arm over what its branch has left, at most a tenth more, 0.9 of it on average.") \
+ N(FORK_ANGLE, "fork_angle", "Fork angle", "branches", "deg", 1, 120, 15, 70, 38, "From the branch to its arm, to one side and the other.") \
  N(SPACING_2, "spacing_2", "Spacing, 2nd order", "second order", "mm", 2, 5000, 10, 500, 50, "Along the branch.") \
  N(LENGTH_2, "length_2", "Length, 2nd order", "second order", "mm", 1, 30000, 20, 3000, 350, "At most.") \
  N(SHARE_2, "share_2", "Share, 2nd order", "second order", "", 0, 2, 0, 1, 0.5, "At most this share of the parent's length; 0: no such limit.") \

@@ -85,6 +85,11 @@ static void take_crown(tree_plan *p, const settings *s) {
   p->wander = number_at(s, T_WANDER);
   p->slender = number_at(s, T_SLENDER);
   p->thickest = number_at(s, T_THICKEST);
+  p->fork_spacing = number_at(s, T_FORK_SPACING);
+  p->fork_from = number_at(s, T_FORK_FROM);
+  p->fork_share = number_at(s, T_FORK_SHARE);
+  p->fork_sine = (float)scalar_sin(number_at(s, T_FORK_ANGLE) * RADIANS);
+  p->fork_cosine = (float)scalar_cos(number_at(s, T_FORK_ANGLE) * RADIANS);
   p->angle_from = 0.0;
   p->angle_to = 1.0;
   p->angle_spread = 0.5 * p->wander;

@@ -38,6 +38,8 @@ typedef struct {
   double angle_spread;         /* the width of how far they stray from it */
   int angle_chord;             /* of their tips seen from their bases, and not at the base */
   double droop, droop_length, upturn, wander, slender, thickest;
+  double fork_spacing, fork_from, fork_share; /* arms.h */
+  float fork_sine, fork_cosine;
   tree_side side[4]; /* [2], [3]: of shoots; [0]: of leaves */
   float leaf_width, leaf_stalk;
   float colours[COLOURS][3];

@@ -27,7 +27,7 @@ static void add_row(tree *t, int table, const double *values) {
 /* ---- the tables -------------------------------------------------------- */
 
 static void fill_branches(tree *t) {
-  for (uint32_t i = 0; i < t->stems; i++) {
+  for (uint32_t i = 0; i < t->limbs; i++) {
     const tree_branch *b = &t->branches[i];
     const double row[] = {b->order,           b->parent == TREE_NONE ? -1.0 : (double)b->parent,
                           (double)b->at,      (double)b->birth,
@@ -284,12 +284,13 @@ static void fill_statistics(tree *t, const field_fit *fit) {
                         fit->a_down,
                         plan_crown_b(p, p->age),
                         fit->rms,
-                        (double)t->order_counts[1],
+                        (double)(t->order_counts[1] - (t->limbs - t->stems)),
                         (double)t->order_counts[2],
                         (double)t->order_counts[3],
                         (double)t->order_counts[4],
                         t->sprigs,
-                        shed};
+                        shed,
+                        t->limbs - t->stems};
   add_row(t, TABLE_STATISTICS, row);
 }
 
@@ -326,7 +327,7 @@ static void fill_fit(tree *t, const field_fit *was, const field_fit *is) {
 static int32_t make_rooms(tree *t, const sozai_host *host, const tree_bud *buds, uint32_t count,
                           const tree_field *field, const field_fit *was) {
   const tree_plan *p = &t->plan;
-  const uint64_t most[TREE_TABLES] = {[TABLE_BRANCHES] = t->stems,
+  const uint64_t most[TREE_TABLES] = {[TABLE_BRANCHES] = t->limbs,
                                       [TABLE_KNOTS] = buds ? count : t->stems,
                                       [TABLE_KNOT_RADII] = buds ? radii_of(p, buds, count) : 0,
                                       [TABLE_RINGS] = buds ? (uint64_t)p->years * RING_HEIGHTS

@@ -2,8 +2,10 @@
 #include "stem.h"
 
 #include "../core/hash1.h"
+#include "../core/meter.h"
 #include "../core/scalar.h"
 #include "../core/status.h"
+#include "arms.h"
 #include "axis.h"
 #include "way.h"
 
@@ -64,8 +66,8 @@ static uint32_t branch_nodes(const tree_plan *p, const tree_bud *b) {
   return 1u + (n < 2 ? 2 : n);
 }
 
-static void lay_branch(const tree_plan *p, const tree_branch *o, double length, const float base[3],
-                       tree_node *nodes) {
+void stem_lay(const tree_plan *p, const tree_branch *o, double length, const float base[3],
+              tree_node *nodes) {
   float at[3] = {base[0], base[1], base[2]};
   uint32_t segments = way_segments(p, length);
   double radius = (double)o->radius, step = length / segments;
@@ -103,7 +105,7 @@ static void grow_branch(tree *t, const tree_bud *b, const float base[3], double 
     o->nodes = 0;
     return;
   }
-  lay_branch(p, o, length, base, &t->nodes[o->first]);
+  stem_lay(p, o, length, base, &t->nodes[o->first]);
   t->node_count += o->nodes;
 }
 
@@ -111,11 +113,15 @@ int32_t stem_grow(tree *t, const sozai_host *host, const tree_bud *buds, uint32_
   const tree_plan *p = &t->plan;
   uint32_t grown = p->orders > 0 ? count : 0;
   uint64_t nodes = stem_nodes(plan_height(p, p->age));
+  arms_room arms = {0, 0};
   for (uint32_t i = 0; i < grown; i++) {
     if (buds[i].shed < 0.0) nodes += branch_nodes(p, &buds[i]);
+    if (buds[i].death < 0.0) arms_count(p, buds[i].key, life_length(p, &buds[i], p->age), &arms);
   }
-  t->branch_room = 1u + grown;
-  t->node_room = nodes;
+  t->branch_room = 1u + grown + arms.branches;
+  t->node_room = nodes + arms.nodes;
+  int32_t r = limit_check(host, LIMIT_SHOOTS, t->branch_room, "orders, and fork_spacing");
+  if (r) return r;
   t->branches = host_alloc(host, t->branch_room * sizeof *t->branches, 64);
   t->nodes = t->branches ? host_alloc(host, t->node_room * sizeof *t->nodes, 64) : NULL;
   if (!t->nodes) return SOZAI_ERROR_MEMORY;
@@ -136,5 +142,9 @@ int32_t stem_grow(tree *t, const sozai_host *host, const tree_bud *buds, uint32_
     grow_branch(t, &buds[i], base, (double)(a->r + share * (b->r - a->r)));
   }
   t->stems = (uint32_t)t->branch_count;
+  for (uint32_t i = 1; i < t->stems; i++) {
+    if (t->branches[i].nodes && t->branches[i].death < 0.0f) arms_grow(t, i);
+  }
+  t->limbs = (uint32_t)t->branch_count;
   return SOZAI_OK;
 }

@@ -12,6 +12,10 @@
 /* The segment of length l in the direction theta, phi (degrees), from p. */
 void stem_step(float p[3], double l, double theta, double phi);
 
+/* A branch's nodes, from its base on, as its azimuth, elevation, key and length have them. */
+void stem_lay(const tree_plan *p, const tree_branch *o, double length, const float base[3],
+              tree_node *nodes);
+
 /* Branches and nodes of the stem and of the buds that are still there. */
 int32_t stem_grow(tree *t, const sozai_host *host, const tree_bud *buds, uint32_t count);
 

@@ -4,7 +4,7 @@
 #include "../table.h"
 
 static const sozai_column branches_columns[] = {
-    {"order", "", "0: the stem."},
+    {"order", "", "0: the stem; of an arm that of what forks."},
     {"parent", "", "Its row; -1 of the stem."},
     {"at", "mm", "Along the parent's axis."},
     {"birth", "years", "Of the tree's age."},
@@ -15,7 +15,8 @@ static const sozai_column branches_columns[] = {
     {"length", "mm", "Along its axis, as it grew; a dead one has broken off since."},
     {"diameter", "mm", "At the base."}};
 TABLE(branches, "branches",
-      "The stem and first-order branches, or all that was measured: curves of the same number.");
+      "The stem and first-order branches, or all that was measured, and the arms into which "
+      "branches fork: curves of the same number.");
 
 static const sozai_column knots_columns[] = {
     {"branch", "", "Row of the table branches; -1: shed."},
@@ -89,7 +90,8 @@ static const sozai_column statistics_columns[] = {
     {"third_order", "", "Shoots."},
     {"fourth_order", "", "Needles or leaves, or clothed shoots."},
     {"clothed", "", "1: the fourth order are shoots clothed as one."},
-    {"shed", "", "First-order branches gone."}};
+    {"shed", "", "First-order branches gone."},
+    {"arms", "", "Into which branches fork."}};
 TABLE(statistics, "statistics", "One row.");
 
 static const sozai_column fit_columns[] = {

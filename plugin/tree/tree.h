@@ -68,6 +68,7 @@ typedef struct {
   int measured;   /* the highest order that a field table gave; 0: none */
   uint32_t stems; /* branches that were not grown as shoots: stem and first order,
                      or all that was measured; they come first */
+  uint32_t limbs; /* they, and the arms into which branches fork, which come next */
 } tree;
 
 static inline float tree_unit(uint32_t hash) { return (float)(hash >> 8) * (1.0f / 16777216.0f); }

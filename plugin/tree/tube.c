@@ -5,6 +5,7 @@
  * axis and is narrower than the parent: the joint is inside.
  */
 #include "../core/hash1.h"
+#include "axis.h"
 #include "bark.h"
 #include "foot.h"
 #include "mesh.h"
@@ -97,7 +98,7 @@ int tube_shape_of(const tree *t, const bark_surface *bark, uint32_t branch, uint
                   tube_shape *out) {
   const tree_branch *b = &t->branches[branch];
   if (b->nodes < 2) return 0;
-  if (branch >= t->stems) {
+  if (branch >= t->limbs) {
     /* of shoots, the last order first, then by halves */
     uint32_t one_of = t->sprigs ? 0u : level > 2 ? 16u : level > 1 ? 8u : 2u;
     if (level >= 1 && b->order == 3 && (!one_of || branch % one_of)) return 0;
@@ -130,6 +131,12 @@ static void between(const ring *a, const ring *b, float share, float wider, ring
 /* Of the parent where the branch leaves it. */
 static float parent_radius(const tree *t, const tree_branch *b) {
   const tree_branch *stem = &t->branches[b->parent];
+  if (stem->order) {
+    axis_walk w;
+    float p[3];
+    axis_begin(&w, &t->nodes[stem->first], stem->nodes);
+    return axis_to(&w, b->at, p);
+  }
   for (uint32_t k = 0; k + 1 < stem->nodes; k++) {
     const tree_node *lower = &t->nodes[stem->first + k];
     if (lower[1].p[1] >= b->at || k + 2 >= stem->nodes) return lower->r;
@@ -137,8 +144,10 @@ static float parent_radius(const tree *t, const tree_branch *b) {
   return b->radius / (float)t->plan.thickest; /* the base is that at most */
 }
 
-/* Two rings more: where the branch leaves the parent it is wider, as branches
- * are, and a diameter on no longer. */
+#define COLLAR 0.3f
+
+/* Two rings more: where the branch leaves the parent it is wider, as branches are, the less the
+ * thicker they are beside the parent, and a diameter on no longer. */
 static uint32_t add_collar(ring *rings, uint32_t n, float parent, float radius) {
   float whole = 0.0f, at[2] = {parent, parent + 2.0f * radius};
   for (uint32_t i = 0; i + 1 < n; i++) whole += apart(&rings[i], &rings[i + 1]);
@@ -146,6 +155,7 @@ static uint32_t add_collar(ring *rings, uint32_t n, float parent, float radius) 
     at[1] = 0.8f * whole;
     if (at[0] > 0.4f * whole) at[0] = 0.4f * whole;
   }
+  float collar = radius < parent ? 1.0f + COLLAR * (1.0f - radius / parent) : 1.0f;
   for (uint32_t k = 2; k-- > 0;) {
     uint32_t i = 0;
     float begin = 0.0f, length = apart(&rings[0], &rings[1]);
@@ -156,7 +166,7 @@ static uint32_t add_collar(ring *rings, uint32_t n, float parent, float radius) 
     }
     float share = length > 0.0f ? (at[k] - begin) / length : 0.0f;
     ring more;
-    between(&rings[i], &rings[i + 1], share < 1.0f ? share : 1.0f, k ? 1.0f : 1.3f, &more);
+    between(&rings[i], &rings[i + 1], share < 1.0f ? share : 1.0f, k ? 1.0f : collar, &more);
     for (uint32_t m = n; m > i + 1; m--) rings[m] = rings[m - 1];
     rings[i + 1] = more;
     n++;

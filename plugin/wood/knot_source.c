@@ -125,8 +125,9 @@ static int32_t grow_tree(knot_source *k, const sozai_host *host, const settings 
       {.id = "age", .kind = SOZAI_KIND_FLOAT, .number = {number_at(s, P_TREE_AGE)}},
       {.id = "seed", .kind = SOZAI_KIND_INT, .number = {number_at(s, P_SEED)}},
       {.id = "orders", .kind = SOZAI_KIND_INT, .number = {1}},
+      {.id = "fork_spacing", .kind = SOZAI_KIND_FLOAT, .number = {0}}, /* arms leave no knot */
       {.id = "field", .kind = SOZAI_KIND_TEXT, .text = field}};
-  r = settings_make(&k->given, host, &parameters, *species ? species : NULL, values, 4);
+  r = settings_make(&k->given, host, &parameters, *species ? species : NULL, values, sizeof values / sizeof values[0]);
   if (r) return r;
   k->tree = host_alloc(host, tree_generator.state_bytes, 64);
   if (!k->tree) return SOZAI_ERROR_MEMORY;

@@ -168,10 +168,15 @@ static void joints_inside(void **unused) {
     const sozai_curves *c = curves_of(g, 0);
     sozai_table b = table_of(g, "branches");
     double worst = 0;
+    uint64_t curve_of[4096] = {0}, arms = 0;
+    assert_true(b.rows <= 4096);
+    for (uint64_t i = 0; i < c->curve_count && c->ids[i] < b.rows; i++) curve_of[c->ids[i]] = i;
     for (uint64_t i = 1; i < c->curve_count && c->ids[i] < b.rows; i++) {
       const float *p = c->points + 3 * c->first[i];
+      uint64_t on = curve_of[(uint64_t)cell(&b, c->ids[i], "parent")];
       double nearest = 1e9, radius = 0;
-      for (uint64_t k = c->first[0]; k + 1 < c->first[1]; k++) {
+      arms += on > 0;
+      for (uint64_t k = c->first[on]; k + 1 < c->first[on + 1]; k++) {
         double d2 = 0, dot = 0, length = 0;
         for (int x = 0; x < 3; x++) {
           double e =
@@ -194,7 +199,9 @@ static void joints_inside(void **unused) {
        * stems that bear branches this thick have six, 0.86 */
       worst = fmax(worst, (nearest + (double)c->radii[c->first[i]]) / radius);
     }
-    print_message("%-10s joints reach %.2f of the stem's radius at most\n", kinds[s], worst);
+    print_message("%-10s joints reach %.2f of the parent's radius at most; %llu arms\n", kinds[s],
+                  worst, (unsigned long long)arms);
+    assert_true((arms > 0) == (s > 0));
     assert_true(worst < 0.86);
     geometry()->release_curves(c);
     geometry()->release(g);

@@ -57,6 +57,7 @@ static void knots_are_branches(void **unused) {
   }
   /* where the branch that is drawn leaves the stem */
   for (uint64_t i = 1; i < c->curve_count; i++) {
+    if (cell(&b, c->ids[i], "parent") != 0) continue; /* an arm of a branch's */
     const float *p = c->points + 3 * c->first[i];
     off = fmax(off, fabs((double)p[1] - cell(&b, c->ids[i], "at")));
     const float *q = p + 3;

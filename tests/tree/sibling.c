@@ -97,14 +97,16 @@ static void hanging_branches(void **unused) {
  * elevation and thickness learn of them. */
 static void build_round_trip(void **unused) {
   (void)unused;
-  static const char odd[] = "age=12 orders=1 crown_ratio=1 elevation_top=20 elevation_base=-25 "
+  static const char odd[] = "age=12 turns_year=1.1 orders=1 crown_ratio=1 elevation_top=20 elevation_base=-25 "
                             "diameter_max=400 stem_form=0.7 slenderness=0.006 thickest=0.45 seed=5";
   sozai_geometry *g = grow("cherry", odd, NULL);
   char *text = field_text(g);
   sozai_table t = table_of(g, "branches");
   const sozai_curves *c = curves_of(g, 0);
-  double sum = 0, squares = 0, thick = 0, length = 0, n = (double)t.rows - 1;
+  double sum = 0, squares = 0, thick = 0, length = 0, n = 0;
   for (uint64_t i = 1; i < t.rows; i++) {
+    if (cell(&t, i, "parent") != 0) continue; /* an arm is not measured */
+    n++;
     const float *a = c->points + 3 * c->first[i], *b = c->points + 3 * (c->first[i + 1] - 1);
     double level = hypot((double)b[0] - (double)a[0], (double)b[2] - (double)a[2]);
     double e = atan2((double)b[1] - (double)a[1], level) / RAD;

@@ -36,6 +36,10 @@
   NUMBER("elevation_top", top), NUMBER("elevation_base", base), NUMBER("droop", droop),            \
       NUMBER("droop_length", length), NUMBER("upturn", upturn), NUMBER("wander", wander),          \
       NUMBER("slenderness", slender)
+/* how far apart, from that share on; arms' share of what is left, and angle */
+#define FORKS(spacing, from, share, angle)                                                         \
+  NUMBER("fork_spacing", spacing), NUMBER("fork_from", from), NUMBER("fork_share", share),         \
+      NUMBER("fork_angle", angle)
 /* k: "2" or "3" */
 #define SHOOTS(k, spacing, length, share, taper, angle, round, bare, zone, bend, jitter)           \
   NUMBER("spacing_" k, spacing), NUMBER("length_" k, length), NUMBER("share_" k, share),           \
