@@ -29,7 +29,9 @@ bark_ring bark_ring_at(const bark_surface *s, const tree_plan *p, float age, flo
   bark_ring at = {.old = bark_old(p, age)};
   at.depth = furrows_depth(&s->furrows, at.old, r);
   if (level < CUT_BELOW && at.depth > LEAST_FURROW) {
-    at.first = 4.0f * TURNS_FIRST * p->bark_turning * at.old * (1.0f - at.old);
+    at.turns = 4.0f * at.old * (1.0f - at.old);
+    at.first = TURNS_FIRST * p->bark_turning * at.turns;
+    at.varied = p->bark_variation;
     float grown = at.depth / LEAST_FURROW - 1.0f;
     at.cut = furrows_cut(&s->furrows, y) * (grown < 1.0f ? grown : 1.0f);
     at.dark = s->furrows.shade * at.old;
@@ -60,10 +62,11 @@ bark_point bark_at(const bark_surface *s, const bark_ring *at, const float p[3])
   const lenticels *l = &s->lenticels;
   bark_point out = {at->depth * f->mean, at->old, 1.0f};
   if (at->cut > 0.0f) {
-    float off = at->cut * (furrows_height(f, p) - f->mean);
+    furrow_place place = furrows_at(f, p);
+    float off = at->cut * (place.height - f->mean), kind = at->cut * at->varied * place.kind;
     out.thick += at->depth * off;
-    out.tone += at->dark * off;
-    out.old -= at->first * off / f->mean;
+    out.tone += at->dark * off + at->old * kind;
+    out.old += at->turns * kind - at->first * off / f->mean;
     out.old = out.old < 0.0f ? 0.0f : out.old < 1.0f ? out.old : 1.0f;
   }
   if (at->marks > 0.0f) out.tone *= 1.0f - at->marks * (lenticels_mark(l, p) - l->mean);

@@ -22,12 +22,14 @@ int bark_surface_on(const bark_surface *s, const tree *t, const tree_branch *b);
 
 /* All round at one place of an axis. */
 typedef struct {
-  float depth; /* mm, of furrows; as thick as their mean at least */
-  float cut;   /* how much of them is cut, 0 to 1 */
-  float dark;  /* their shade there, as a share */
-  float old;   /* how much of it is rhytidome, in the mean */
-  float first; /* how much more of that is in furrows */
-  float marks; /* that of lenticels */
+  float depth;  /* mm, of furrows; as thick as their mean at least */
+  float cut;    /* how much of them is cut, 0 to 1 */
+  float dark;   /* their shade there, as a share */
+  float old;    /* how much of it is rhytidome, in the mean */
+  float first;  /* how much more of that is in furrows */
+  float varied; /* how much plates differ, as a share */
+  float turns;  /* and how much of that is in how far they have turned */
+  float marks;  /* that of lenticels */
 } bark_ring;
 
 /* r, y: mm, the radius and the height. level: of detail. */

@@ -13,6 +13,9 @@
 #define CRACKS 2.6f     /* how many finer cells to one, along an axis */
 #define CRACKED 0.22f   /* how deep the finer furrows are, of the whole */
 #define UNEVEN 0.3f     /* how much plates differ in height */
+#define SHALLOW 0.3f    /* how deep cracks are where cells have grown together */
+#define FLAKED 0.4f     /* how much lower a scale may be than another, */
+#define LIFTED 0.2f     /* and than its own lower end at its upper one */
 #define THICKEST 0.16f  /* of the stem's radius: no bark is thicker */
 
 static uint32_t cell_hash(const int32_t c[3], uint32_t seed) {
@@ -48,15 +51,28 @@ static void bends(const float q[3], uint32_t seed, float out[2]) {
   }
 }
 
+/* ---- cells -------------------------------------------------------------------- */
+
 typedef struct {
-  float edge;    /* to the nearest border of the cell, in cells */
+  float sunk;    /* 1 at a border, 0 from `edge` cells on; borders are not alike */
+  float up;      /* of the cell's point, in cells along the stem */
   uint32_t hash; /* of the cell */
 } plate;
 
-/* Voronoi's cells of jittered points: the distance to the bisector of the two nearest. */
-static plate plate_at(const float q[3], uint32_t seed) {
+/* Whether two cells have grown together. */
+static int are_joined(uint32_t a, uint32_t b, float joined) {
+  return (float)(hash1(a ^ b) >> 16) < joined * 65536.0f;
+}
+
+/* How deep a crack is whose sides lie that far apart, of which so much along the stem. */
+static float across_stem(float along, float square) {
+  return smooth((along * along / square - 0.25f) * 2.5f);
+}
+
+/* Voronoi's cells of jittered points: of each border the distance to the bisector. */
+static plate plate_at(const float q[3], uint32_t seed, float edge, float joined, float ridges) {
   int32_t c[3];
-  float from[27][3], nearest = 1e9f, border = 1e9f;
+  float from[27][3], nearest = 1e9f;
   uint32_t hash[27], at = 0;
   for (int k = 0; k < 3; k++) c[k] = scalar_floor((double)q[k]);
   for (uint32_t i = 0; i < 27; i++) {
@@ -71,35 +87,44 @@ static plate plate_at(const float q[3], uint32_t seed) {
     }
     if (sum < nearest) nearest = sum, at = i;
   }
+  plate out = {0.0f, -from[at][1], hash[at]};
+  float inverse = 1.0f / edge;
   for (uint32_t i = 0; i < 27; i++) {
     if (i == at) continue;
-    float dot = 0.0f, apart = 0.0f;
+    float dot = 0.0f, apart = 0.0f, d[3];
     for (int k = 0; k < 3; k++) {
-      float d = from[i][k] - from[at][k];
-      dot += 0.5f * (from[i][k] + from[at][k]) * d;
-      apart += d * d;
+      d[k] = from[i][k] - from[at][k];
+      dot += 0.5f * (from[i][k] + from[at][k]) * d[k];
+      apart += d[k] * d[k];
     }
     /* two points that fall together have no border */
-    if (apart > 1e-6f) {
-      dot *= 1.0f / __builtin_sqrtf(apart);
-      if (dot < border) border = dot;
-    }
+    if (!(apart > 1e-6f)) continue;
+    float sunk = 1.0f - smooth(dot * inverse / __builtin_sqrtf(apart));
+    if (!(sunk > out.sunk)) continue;
+    if (joined > 0.0f && are_joined(hash[i], hash[at], joined)) sunk *= SHALLOW;
+    if (ridges > 0.0f) sunk *= 1.0f - ridges * across_stem(d[1], apart);
+    if (sunk > out.sunk) out.sunk = sunk;
   }
-  return (plate){border, hash[at]};
+  return out;
 }
 
-float furrows_height(const furrows *f, const float p[3]) {
+furrow_place furrows_at(const furrows *f, const float p[3]) {
   float q[3] = {p[0] * f->across, p[1] * f->along, p[2] * f->across}, wide[3], bend[2];
   for (int k = 0; k < 3; k++) wide[k] = BEND_FINER * q[k];
   bends(wide, f->seed ^ 0x51ed270bu, bend);
   q[0] += BEND * bend[0];
   q[2] += BEND * bend[1];
-  plate whole = plate_at(q, f->seed);
+  plate whole = plate_at(q, f->seed, f->edge, f->joined, f->ridges);
   for (int k = 0; k < 3; k++) q[k] *= CRACKS;
-  plate fine = plate_at(q, f->seed ^ 0x2c1b3c6du);
+  plate fine = plate_at(q, f->seed ^ 0x2c1b3c6du, 0.3f, 0.0f, 0.0f);
   float level = 1.0f - UNEVEN * (float)(whole.hash >> 24) * (1.0f / 255.0f);
-  float cracks = 1.0f - CRACKED * (1.0f - smooth(fine.edge * (1.0f / 0.3f)));
-  return smooth(whole.edge / f->edge) * level * cracks;
+  float cracks = 1.0f - CRACKED * fine.sunk, own = (float)(fine.hash >> 16) * (1.0f / 65535.0f);
+  /* a scale stands off at its lower end */
+  float up = fine.up < -0.5f ? 0.0f : fine.up < 0.5f ? 0.5f + fine.up : 1.0f;
+  float scale = f->scales * (FLAKED * own + LIFTED * up);
+  float kind = (float)(whole.hash >> 8 & 0xffffu) * (1.0f / 65535.0f);
+  return (furrow_place){(1.0f - whole.sunk) * level * cracks * (1.0f - scale),
+                        1.5f * (kind - 0.5f) + 0.5f * (own - 0.5f)};
 }
 
 float furrows_depth(const furrows *f, float old, float r) {
@@ -129,6 +154,9 @@ furrows furrows_of(const tree_plan *p) {
                .edge = 0.36f - 0.18f * p->bark_plates,
                /* a tree too young for any wants no mean of them */
                .depth = p->age > (double)p->rhytidome_from ? p->bark_depth : 0.0f,
+               .joined = p->bark_joined,
+               .ridges = p->bark_ridges,
+               .scales = p->bark_scales,
                .shade = p->bark_shade,
                .reach = p->bark_reach,
                .seed = hash1(p->seed ^ 0x7feb352du)};
@@ -139,7 +167,7 @@ furrows furrows_of(const tree_plan *p) {
     const float at[3] = {(float)(h & 0xffffu) * (1.0f / 1024.0f) / f.across,
                          (float)(h >> 16) * (1.0f / 1024.0f) / f.along,
                          (float)(g >> 16) * (1.0f / 1024.0f) / f.across};
-    sum += furrows_height(&f, at);
+    sum += furrows_at(&f, at).height;
   }
   f.mean = sum * (1.0f / (float)PLACES);
   return f;

@@ -15,6 +15,9 @@ typedef struct {
   float across, along; /* 1 / mm: inverse sizes of a cell */
   float edge;          /* cells: from a furrow's bottom to the plate beside it */
   float depth;         /* mm, of whole rhytidome; 0: smooth */
+  float joined;        /* how many cells are one plate with a neighbour, as a share */
+  float ridges;        /* how much shallower cracks across the stem are */
+  float scales;        /* how uneven plates are: in steps, of what has flaked off */
   float shade;         /* how much darker furrows are, as a share */
   float reach;         /* mm: the height up to which they are cut */
   float mean;          /* of the height, all over */
@@ -23,8 +26,13 @@ typedef struct {
 
 furrows furrows_of(const tree_plan *p);
 
-/* 0 in a furrow, up to 1 on plates, at a place in mm, the second along the stem. */
-float furrows_height(const furrows *f, const float p[3]);
+typedef struct {
+  float height; /* 0 in a furrow, up to 1 on plates */
+  float kind;   /* -1 to 1: of a plate and the scales on it, 0 in the mean */
+} furrow_place;
+
+/* At a place in mm, the second along the stem. */
+furrow_place furrows_at(const furrows *f, const float p[3]);
 
 /* mm: how high plates stand over furrows on a stem of radius r. old: how much is rhytidome. */
 float furrows_depth(const furrows *f, float old, float r);

@@ -102,10 +102,14 @@
  N(PERIDERM_AGE, "periderm_age", "Age of periderm", "colour", "years", 0, 100, 1, 20, 5, "Years until a shoot's skin has given way to periderm and bark has bark_colour.") \
  N(RHYTIDOME_FROM, "rhytidome_from", "Onset of rhytidome", "colour", "years", 0, 1000, 1, 100, 12, "Years until bark begins to turn from bark_colour to rhytidome_colour.") \
  N(RHYTIDOME_AGE, "rhytidome_age", "Age of rhytidome", "colour", "years", 0, 1000, 1, 200, 45, "Years until it has; before rhytidome_from: it turns all at once.") \
- N(BARK_DEPTH, "bark_depth", "Bark depth", "bark", "mm", 0, 200, 0, 40, 5, "From rhytidome's furrows up to its plates, where it is rhytidome_age old; 0: smooth. At most 0.16 of the stem's radius.") \
- N(BARK_WIDTH, "bark_width", "Bark width", "bark", "mm", 4, 1000, 10, 100, 16, "From furrow to furrow round the stem, the mean: of plates or strips.") \
- N(BARK_LENGTH, "bark_length", "Bark length", "bark", "mm", 4, 10000, 20, 500, 240, "And along it.") \
+ N(BARK_DEPTH, "bark_depth", "Bark depth", "bark", "mm", 0, 200, 0, 40, 7, "From rhytidome's furrows up to its plates, where it is rhytidome_age old; 0: smooth. At most 0.16 of the stem's radius.") \
+ N(BARK_WIDTH, "bark_width", "Bark width", "bark", "mm", 4, 1000, 10, 100, 20, "From furrow to furrow round the stem, the mean: of plates or strips.") \
+ N(BARK_LENGTH, "bark_length", "Bark length", "bark", "mm", 4, 10000, 20, 500, 260, "And along it.") \
  N(BARK_PLATES, "bark_plates", "Bark plates", "bark", "", 0, 1, 0, 1, 0.4, "0: rounded ridges; 1: flat plates with narrow furrows between.") \
+ N(BARK_JOINED, "bark_joined", "Bark joined", "bark", "", 0, 1, 0, 0.8, 0.2, "How many plates have grown together with each of their neighbours, as a share: larger and less regular ones.") \
+ N(BARK_RIDGES, "bark_ridges", "Bark ridges", "bark", "", 0, 1, 0, 1, 0.85, "How much shallower cracks across the stem are than furrows along it: 0 plates, 1 ridges that run on.") \
+ N(BARK_SCALES, "bark_scales", "Bark scales", "bark", "", 0, 1, 0, 1, 0.3, "How scaly plates are: in layers of which some have flaked off, each standing off a little at its lower end.") \
+ N(BARK_VARIATION, "bark_variation", "Bark variation", "bark", "", 0, 1, 0, 0.5, 0.12, "How far plates and their scales are off the bark's colour at most, lighter or darker, as a share; and where it is turning to rhytidome, how far they are ahead or behind.") \
  N(BARK_SHADE, "bark_shade", "Bark shade", "bark", "", 0, 1, 0, 0.8, 0.5, "How much darker furrows' bottoms are than the highest plates, as a share of the mean.") \
  N(BARK_TURNING, "bark_turning", "Bark turning", "bark", "", -1, 1, -1, 1, 0, "Where bark turns to rhytidome first: in furrows at 1, as birch does; on plates at -1, as red pines do, between whose plates young bark shows; alike at 0.") \
  N(LENTICEL_DENSITY, "lenticel_density", "Lenticel density", "bark", "1/dm2", 0, 100, 0, 12, 0, "Of the bars of birch and cherry bark, on periderm; at most 3200 over lenticel_length and lenticel_height in mm. 0 for none.") \

@@ -127,6 +127,10 @@ void plan_make(tree_plan *p, const settings *s) {
   p->bark_width = (float)number_at(s, T_BARK_WIDTH);
   p->bark_length = (float)number_at(s, T_BARK_LENGTH);
   p->bark_plates = (float)number_at(s, T_BARK_PLATES);
+  p->bark_joined = (float)number_at(s, T_BARK_JOINED);
+  p->bark_ridges = (float)number_at(s, T_BARK_RIDGES);
+  p->bark_scales = (float)number_at(s, T_BARK_SCALES);
+  p->bark_variation = (float)number_at(s, T_BARK_VARIATION);
   p->bark_shade = (float)number_at(s, T_BARK_SHADE);
   p->bark_turning = (float)number_at(s, T_BARK_TURNING);
   p->lenticel_density = (float)number_at(s, T_LENTICEL_DENSITY);

@@ -46,6 +46,7 @@ typedef struct {
   float leaf_variation;
   float periderm_age, rhytidome_from, rhytidome_age;
   float bark_depth, bark_width, bark_length, bark_plates, bark_shade, bark_reach; /* furrows.h */
+  float bark_joined, bark_ridges, bark_scales, bark_variation;                    /* likewise */
   float bark_turning;                                                       /* bark_surface.h */
   float lenticel_density, lenticel_length, lenticel_height, lenticel_shade; /* lenticels.h */
   float scar_width, scar_droop, scar_shade;                                 /* scars.h */

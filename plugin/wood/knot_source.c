@@ -127,7 +127,8 @@ static int32_t grow_tree(knot_source *k, const sozai_host *host, const settings 
       {.id = "orders", .kind = SOZAI_KIND_INT, .number = {1}},
       {.id = "fork_spacing", .kind = SOZAI_KIND_FLOAT, .number = {0}}, /* arms leave no knot */
       {.id = "field", .kind = SOZAI_KIND_TEXT, .text = field}};
-  r = settings_make(&k->given, host, &parameters, *species ? species : NULL, values, sizeof values / sizeof values[0]);
+  r = settings_make(&k->given, host, &parameters, *species ? species : NULL, values,
+                    sizeof values / sizeof values[0]);
   if (r) return r;
   k->tree = host_alloc(host, tree_generator.state_bytes, 64);
   if (!k->tree) return SOZAI_ERROR_MEMORY;

@@ -238,7 +238,9 @@ static void branches_cross_the_board(void **state) {
       const float *b = branches.data + i * columns;
       double azimuth = (double)b[6] * PI / 180, rise = (double)b[7] * PI / 180;
       double y = (double)b[2] - low, south = -cos(azimuth), u = z / south;
-      if (b[0] != 1.0f || b[1] != 0.0f || south < 0.35 || u > 0.8 * radius_now(&grown, (double)b[2])) continue;
+      if (b[0] != 1.0f || b[1] != 0.0f || south < 0.35 ||
+          u > 0.8 * radius_now(&grown, (double)b[2]))
+        continue;
       at[n][0] = u * sin(azimuth);
       at[n][1] = y + u * tan(rise);
       points_add(&p, at[n][0], at[n][1], z, 0);

@@ -94,8 +94,8 @@ static void as_asked(void **unused) {
   print_message("%d arms, %d of them on arms: %.3f of what is left (0.72), %.2f m apart, the first "
                 "at %.2f; %.0f %% to the left, %.0f %% about level, angles off by %.2g, joints by "
                 "%.2g mm\n",
-                arms, on_arms, share / arms, 1e-3 * gaps / gap_count, least_from,
-                100 * left / arms, 100 * level / arms, angle_off, joint);
+                arms, on_arms, share / arms, 1e-3 * gaps / gap_count, least_from, 100 * left / arms,
+                100 * level / arms, angle_off, joint);
   assert_true(arms > 200 && on_arms > 50 && gap_count > 20);
   assert_true(fabs(share / arms - 0.72) < 0.02);
   assert_true(gaps / gap_count > 1350 && gaps / gap_count < 1650);
@@ -168,8 +168,7 @@ static void how_many(void **unused) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(as_asked), cmocka_unit_test(branches_stay), cmocka_unit_test(none_is_lost),
-      cmocka_unit_test(how_many)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(as_asked), cmocka_unit_test(branches_stay),
+                                     cmocka_unit_test(none_is_lost), cmocka_unit_test(how_many)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,10 +5,12 @@
 
 #include "stem_rings.h"
 
+/* Plates that are cells, all of a kind. */
+#define ALIKE "bark_joined=0 bark_ridges=0 bark_scales=0 bark_variation=0 "
 /* A straight stem, all of it rhytidome. */
 #define EVEN                                                                                       \
   "age=60 orders=1 sway=0 butt=0 diameter_max=700 rhytidome_from=0 rhytidome_age=0 "               \
-  "rhytidome_colour=0.4,0.5,0.3 "
+  "rhytidome_colour=0.4,0.5,0.3 " ALIKE
 
 static double narrowest(const rings *r, uint64_t i) {
   double least = 1e9;
@@ -24,40 +26,99 @@ static double mean_of(const rings *r, uint64_t i) {
 
 /* ---- sizes --------------------------------------------------------------------- */
 
+/* mm, of plates round the stem and along it, from furrow to furrow: lower than half the mean. */
+static void sizes_of(const char *values, double size[2]) {
+  sozai_geometry *g = grow("sugi", values, NULL);
+  const sozai_mesh *m = mesh_of(g, 0);
+  rings r = rings_of(m);
+  double round = 0, up = 0, wide = 0, tall = 0;
+  for (uint64_t i = 0; i + 1 < r.count && height_of(&r, i + 1) < 5500; i++) {
+    double low = narrowest(&r, i), next = narrowest(&r, i + 1);
+    low += 0.5 * (mean_of(&r, i) - low), next += 0.5 * (mean_of(&r, i + 1) - next);
+    if (height_of(&r, i) < ROOTS) continue;
+    for (uint64_t k = 0; k < r.sides; k++) {
+      int here = out_of(&r, i, k) > low;
+      round += here && out_of(&r, i, k + 1) <= low;
+      up += here && out_of(&r, i + 1, k) <= next;
+      wide += 2 * 3.14159265 * low / (double)r.sides;
+      tall += height_of(&r, i + 1) - height_of(&r, i);
+    }
+  }
+  size[0] = wide / round, size[1] = tall / up;
+  geometry()->release_mesh(m);
+  geometry()->release(g);
+}
+
 static void plates_as_wide_and_long_as_asked(void **unused) {
   (void)unused;
   static const struct {
     double width, length, flat;
   } cases[] = {{30, 30, 0.5}, {25, 100, 0.5}, {60, 90, 0}, {40, 40, 1}};
   for (int c = 0; c < 4; c++) {
-    char values[256];
+    char values[320];
+    double size[2];
     snprintf(values, sizeof values,
              EVEN "bark_depth=20 bark_plates=%g bark_width=%g bark_length=%g", cases[c].flat,
              cases[c].width, cases[c].length);
+    sizes_of(values, size);
+    print_message("plates of %g x %g mm: %.1f x %.1f mm\n", cases[c].width, cases[c].length,
+                  size[0], size[1]);
+    assert_true(fabs(size[0] / cases[c].width - 1) < 0.15);
+    assert_true(fabs(size[1] / cases[c].length - 1) < 0.15);
+  }
+}
+
+#define PLATES EVEN "bark_depth=20 bark_plates=0.5 bark_width=30 bark_length=60 "
+
+/* Ridges are as wide as strips and run on; plates that are joined are larger both ways. */
+static void ridges_and_joined_plates(void **unused) {
+  (void)unused;
+  double apart[2], ridges[2], joined[2];
+  sizes_of(PLATES, apart);
+  sizes_of(PLATES "bark_ridges=1", ridges);
+  sizes_of(PLATES "bark_joined=0.5", joined);
+  print_message("plates %.1f x %.1f, ridges %.1f x %.1f, joined %.1f x %.1f mm\n", apart[0],
+                apart[1], ridges[0], ridges[1], joined[0], joined[1]);
+  assert_true(ridges[1] > 1.6 * apart[1] && ridges[0] < 1.25 * apart[0]);
+  assert_true(joined[0] > 1.1 * apart[0] && joined[1] > 1.1 * apart[1]);
+}
+
+/* Plates' tones: as bright in the mean, off it by as much as asked; and scales' heights. */
+static void plates_differ(void **unused) {
+  (void)unused;
+  static const char *const cases[] = {"bark_variation=0", "bark_variation=0.2",
+                                      "bark_variation=0.4", "bark_scales=1"};
+  double spread[4], rough[4];
+  for (int c = 0; c < 4; c++) {
+    char values[320];
+    snprintf(values, sizeof values, PLATES "bark_shade=0 %s", cases[c]);
     sozai_geometry *g = grow("sugi", values, NULL);
     const sozai_mesh *m = mesh_of(g, 0);
     rings r = rings_of(m);
-    double round = 0, up = 0, wide = 0, tall = 0;
-    for (uint64_t i = 0; i + 1 < r.count && height_of(&r, i + 1) < 5500; i++) {
-      /* furrows are lower than half the mean */
-      double low = narrowest(&r, i), next = narrowest(&r, i + 1);
-      low += 0.5 * (mean_of(&r, i) - low), next += 0.5 * (mean_of(&r, i + 1) - next);
+    double sum = 0, squares = 0, most = 0, count = 0, steps = 0, high = 0;
+    for (uint64_t i = 0; i < r.count && height_of(&r, i) < 5500; i++) {
+      double low = narrowest(&r, i), mean = mean_of(&r, i);
       if (height_of(&r, i) < ROOTS) continue;
       for (uint64_t k = 0; k < r.sides; k++) {
-        int here = out_of(&r, i, k) > low;
-        round += here && out_of(&r, i, k + 1) <= low;
-        up += here && out_of(&r, i + 1, k) <= next;
-        wide += 2 * 3.14159265 * low / (double)r.sides;
-        tall += height_of(&r, i + 1) - height_of(&r, i);
+        double off = (double)m->colours[3 * index_of(&r, i, k)] / 0.4 - 1;
+        sum += off, squares += off * off, count++;
+        most = fmax(most, fabs(off));
+        /* on plates, from point to point */
+        if (!(out_of(&r, i, k) > low + 1.2 * (mean - low))) continue;
+        steps += fabs(out_of(&r, i, k + 1) - out_of(&r, i, k));
+        high += out_of(&r, i, k) - low;
       }
     }
-    print_message("plates of %g x %g mm: %.1f x %.1f mm\n", cases[c].width, cases[c].length,
-                  wide / round, tall / up);
-    assert_true(fabs(wide / round / cases[c].width - 1) < 0.15);
-    assert_true(fabs(tall / up / cases[c].length - 1) < 0.15);
+    spread[c] = sqrt(squares / count), rough[c] = steps / high;
+    print_message("%s: tones %.4f in the mean, %.3f (sd), %.3f at most; rough by %.3f\n", cases[c],
+                  sum / count, spread[c], most, rough[c]);
+    assert_true(fabs(sum / count) < 0.004);
+    assert_true(c == 0 || c == 3 ? most < 1e-5 : most < 0.2 * c && most > 0.17 * c);
     geometry()->release_mesh(m);
     geometry()->release(g);
   }
+  assert_true(fabs(spread[2] / spread[1] - 2) < 0.01 && spread[1] > 0.06);
+  assert_true(rough[3] > 1.08 * rough[0]);
 }
 
 /* Over the stem's radius, which is that under bark. */
@@ -141,7 +202,7 @@ static double turned_at(const char *turning, double *low, double *high) {
   snprintf(values, sizeof values,
            "age=60 orders=1 sway=0 butt=0 diameter_max=700 periderm_age=0 rhytidome_from=20 "
            "rhytidome_age=100 bark_colour=0,0,0 rhytidome_colour=1,1,1 bark_depth=15 bark_shade=0 "
-           "bark_plates=0.5 bark_turning=%s",
+           "bark_plates=0.5 " ALIKE "bark_turning=%s",
            turning);
   sozai_geometry *g = grow("sugi", values, NULL);
   const sozai_mesh *m = mesh_of(g, 0);
@@ -307,6 +368,8 @@ static void lit_as_it_lies(void **unused) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(plates_as_wide_and_long_as_asked),
+                                     cmocka_unit_test(ridges_and_joined_plates),
+                                     cmocka_unit_test(plates_differ),
                                      cmocka_unit_test(as_deep_as_asked),
                                      cmocka_unit_test(dark_in_furrows),
                                      cmocka_unit_test(turns_in_furrows_or_on_plates),

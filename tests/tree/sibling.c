@@ -97,8 +97,9 @@ static void hanging_branches(void **unused) {
  * elevation and thickness learn of them. */
 static void build_round_trip(void **unused) {
   (void)unused;
-  static const char odd[] = "age=12 turns_year=1.1 orders=1 crown_ratio=1 elevation_top=20 elevation_base=-25 "
-                            "diameter_max=400 stem_form=0.7 slenderness=0.006 thickest=0.45 seed=5";
+  static const char odd[] =
+      "age=12 turns_year=1.1 orders=1 crown_ratio=1 elevation_top=20 elevation_base=-25 "
+      "diameter_max=400 stem_form=0.7 slenderness=0.006 thickest=0.45 seed=5";
   sozai_geometry *g = grow("cherry", odd, NULL);
   char *text = field_text(g);
   sozai_table t = table_of(g, "branches");

@@ -26,6 +26,7 @@ static const sozai_value cherry[] = {
     PERIDERM(4, 0.36, 0.27, 0.25),
     RHYTIDOME(35, 110, 0.29, 0.27, 0.26),
     FURROWS(5, 30, 60, 0.4),
+    PLATES(0.4, 0, 0.6, 0.15),
     LENTICELS(3, 60, 6, 0.45),
     SCARS(4, 0.4, 0.35),
     TRIPLE("leaf_colour", 0.29, 0.43, 0.17)};
@@ -74,7 +75,9 @@ static const sozai_value keyaki[] = {
     SHOOT(0.40, 0.28, 0.21),
     PERIDERM(5, 0.46, 0.43, 0.39),
     RHYTIDOME(30, 90, 0.46, 0.40, 0.34),
-    FURROWS(4, 45, 50, 0.9),
+    FURROWS(3, 75, 65, 0.95),
+    PLATES(0.65, 0, 0.2, 0.22),
+    NUMBER("bark_shade", 0.3),
     TRIPLE("leaf_colour", 0.27, 0.42, 0.17)};
 SPECIES(
     keyaki, "Keyaki (Zelkova serrata)",
@@ -123,7 +126,9 @@ static const sozai_value mizunara[] = {
     SHOOT(0.43, 0.36, 0.27),
     PERIDERM(5, 0.45, 0.42, 0.38),
     RHYTIDOME(12, 45, 0.40, 0.37, 0.34),
-    FURROWS(18, 32, 355, 0.4),
+    FURROWS(18, 34, 220, 0.35),
+    PLATES(0.25, 0.8, 0.3, 0.15),
+    NUMBER("bark_shade", 0.65),
     TRIPLE("leaf_colour", 0.26, 0.39, 0.16)};
 SPECIES(mizunara, "Mizunara (Quercus crispula)",
         "Japanese oak: stout crooked limbs, leaves bunched towards the shoots' ends.", SATAKE);
@@ -145,6 +150,7 @@ static const sozai_value shirakaba[] = {
     PERIDERM(9, 0.86, 0.84, 0.79),
     RHYTIDOME(60, 170, 0.27, 0.25, 0.24),
     FURROWS(12, 40, 130, 0.6),
+    PLATES(0.25, 0.4, 0.3, 0.15),
     NUMBER("bark_turning", 0.8),
     LENTICELS(2.5, 35, 4, 0.75),
     SCARS(6, 0.75, 0.9),
@@ -172,6 +178,7 @@ static const sozai_value momiji[] = {
     PERIDERM(8, 0.41, 0.40, 0.33),
     RHYTIDOME(25, 70, 0.46, 0.44, 0.41),
     FURROWS(2, 14, 145, 0.1),
+    PLATES(0.2, 0.7, 0, 0.1),
     TRIPLE("leaf_colour", 0.36, 0.46, 0.17)};
 SPECIES(momiji, "Iroha-momiji (Acer palmatum)",
         "Japanese maple: arching tiers of opposite shoots, leaves of five lobes.", SATAKE);

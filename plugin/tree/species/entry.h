@@ -60,6 +60,10 @@
 #define FURROWS(deep, wide, tall, flat)                                                            \
   NUMBER("bark_depth", deep), NUMBER("bark_width", wide), NUMBER("bark_length", tall),             \
       NUMBER("bark_plates", flat)
+/* how many are joined, how much they are ridges, how scaly, how varied: each a share */
+#define PLATES(joined, ridges, scales, varied)                                                     \
+  NUMBER("bark_joined", joined), NUMBER("bark_ridges", ridges), NUMBER("bark_scales", scales),     \
+      NUMBER("bark_variation", varied)
 /* Of periderm: to a dm2; mm across and along the stem; how dark, 0 to 1. */
 #define LENTICELS(often, across, along, dark)                                                      \
   NUMBER("lenticel_density", often), NUMBER("lenticel_length", across),                            \

@@ -58,7 +58,8 @@ static const sozai_value hinoki[] = {
     SHOOT(0.30, 0.31, 0.17),
     PERIDERM(5, 0.42, 0.27, 0.20),
     RHYTIDOME(15, 55, 0.41, 0.33, 0.28),
-    FURROWS(4, 22, 280, 0.6),
+    FURROWS(5, 30, 320, 0.7),
+    PLATES(0.2, 0.85, 0.3, 0.15),
     TRIPLE("leaf_colour", 0.20, 0.36, 0.17)};
 SPECIES(hinoki, "Hinoki (Chamaecyparis obtusa)",
         "Hinoki cypress: scale leaves in flat sprays, a rounder cone than sugi.",
@@ -80,7 +81,8 @@ static const sozai_value akamatsu[] = {
     SHOOT(0.46, 0.38, 0.22),
     PERIDERM(4, 0.56, 0.32, 0.21),
     RHYTIDOME(12, 40, 0.39, 0.34, 0.31),
-    FURROWS(12, 40, 75, 0.7),
+    FURROWS(12, 44, 105, 0.9),
+    PLATES(0.4, 0.4, 0.5, 0.2),
     NUMBER("bark_turning", -1),
     TRIPLE("leaf_colour", 0.25, 0.37, 0.17)};
 SPECIES(akamatsu, "Akamatsu (Pinus densiflora)",
@@ -105,7 +107,9 @@ static const sozai_value kuromatsu[] = {
     SHOOT(0.42, 0.34, 0.21),
     PERIDERM(5, 0.36, 0.31, 0.27),
     RHYTIDOME(8, 35, 0.25, 0.22, 0.20),
-    FURROWS(22, 45, 80, 0.75),
+    FURROWS(26, 50, 120, 0.85),
+    PLATES(0.35, 0.45, 0.5, 0.2),
+    NUMBER("bark_shade", 0.65),
     TRIPLE("leaf_colour", 0.16, 0.28, 0.14)};
 SPECIES(kuromatsu, "Kuromatsu (Pinus thunbergii)",
         "Japanese black pine: stouter and more crooked than the red, with stiff dark needles.",
@@ -125,7 +129,8 @@ static const sozai_value karamatsu[] = {
     SHOOT(0.52, 0.34, 0.21),
     PERIDERM(5, 0.40, 0.28, 0.22),
     RHYTIDOME(18, 55, 0.36, 0.30, 0.27),
-    FURROWS(10, 29, 55, 0.6),
+    FURROWS(14, 36, 80, 0.5),
+    PLATES(0.3, 0.4, 0.7, 0.2),
     TRIPLE("leaf_colour", 0.36, 0.50, 0.22)};
 SPECIES(karamatsu, "Karamatsu (Larix kaempferi)",
         "Japanese larch: a light open cone, needles in tufts on short shoots.",
@@ -146,6 +151,7 @@ static const sozai_value todomatsu[] = {
     PERIDERM(5, 0.48, 0.47, 0.44),
     RHYTIDOME(35, 90, 0.41, 0.38, 0.35),
     FURROWS(2, 37, 55, 0.5),
+    PLATES(0.4, 0, 0.4, 0.15),
     SCARS(4, 0.3, 0.35),
     TRIPLE("leaf_colour", 0.16, 0.32, 0.19)};
 SPECIES(todomatsu, "Todomatsu (Abies sachalinensis)",

@@ -19,7 +19,8 @@ static const sozai_value norway_spruce[] = {
     SHOOT(0.50, 0.34, 0.20),
     PERIDERM(5, 0.41, 0.28, 0.21),
     RHYTIDOME(25, 80, 0.34, 0.29, 0.28),
-    FURROWS(5, 29, 34, 0.8),
+    FURROWS(6, 32, 34, 0.7),
+    PLATES(0.25, 0, 0.8, 0.2),
     TRIPLE("leaf_colour", 0.17, 0.30, 0.16)};
 SPECIES(norway_spruce, "Norway spruce (Picea abies)",
         "Regular whorls that sweep down and out, hung with drooping sprays.", MITCHELL FARJON);
@@ -40,7 +41,8 @@ static const sozai_value scots_pine[] = {
     SHOOT(0.44, 0.40, 0.26),
     PERIDERM(4, 0.58, 0.37, 0.24),
     RHYTIDOME(12, 45, 0.37, 0.32, 0.29),
-    FURROWS(16, 45, 80, 0.7),
+    FURROWS(18, 50, 120, 0.85),
+    PLATES(0.35, 0.45, 0.5, 0.2),
     NUMBER("bark_turning", -1),
     TRIPLE("leaf_colour", 0.24, 0.36, 0.25)};
 SPECIES(scots_pine, "Scots pine (Pinus sylvestris)",
@@ -60,7 +62,9 @@ static const sozai_value douglas_fir[] = {
     SHOOT(0.42, 0.38, 0.24),
     PERIDERM(5, 0.39, 0.38, 0.35),
     RHYTIDOME(18, 60, 0.33, 0.27, 0.23),
-    FURROWS(35, 55, 245, 0.35),
+    FURROWS(38, 60, 250, 0.4),
+    PLATES(0.25, 0.75, 0.3, 0.12),
+    NUMBER("bark_shade", 0.65),
     TRIPLE("leaf_colour", 0.20, 0.34, 0.18)};
 SPECIES(douglas_fir, "Douglas fir (Pseudotsuga menziesii)",
         "A tall cone of loose whorls with branches between them.",
