@@ -88,7 +88,7 @@ SPECIES(
 static const sozai_value buna[] = {HEIGHT(28, 0.025, 1.3),
                                    DIAMETER(900, 0.013, 1.2),
                                    STEM(0.9, 0.35, 0.012),
-                                   GOLDEN(0.36, 30),
+                                   GOLDEN(0.5, 30),
                                    NUMBER("flush", 1.5),
                                    CROWN(0.62, 6, 0.08, 0.6, 0.45, 0.16),
                                    CROWN_LIFE(0.66, 30, 2),
