@@ -20,6 +20,8 @@
 #define SHAPE_SIX 11   /* an ellipse of six points */
 #define SHAPE_THREE 12 /* a hand of three lobes */
 #define SHAPE_FIVE 13  /* what five points are of it */
+#define SHAPE_TOOTHED 14
+#define SHAPE_OBOVATE 15 /* it without teeth and fold */
 #define SPRIG_AWLS 12
 #define SPARSE_AWLS 6
 #define ELLIPSE_POINTS 12
@@ -27,6 +29,7 @@
 #define SIX_POINTS 6
 #define THREE_POINTS 8
 #define FIVE_POINTS 5
+#define TEETH_POINTS 5 /* to a side: three teeth */
 
 static const uint8_t sizes[][2] = {[SHAPE_AWL] = {4, 4},
                                    [SHAPE_SLIVER] = {3, 1},
@@ -41,7 +44,9 @@ static const uint8_t sizes[][2] = {[SHAPE_AWL] = {4, 4},
                                    [SHAPE_FLAT] = {6, 4},
                                    [SHAPE_SIX] = {SIX_POINTS, SIX_POINTS - 2},
                                    [SHAPE_THREE] = {THREE_POINTS, THREE_POINTS - 2},
-                                   [SHAPE_FIVE] = {FIVE_POINTS, FIVE_POINTS - 2}};
+                                   [SHAPE_FIVE] = {FIVE_POINTS, FIVE_POINTS - 2},
+                                   [SHAPE_TOOTHED] = {4 + 2 * TEETH_POINTS, 14},
+                                   [SHAPE_OBOVATE] = {8, 6}};
 
 /* At level 1 about half as many triangles, from 2 on as few as can be. */
 static const uint8_t shapes[][3] = {
@@ -49,14 +54,14 @@ static const uint8_t shapes[][3] = {
     [LEAF_BLADE] = {SHAPE_BLADE, SHAPE_FLAT, SHAPE_DIAMOND},
     [LEAF_ELLIPSE] = {SHAPE_ELLIPSE, SHAPE_SIX, SHAPE_DIAMOND},
     [LEAF_LOBED] = {SHAPE_LOBED, SHAPE_THREE, SHAPE_FIVE},
+    [LEAF_TOOTHED] = {SHAPE_TOOTHED, SHAPE_OBOVATE, SHAPE_DIAMOND},
 };
 
 /* What a diamond is longer and wider than the leaf it stands for: it hides as much. */
 static const float diamonds[][2] = {
-    [LEAF_NEEDLE] = {1.0f, 1.0f},
-    [LEAF_BLADE] = {1.063f, 1.202f},
-    [LEAF_ELLIPSE] = {1.136f, 1.467f},
-    [LEAF_LOBED] = {1.0f, 1.0f},
+    [LEAF_NEEDLE] = {1.0f, 1.0f},      [LEAF_BLADE] = {1.063f, 1.202f},
+    [LEAF_ELLIPSE] = {1.136f, 1.467f}, [LEAF_LOBED] = {1.0f, 1.0f},
+    [LEAF_TOOTHED] = {1.05f, 1.145f},
 };
 
 static int shape_of(const tree *t, uint32_t level) {
@@ -266,6 +271,50 @@ static void write_flat(mesh_pen *pen, const frame *f) {
   pen_triangle(pen, l2, r2, tip);
 }
 
+/* From the stalk up, of the right side. */
+static const float teeth[TEETH_POINTS][2] = {
+    {0.52f, 0.22f}, {0.42f, 0.34f}, {0.92f, 0.50f}, {0.72f, 0.60f}, {0.88f, 0.78f}};
+#define NODS 0.14f /* of its length, at its tip */
+
+static uint32_t folded(mesh_pen *pen, const frame *f, float x, float y, float fold) {
+  float out = x < 0.0f ? -x : x, lean = x > 0.0f ? -fold : x < 0.0f ? fold : 0.0f;
+  float z = fold * out * f->half - NODS * y * y * f->length;
+  return at(pen, f, x * f->half, y * f->length, z, lean, 0, __builtin_sqrtf(1.0f - lean * lean));
+}
+
+static void write_toothed(mesh_pen *pen, const frame *f) {
+  const float fold = 0.24f;
+  uint32_t base = folded(pen, f, 0, 0, fold), low = folded(pen, f, 0, 0.34f, fold),
+           high = folded(pen, f, 0, 0.62f, fold), tip = folded(pen, f, 0, 1, fold);
+  for (int left = 0; left < 2; left++) {
+    uint32_t last = base;
+    for (uint32_t i = 0; i <= TEETH_POINTS; i++) {
+      const float *q = teeth[i < TEETH_POINTS ? i : 0];
+      uint32_t next = i < TEETH_POINTS ? folded(pen, f, left ? -q[0] : q[0], q[1], fold) : tip;
+      uint32_t middle = i < 3 ? low : high;
+      pen_triangle(pen, middle, left ? next : last, left ? last : next);
+      last = next;
+      if (i == 2) pen_triangle(pen, low, left ? high : last, left ? last : high);
+    }
+  }
+}
+
+/* Of as large an area. */
+static const float rounded[3][2] = {{0.485f, 0.28f}, {0.873f, 0.52f}, {0.834f, 0.78f}};
+
+static void write_obovate(mesh_pen *pen, const frame *f) {
+  const float fold = 0.12f;
+  uint32_t left = folded(pen, f, 0, 0, fold), right = left, base = left;
+  for (uint32_t i = 0; i < 3; i++) {
+    uint32_t l = folded(pen, f, -rounded[i][0], rounded[i][1], fold),
+             r = folded(pen, f, rounded[i][0], rounded[i][1], fold);
+    if (right != base) pen_triangle(pen, left, right, r);
+    pen_triangle(pen, left, r, l);
+    left = l, right = r;
+  }
+  pen_triangle(pen, left, right, folded(pen, f, 0, 1, fold));
+}
+
 static void write_diamond(mesh_pen *pen, const frame *f) {
   float w = f->half * 0.9f, l = f->length;
   uint32_t base = at(pen, f, 0, 0, 0, 0, 0, 1), a = at(pen, f, -w, 0.45f * l, 0, 0, 0, 1),
@@ -330,6 +379,12 @@ void leaf_write(mesh_pen *pen, const tree_organ *o, const leaf_shape *s) {
     break;
   case SHAPE_FLAT:
     write_flat(pen, &f);
+    break;
+  case SHAPE_TOOTHED:
+    write_toothed(pen, &f);
+    break;
+  case SHAPE_OBOVATE:
+    write_obovate(pen, &f);
     break;
   case SHAPE_SIX:
     write_fan(pen, &f, six, SIX_POINTS);

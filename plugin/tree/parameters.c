@@ -23,9 +23,10 @@ static const char *const round_choices[] = {"random", "flat", "spiral", "opposit
 static const char *const round_docs[] = {"at random", "left and right in turn, in one plane",
                                          "each 137.5 degrees on",
                                          "in pairs, each pair square to the last"};
-static const char *const leaf_choices[] = {"needle", "blade", "ellipse", "lobed"};
+static const char *const leaf_choices[] = {"needle", "blade", "ellipse", "lobed", "toothed"};
 static const char *const leaf_docs[] = {"an awl or needle", "pointed, folded along its midrib",
-                                        "a flat ellipse: the paper's", "a hand of five lobes"};
+                                        "a flat ellipse: the paper's", "a hand of five lobes",
+                                        "widest beyond its middle, with coarse teeth: an oak's"};
 
 TREE_PARAMETERS(N_, I_, C_, T_, X3_)
 

@@ -148,6 +148,7 @@ enum {
 #define LEAF_BLADE 1
 #define LEAF_ELLIPSE 2
 #define LEAF_LOBED 3
+#define LEAF_TOOTHED 4
 
 extern const sozai_parameter *const tree_parameters[TREE_PARAMETER_COUNT];
 

@@ -120,7 +120,8 @@ int32_t stem_grow(tree *t, const sozai_host *host, const tree_bud *buds, uint32_
   }
   t->branch_room = 1u + grown + arms.branches;
   t->node_room = nodes + arms.nodes;
-  int32_t r = limit_check(host, LIMIT_SHOOTS, t->branch_room, "orders, and fork_spacing");
+  /* shoots are counted later, and these with them */
+  int32_t r = arms.branches ? limit_check(host, LIMIT_SHOOTS, t->branch_room, "fork_spacing") : 0;
   if (r) return r;
   t->branches = host_alloc(host, t->branch_room * sizeof *t->branches, 64);
   t->nodes = t->branches ? host_alloc(host, t->node_room * sizeof *t->nodes, 64) : NULL;

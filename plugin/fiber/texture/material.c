@@ -20,7 +20,7 @@ typedef struct {
 static const sozai_texture_info *describe(void) {
   static sozai_texture_info info = {
       .size = sizeof(sozai_texture_info),
-      .revision = 17,
+      .revision = 18,
       .id = "fiber",
       .label = "Fibre",
       .doc = "Aggregates of fibres as a surface shows them: every strand near, and from afar a "
