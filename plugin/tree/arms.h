@@ -14,8 +14,8 @@ typedef struct {
   uint64_t branches, nodes;
 } arms_room;
 
-/* Added to `room`: what a branch's arms, and theirs, take. length: mm, as it grew. */
-void arms_count(const tree_plan *p, uint32_t key, double length, arms_room *room);
+/* Added to `room`: what a branch's arms, and theirs, take. length: mm, its own. */
+void arms_count(const tree_plan *p, uint32_t key, float length, arms_room *room);
 
 /* Grows them, after all that is there; t has room. */
 void arms_grow(tree *t, uint32_t branch);

@@ -116,7 +116,8 @@ int32_t stem_grow(tree *t, const sozai_host *host, const tree_bud *buds, uint32_
   arms_room arms = {0, 0};
   for (uint32_t i = 0; i < grown; i++) {
     if (buds[i].shed < 0.0) nodes += branch_nodes(p, &buds[i]);
-    if (buds[i].death < 0.0) arms_count(p, buds[i].key, life_length(p, &buds[i], p->age), &arms);
+    if (buds[i].death < 0.0)
+      arms_count(p, buds[i].key, (float)life_length(p, &buds[i], p->age), &arms);
   }
   t->branch_room = 1u + grown + arms.branches;
   t->node_room = nodes + arms.nodes;
