@@ -262,7 +262,9 @@ static void write_ring(mesh_pen *pen, const tree *t, uint32_t branch, const tube
     if (!plain) {
       /* along the axis and not upright: limbs have it along them, too, each its own */
       float own = b->order ? (float)(b->key & 0xffffu) : 0.0f;
-      const float place[3] = {own + r * round[0], 100.0f * v, r * round[1]};
+      /* as if there were no roots: what they bulge stretches bark, and does not cut into more of it
+       */
+      const float place[3] = {own + at->r * round[0], 100.0f * v, at->r * round[1]};
       bark_point q = bark_at(&pen->bark, bark, place);
       if (f->scars.dark > 0.0f) add_scars(f, round, r, &q);
       r += q.thick;
