@@ -8,12 +8,12 @@
 #include "stem.h"
 #include "way.h"
 
-#define FORKS_MOST 6u  /* of one axis */
-#define GENERATIONS 4u /* of arms on arms */
-#define LEAST_ARM 0.4  /* of the distance from fork to fork: no arm is shorter */
-#define PLACES 0.35    /* of it: how far a fork is off its place, either way */
-#define LONGER 1.1     /* of what is left of the branch, over fork_share */
-#define SHORTER 0.7
+#define FORKS_MOST 6u      /* of one axis */
+#define GENERATIONS 4u     /* of arms on arms */
+#define LEAST_ARM 0.4      /* of the distance from fork to fork: no arm is shorter */
+#define PLACES 0.35        /* of it: how far a fork is off its place, either way */
+#define SHORTER 0.7        /* of fork_share: from so much */
+#define LONGER 1.1         /* to so much */
 #define TURNS_ASIDE 0.125f /* of a turn round the branch: how far off level an arm leaves it */
 
 typedef struct {

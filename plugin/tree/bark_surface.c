@@ -4,8 +4,8 @@
 #include "bark.h"
 
 static const float shown_from[] = {30.0f, 60.0f}; /* mm of radius: stems, and limbs on them */
-#define MARKED_FROM 80.0f                          /* mm of radius: where there are lenticels, */
-#define MARKED_ALL 100.0f                          /* and where they are as dark as ever */
+#define MARKED_FROM 80.0f                         /* mm of radius: where there are lenticels, */
+#define MARKED_ALL 100.0f                         /* and where they are as dark as ever */
 /* mm: furrows that are shallower are as deep as their mean; twice as deep, all is cut. */
 #define LEAST_FURROW 0.8f
 #define LEAST_MARK 0.03f /* lenticels that are paler are as dark as their mean */

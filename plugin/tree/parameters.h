@@ -61,7 +61,7 @@
  N(THICKEST, "thickest", "Thickest", "branches", "", 0.05, 0.95, 0.2, 0.9, 0.5, "Radius at the base over the parent's there, at most; what a missing thickness is.") \
  N(FORK_SPACING, "fork_spacing", "Fork spacing", "branches", "mm", 0, 20000, 0, 3000, 0, "How far apart a branch forks along it, about; at most 6 times. Its arms fork likewise, and theirs. 0: never.") \
  N(FORK_FROM, "fork_from", "Forks from", "branches", "", 0, 0.95, 0, 0.6, 0.15, "Share of a branch that does not fork, from its base.") \
- N(FORK_SHARE, "fork_share", "Fork share", "branches", "", 0.05, 1.2, 0.4, 1, 0.9, "Length of an arm over what its branch has left, at most a tenth more, 0.9 of it on average.") \
+ N(FORK_SHARE, "fork_share", "Fork share", "branches", "", 0.05, 1.2, 0.4, 1, 0.9, "Length of an arm over what its branch has left: drawn from 0.7 to 1.1 of this.") \
  N(FORK_ANGLE, "fork_angle", "Fork angle", "branches", "deg", 1, 120, 15, 70, 38, "From the branch to its arm, to one side and the other.") \
  N(SPACING_2, "spacing_2", "Spacing, 2nd order", "second order", "mm", 2, 5000, 10, 500, 50, "Along the branch.") \
  N(LENGTH_2, "length_2", "Length, 2nd order", "second order", "mm", 1, 30000, 20, 3000, 350, "At most.") \
