@@ -47,7 +47,7 @@ int tube_shape_of(const tree *t, const bark_surface *bark, uint32_t branch, uint
 void tube_size(const tube_shape *s, uint64_t *points, uint64_t *triangles);
 void tube_write(mesh_pen *pen, const tree *t, uint32_t branch, const tube_shape *s);
 
-/* ---- leaf.c ------------------------------------------------------------ */
+/* ---- leaf.c, needle.c, blade.c ------------------------------------------- */
 
 typedef struct {
   uint32_t points, triangles, stride; /* of one; every stride-th leaf is drawn */
