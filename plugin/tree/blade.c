@@ -37,7 +37,7 @@ static void write_flat(mesh_pen *pen, const leaf_frame *f) {
   pen_triangle(pen, l2, r2, tip);
 }
 
-/* From the stalk up, of the right side. */
+/* Of an oak's, from the stalk up, of the right side. */
 static const float teeth[TEETH_POINTS][2] = {
     {0.52f, 0.22f}, {0.42f, 0.34f}, {0.92f, 0.50f}, {0.72f, 0.60f}, {0.88f, 0.78f}};
 #define NODS 0.14f /* of its length, at its tip */

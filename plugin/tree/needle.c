@@ -1,28 +1,31 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "leaf_shapes.h"
 
-static void write_awl(mesh_pen *pen, const leaf_frame *f) {
+/* Three round its base, and its tip. */
+static void awl_points(mesh_pen *pen, const leaf_frame *f, uint32_t out[4]) {
   float r = f->half;
-  uint32_t a = leaf_at(pen, f, r, 0, 0, 1, 0, 0),
-           b = leaf_at(pen, f, -0.5f * r, 0, 0.866f * r, -0.5f, 0, 0.8660254f),
-           c = leaf_at(pen, f, -0.5f * r, 0, -0.866f * r, -0.5f, 0, -0.8660254f),
-           tip = leaf_at(pen, f, 0, f->length, 0, 0, 1, 0);
-  pen_triangle(pen, a, b, c);
-  pen_triangle(pen, a, tip, b);
-  pen_triangle(pen, b, tip, c);
-  pen_triangle(pen, c, tip, a);
+  out[0] = leaf_at(pen, f, r, 0, 0, 1, 0, 0);
+  out[1] = leaf_at(pen, f, -0.5f * r, 0, 0.866f * r, -0.5f, 0, 0.8660254f);
+  out[2] = leaf_at(pen, f, -0.5f * r, 0, -0.866f * r, -0.5f, 0, -0.8660254f);
+  out[3] = leaf_at(pen, f, 0, f->length, 0, 0, 1, 0);
+}
+
+static void write_awl(mesh_pen *pen, const leaf_frame *f) {
+  uint32_t p[4];
+  awl_points(pen, f, p);
+  pen_triangle(pen, p[0], p[1], p[2]);
+  pen_triangle(pen, p[0], p[3], p[1]);
+  pen_triangle(pen, p[1], p[3], p[2]);
+  pen_triangle(pen, p[2], p[3], p[0]);
 }
 
 /* Of thin sheets that hang together what is seen from all around is that of the
  * body they would wrap: as much as of the awl. */
 static void write_gutter(mesh_pen *pen, const leaf_frame *f) {
-  float r = f->half;
-  uint32_t a = leaf_at(pen, f, r, 0, 0, 1, 0, 0),
-           b = leaf_at(pen, f, -0.5f * r, 0, 0.866f * r, -0.5f, 0, 0.8660254f),
-           c = leaf_at(pen, f, -0.5f * r, 0, -0.866f * r, -0.5f, 0, -0.8660254f),
-           tip = leaf_at(pen, f, 0, f->length, 0, 0, 1, 0);
-  pen_triangle(pen, a, tip, b);
-  pen_triangle(pen, b, tip, c);
+  uint32_t p[4];
+  awl_points(pen, f, p);
+  pen_triangle(pen, p[0], p[3], p[1]);
+  pen_triangle(pen, p[1], p[3], p[2]);
 }
 
 /* As broad as the awl that it stands for from all around: of a closed body that is in the mean a

@@ -17,7 +17,7 @@
 #define TREE_PARAMETERS(N, I, C, T, X3) \
  I(SEED, "seed", "Seed", "tree", "", 0, 4294967295.0, 0, 1000, 1, "Which tree of its kind.") \
  N(AGE, "age", "Age", "tree", "years", 1, 300, 1, 100, 20, "Years since it sprouted.") \
- I(ORDERS, "orders", "Orders", "tree", "", 0, 4, 1, 4, 4, "How far it is grown out: 1 branches on the stem, 2 and 3 shoots, 4 needles or leaves.") \
+ I(ORDERS, "orders", "Orders", "tree", "", 0, 4, 1, 4, 4, "How far it is grown out: 1 branches on the stem, with the arms they fork into, 2 and 3 shoots, 4 needles or leaves.") \
  C(FOLIAGE, "foliage", "Foliage", "tree", foliage, 0, "What the leaves are.") \
  I(LEAVES_MOST, "leaves_most", "Most leaves", "tree", "", 1000, 50000000, 10000, 5000000, 1200000, "With foliage auto: above this number short needles are drawn as clothed shoots, and leaves and long needles fewer and larger, of the same area.") \
  T(FIELD, "field", "Field table", "field", "The text of a measured tree (docs/tree.md). It takes the place of stem and branches; what it lacks is grown.") \

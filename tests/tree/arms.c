@@ -15,17 +15,16 @@
 
 /* What a row's curve is like; a shed branch has none. */
 typedef struct {
-  const float *points, *radii;
+  const float *points;
   uint64_t count;
 } axis;
 
 static axis axis_of(const sozai_curves *c, uint64_t row) {
   for (uint64_t i = 0; i < c->curve_count; i++) {
     if (c->ids[i] != row) continue;
-    return (axis){c->points + 3 * c->first[i], c->radii + c->first[i],
-                  c->first[i + 1] - c->first[i]};
+    return (axis){c->points + 3 * c->first[i], c->first[i + 1] - c->first[i]};
   }
-  return (axis){NULL, NULL, 0};
+  return (axis){NULL, 0};
 }
 
 static void direction(const float *a, const float *b, double out[3]) {
