@@ -117,30 +117,40 @@ INLINE vf cone_spread(const cone_ray *i, const cone_ray *r, const cone_lost *los
   return lost->out * out * out + lost->around * around * around;
 }
 
-/* Radiance towards v under l, for light_colour 1. sine: of the dive angle.
- * lost: slopes of fibres that the footprint averages, or NULL for none. Without the coat's own
- * highlight. */
+/* What lies along an axis, and shines about it: fibres up the stem, or a ray's cells along the
+ * radius. share: of the place, that they have; vessels have none. strength: a table over the dive
+ * of their lobe's over the fibres', or NULL where it is 1. */
+typedef struct {
+  const vf *axis;
+  vf sine; /* of the dive angle */
+  vf share;
+  const float *strength;
+  const cone_lost *lost; /* slopes that the footprint averages, or NULL for none */
+} cone_cells;
+
+/* Radiance towards v under l, for light_colour 1. Without the coat's own highlight. */
 INLINE void cone_radiance(const wood_constants *w, const vf l[3], const vf v[3], const vf n[3],
-                          const vf f[3], vf sine, const cone_lost *lost, const vf albedo[3],
-                          vf out[3]) {
+                          const cone_cells *q, const vf albedo[3], vf out[3]) {
   vf one = splat(1.0f), zero = splat(0.0f);
-  cone_ray i = cone_enter(w, l, n, f), r = cone_enter(w, v, n, f);
-  vf flip = sel(lt(sine, zero), splat(-1.0f), one);
-  cone_dive dive = cone_dive_of(sine);
+  cone_ray i = cone_enter(w, l, n, q->axis), r = cone_enter(w, v, n, q->axis);
+  vf flip = sel(lt(q->sine, zero), splat(-1.0f), one);
+  cone_dive dive = cone_dive_of(q->sine);
   vf ei = cone_reflectance(w, i.sine * flip, &dive), er = cone_reflectance(w, r.sine * flip, &dive);
+  vf strength = q->strength ? cone_along(q->strength, &dive) : one;
   vf mean = cone_along(w->cone_mean, &dive), scale = cone_along(w->cone_scale, &dive);
 
   vf width2 = splat(w->cone_width * w->cone_width);
-  if (lost) width2 = width2 + cone_spread(&i, &r, lost);
+  if (q->lost) width2 = width2 + cone_spread(&i, &r, q->lost);
   vf root = inverse_root(width2), across = r.psi + i.psi;
   vf g = splat(0.39894228f) * root * exp2_(splat(-0.72134752f) * across * across * root * root);
   vf cd = vsqrt((one - i.sine * i.sine) * (one - r.sine * r.sine)) + i.sine * r.sine;
   vf half = vmax((one + cd) * splat(0.5f), splat(WOOD_CONE_LEAST));
   vf cosine = i.cosine * i.through * r.through;
-  vf lobe = splat(3.14159265f) * g / half * cosine * scale;
+  vf lobe = splat(3.14159265f) * g / half * cosine * scale * strength * q->share;
   vm seen = and_(gt(i.cosine, zero), gt(r.cosine, zero));
-  vf k = splat(w->fibre_brightest);
+  vf k = splat(w->fibre_brightest) * strength;
   vf left = vmax(one - k * ei, zero) * vmax(one - k * er, zero) / (one - k * mean) * cosine;
+  left = mix(cosine, left, q->share);
   for (int c = 0; c < 3; c++) {
     out[c] = sel(seen, splat(w->fibre_colour[c]) * lobe + albedo[c] * left, zero);
   }

@@ -102,5 +102,7 @@ void cone_table_build(wood_constants *w) {
     for (int p = 0; p < WOOD_CONE_PSI; p++) row[p] = (float)((double)row[p] * k);
     w->cone_scale[d] = (float)k;
     w->cone_mean[d] = (float)mean_of(row, &to, weight[d]);
+    double lustre = (double)w->ray_lustre, all = brightest * k * most;
+    w->cone_ray[d] = (float)(lustre * all > MOST ? MOST / all : lustre);
   }
 }

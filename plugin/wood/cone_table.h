@@ -4,9 +4,9 @@
 
 #include "wood.h"
 
-/* Fills cone_table, cone_mean and cone_scale from ior, cone_width and
+/* Fills cone_table, cone_mean, cone_scale and cone_ray from ior, cone_width and
  * fibre_brightest: where the lobe would reflect more than it receives, as of end
- * grain it may, its scale is less than 1. */
+ * grain it may, its scale is less than 1; the rays' likewise. */
 void cone_table_build(wood_constants *w);
 
 #endif

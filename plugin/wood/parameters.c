@@ -986,6 +986,12 @@ static const sozai_parameter fibre_reflectance = {
    .doc = "fibre_cone: strength of the fibres' lobe in its brightest channel; its hue is that of specular_tint. Lessened at dive angles at which the lobe would reflect more than it receives.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 0.3, .default_number = {0.07}};
 
+static const sozai_parameter ray_lustre = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "ray_lustre", .label = "Ray lustre", .group = "figure", .unit = "",
+   .doc = "fibre_cone: strength of the lobe about the rays' cells, which lie along the radius, over the fibres': flakes of quarter-sawn oak flash where the fibres are dull, and are dull where those shine. 0 for none. Lessened where it would reflect more than it receives.",
+   .hard_min = 0, .hard_max = 10, .soft_min = 0, .soft_max = 3, .default_number = {1}};
+
 static const sozai_parameter cone_width = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "cone_width", .label = "Cone width", .group = "figure", .unit = "deg",
@@ -1418,6 +1424,7 @@ const sozai_parameter *const wood_parameters[WOOD_PARAMETERS] = {
    [P_TINT] = &tint,
    [P_REFLECTION] = &reflection,
    [P_FIBRE_REFLECTANCE] = &fibre_reflectance,
+   [P_RAY_LUSTRE] = &ray_lustre,
    [P_CONE_WIDTH] = &cone_width,
    [P_IOR] = &ior,
    [P_COAT] = &coat,

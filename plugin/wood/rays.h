@@ -174,6 +174,14 @@ INLINE vu ray_hash_of(const ray_cells *q) {
   return hash_mix((vu)q->column * splatu(HASH_X) + (vu)q->shell * splatu(HASH_Z) + row + q->seed);
 }
 
+#define RAY_LEAN 0.09f /* slope of its cells' axis round the stem, at most: five degrees */
+
+/* Rays go round vessels, and none is quite radial. */
+INLINE vf ray_lean_of(vu hash) {
+  vu g = hash_upper(hash + splatu(HASH_Z));
+  return (to_float((vi)(g & splatu(63u))) * splat(2.0f / 63.0f) - splat(1.0f)) * splat(RAY_LEAN);
+}
+
 INLINE ray_body ray_body_of(const wood_constants *w, const ray_place *p, const ray_cells *q, vu h) {
   ray_body r;
   vf one = splat(1.0f), half = splat(0.5f), k16 = splat(1.0f / 65536.0f);

@@ -141,10 +141,128 @@ static void on_the_cone(void **state) {
         worst * 180 / PI);
 }
 
-static void both_ways(void **state) {
+/* Where a vessel is cut open no fibre shines. */
+static void not_in_vessels(void **state) {
   (void)state;
   sozai_texture *t =
-      wood_make("keyaki", "reflection=fibre_cone; coat=0.7; cut=rift; grain=compound");
+      wood_make(NULL, "reflection=fibre_cone; fibre_brightness=0; porosity=diffuse; "
+                      "vessel_density=20; vessel_diameter=200; vessel_colour=0 0 0; "
+                      "sapwood_vessel_colour=0 0 0; " BLACK "cut=flat; specular_tint=0");
+  points p = {0};
+  uniform_seed(64);
+  for (unsigned i = 0; i < 4000; i++) {
+    double l[3], v[3], x = 50 * uniform(), y = 50 * uniform();
+    direction(0.3 + 0.7 * uniform(), 2 * PI * uniform(), l);
+    direction(0.3 + 0.7 * uniform(), 2 * PI * uniform(), v);
+    add_lit(&p, x, y, l, v);
+  }
+  points_ask(&p, t);
+  double worst = 0, most = 0;
+  for (unsigned i = 0; i < p.count; i++) {
+    double l[3], v[3], f[3];
+    for (int c = 0; c < 3; c++) {
+      l[c] = (double)p.light[c][i], v[c] = (double)p.view[c][i], f[c] = (double)p.out[FIBER + c][i];
+    }
+    double open = (double)p.out[VESSEL][i];
+    double lobe = (double)p.out[CONE_COLOUR][i] * lobe_of(l, v, f, 1.55, 11 * PI / 180, 0);
+    worst = fmax(worst, fabs((double)p.out[RADIANCE][i] - (1 - open) * lobe));
+    most = fmax(most, open);
+  }
+  points_free(&p);
+  textures->destroy(t);
+  CHECK(worst < 2e-5 && most > 0.99, "vessels of up to %.2f of a point: %.2g off\n", most, worst);
+}
+
+/* ---- rays: their cells lie along the radius ----------------------------- */
+
+#define LEAN 0.09
+enum { WAYS = 24, PLACES = 5000 };
+
+/* How far radiance at a place, of as many lights and eyes as there are, is off the lobe about an
+ * axis that leans so from the radius, which is along x. Beside the ray's share there are fibres. */
+static double off_the_lean(const points *p, unsigned at, double strength, double lean) {
+  double whole = 1 / sqrt(1 + lean * lean), width = 11 * PI / 180, worst = 0;
+  const double axis[3] = {whole, 0, lean * whole};
+  for (unsigned i = at; i < at + WAYS; i++) {
+    double l[3], v[3], f[3], ray = (double)p->out[RAY][i];
+    for (int c = 0; c < 3; c++) {
+      l[c] = (double)p->light[c][i], v[c] = (double)p->view[c][i];
+      f[c] = (double)p->out[FIBER + c][i];
+    }
+    double lobe = 0.05 * (strength * ray * lobe_of(l, v, axis, 1.55, width, 0) +
+                          (1 - ray) * lobe_of(l, v, f, 1.55, width, 0));
+    worst = fmax(worst, fabs((double)p->out[RADIANCE][i] - lobe));
+  }
+  return worst;
+}
+
+/* The lean that it is least off: by thousandths, and then by fiftieths of those. */
+static double lean_of(const points *p, unsigned at, double strength, double *error) {
+  double best = 0;
+  *error = 1e9;
+  for (int pass = 0; pass < 2; pass++) {
+    double middle = best;
+    for (int k = -100; k <= 100; k++) {
+      double lean = middle + k * (pass ? 2e-5 : 1e-3), off = off_the_lean(p, at, strength, lean);
+      if (off < *error) *error = off, best = lean;
+    }
+  }
+  return best;
+}
+
+/* A radial face, in a thicket of broad rays: what is theirs alone shines about an axis that is the
+ * radius within five degrees, of one ray the same, as strongly as asked for. */
+static void rays_shine(void **state) {
+  (void)state;
+  static const double lustres[] = {0, 1, 2};
+  double leans[3][PLACES], worst = 0, square = 0, most = 0;
+  unsigned met[3] = {0};
+  for (int k = 0; k < 3; k++) {
+    char text[512];
+    snprintf(text, sizeof text,
+             CONE BLACK "pith_wander=0; undulation=0; specular_tint=0; fibre_reflectance=0.05; "
+                        "ray_density=0.1; ray_height=10; ray_width=500; ray_colour=0 0 0; "
+                        "ray_lustre=%g",
+             lustres[k]);
+    sozai_texture *t = wood_make(NULL, text);
+    points p = {0};
+    uniform_seed(65);
+    for (int i = 0; i < PLACES; i++) {
+      double x = 40 + 60 * uniform(), y = 400 * uniform(), l[3], v[3];
+      for (int j = 0; j < WAYS; j++) {
+        direction(0.3 + 0.7 * uniform(), 2 * PI * uniform(), l);
+        direction(0.3 + 0.7 * uniform(), 2 * PI * uniform(), v);
+        add_lit(&p, x, y, l, v);
+      }
+    }
+    points_ask(&p, t);
+    for (unsigned i = 0; i < p.count; i += WAYS) {
+      if (p.out[RAY][i] < 0.6f) continue;
+      double error, lean = lean_of(&p, i, lustres[k], &error);
+      leans[k][met[k]++] = lean;
+      worst = fmax(worst, error);
+    }
+    points_free(&p);
+    textures->destroy(t);
+  }
+  assert_true(met[0] == met[1] && met[1] == met[2] && met[1] > 20);
+  for (unsigned i = 0; i < met[1]; i++) {
+    assert_true(fabs(leans[1][i] - leans[2][i]) < 1e-3);
+    square += leans[1][i] * leans[1][i] / met[1];
+    most = fmax(most, fabs(leans[1][i]));
+  }
+  CHECK(worst < 1e-3,
+        "%u places in rays, at lustres of 0, 1 and 2: %.2g off the lobe about an axis\n", met[1],
+        worst);
+  CHECK(most <= LEAN + 0.001 && sqrt(square) > 0.3 * LEAN && sqrt(square) < 0.85 * LEAN,
+        "which leans by %.3f at most, rms %.3f\n", most, sqrt(square));
+}
+
+static void both_ways(void **state) {
+  (void)state;
+  /* the cut meets rays, too */
+  sozai_texture *t = wood_make(
+      "silky_oak", "coat=0.7; cut=quarter; grain=compound; ray_density=0.2; ray_lustre=3");
   points p = {0};
   uniform_seed(62);
   for (unsigned i = 0; i < 4000; i += 2) {
@@ -246,15 +364,15 @@ static void of_finishes(void **state) {
 
 /* ---- the furnace ------------------------------------------------------- */
 
-/* Reflected radiance under a white sky of radiance 1, by a grid of lights. */
-static double furnace(sozai_texture *t, const double v[3], int channel) {
+/* Reflected radiance of a place under a white sky of radiance 1, by a grid of lights. */
+static double furnace_at(sozai_texture *t, double x, double y, const double v[3], int channel) {
   enum { UP = 100, ROUND = 200 };
   points p = {0};
   for (int i = 0; i < UP; i++) {
     for (int j = 0; j < ROUND; j++) {
       double l[3];
       direction((i + 0.5) / UP, 2 * PI * (j + 0.5) / ROUND, l);
-      add_lit(&p, 10, 20, l, v);
+      add_lit(&p, x, y, l, v);
     }
   }
   points_ask(&p, t);
@@ -262,6 +380,10 @@ static double furnace(sozai_texture *t, const double v[3], int channel) {
   for (unsigned i = 0; i < p.count; i++) sum += (double)p.out[RADIANCE + channel][i];
   points_free(&p);
   return sum * 2 / (UP * ROUND);
+}
+
+static double furnace(sozai_texture *t, const double v[3], int channel) {
+  return furnace_at(t, 10, 20, v, channel);
 }
 
 static void white_furnace(void **state) {
@@ -303,6 +425,37 @@ static void white_furnace(void **state) {
         worst, least);
 }
 
+/* Rays give back no more, however bright they are to be. */
+static void rays_in_the_furnace(void **state) {
+  (void)state;
+  sozai_texture *t =
+      wood_make(NULL, CONE WHITE "fibre_reflectance=0.3; specular_tint=0; ray_lustre=10; "
+                                 "ray_density=0.1; ray_height=10; ray_width=500; ray_colour=1 1 1");
+  points p = {0};
+  uniform_seed(66);
+  for (int i = 0; i < 5000; i++) points_add(&p, 40 + 60 * uniform(), 400 * uniform(), 0, 0);
+  points_ask(&p, t);
+  unsigned at = 0;
+  for (unsigned i = 0; i < p.count; i++) {
+    if (p.out[RAY][i] > p.out[RAY][at]) at = i;
+  }
+  double ray = (double)p.out[RAY][at], most = 0, least = 9;
+  for (int i = 0; i < 8; i++) {
+    for (int j = 0; j < 4; j++) {
+      double v[3];
+      direction(cos((i + 0.3) * PI / 16), j * PI / 4 + 0.2, v);
+      double e = furnace_at(t, (double)p.point[0][at], (double)p.point[1][at], v, 1);
+      most = fmax(most, e);
+      least = fmin(least, e);
+    }
+  }
+  points_free(&p);
+  textures->destroy(t);
+  CHECK(ray > 0.9 && most < 1.005 && least > 0.9,
+        "of a ray's %.2f, ten times as bright, %.3f to %.3f of the light comes back\n", ray, least,
+        most);
+}
+
 /* In raw wood all that the lobe leaves the tissue takes: white wood loses nothing. */
 static void nothing_lost(void **state) {
   (void)state;
@@ -335,9 +488,11 @@ static void kawai_as_before(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(the_papers_lobe), cmocka_unit_test(on_the_cone),
-      cmocka_unit_test(both_ways),       cmocka_unit_test(over_kawai),
-      cmocka_unit_test(of_finishes),     cmocka_unit_test(white_furnace),
-      cmocka_unit_test(nothing_lost),    cmocka_unit_test(kawai_as_before)};
+      cmocka_unit_test(the_papers_lobe),     cmocka_unit_test(on_the_cone),
+      cmocka_unit_test(not_in_vessels),      cmocka_unit_test(rays_shine),
+      cmocka_unit_test(both_ways),           cmocka_unit_test(over_kawai),
+      cmocka_unit_test(of_finishes),         cmocka_unit_test(white_furnace),
+      cmocka_unit_test(rays_in_the_furnace), cmocka_unit_test(nothing_lost),
+      cmocka_unit_test(kawai_as_before)};
   return cmocka_run_group_tests(tests, wood_setup, wood_teardown);
 }

@@ -35,6 +35,9 @@ SPECIES_ALL(DECLARE)
 #define LUSTRE(reflectance)                                                                        \
   CHOICE("reflection", "fibre_cone"), NUMBER("specular_tint", 1.0),                                \
       NUMBER("fibre_reflectance", reflectance)
+/* And of wood whose flakes are: dull where the fibres shine, they flash where those do not. lustre:
+ * the rays' over the fibres'. */
+#define SILVER_GRAIN(reflectance, lustre) LUSTRE(reflectance), NUMBER("ray_lustre", lustre)
 #define INTERLOCKED(slope, years, length) INTERLOCKED_BY(slope, years, length, 0.7)
 
 #define CURL(slope, length, irregularity, reach)                                                   \

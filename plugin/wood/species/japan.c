@@ -102,6 +102,7 @@ static const sozai_value values_mizunara[] = {
     NUMBER("heartwood_years", 150.0),
     NUMBER("specular", 0.06),
     COMPOUND_RAYS(0.016, 25.0, 370.0, 100.0),
+    SILVER_GRAIN(0.05, 2.0),
     SRGB("ray_colour", 207, 176, 134),
     AGED(172, 132, 86, 4.0),
     FIBRES(18.0, 560.0),

@@ -381,6 +381,7 @@ static const sozai_value values_silky_oak[] = {
     NUMBER("heartwood_edge", FAIRLY_DISTINCT),
     NUMBER("specular", 0.1),
     COMPOUND_RAYS(0.095, 8.5, 380.0, 100.0),
+    SILVER_GRAIN(0.05, 1.5),
     SRGB("ray_colour", 205, 158, 125),
     AGED(160, 110, 80, 3.0),
     FIBRES(20.0, 510.0),

@@ -130,6 +130,7 @@ typedef struct {
   vf late, over_late, cover, ray, albedo[3];
   const lost_slopes *lost; /* of the relief, where it has one */
   int rays_gone;           /* no lane asks for ray_on and ray_in */
+  vf ray_lean, ray_unlike; /* of its cells' axis; the variance of it that the footprint averages */
   canal_cover canal;
   vf cells, cell_contrast, lining; /* relative to the tissue's colour and the vessels' */
   vf ray_cells;                    /* and to the rays' */

@@ -27,17 +27,30 @@ INLINE void stage_cone(const wood_constants *w, const wood_io *io, block *k) {
   store_lanes(io, WOOD_COAT_ROUGHNESS, k, vsqrt(vsqrt(alpha2)));
 }
 
+/* The cells of a ray lie along the radius, each ray's a little askew. */
+INLINE void ray_shine(const wood_constants *w, const vf v[3], const block *k, vf out[3]) {
+  vf zero = splat(0.0f), one = splat(1.0f), c = k->stem.c, s = k->stem.s;
+  vf whole = inverse_root(one + k->ray_lean * k->ray_lean);
+  vf axis[3] = {(c - k->ray_lean * s) * whole, zero, (s + k->ray_lean * c) * whole};
+  vf dive = zero - (axis[0] * k->nrm[0] + axis[2] * k->nrm[2]);
+  const cone_lost lost = {c, s, zero, k->ray_unlike};
+  const cone_cells cells = {axis, dive, one, w->cone_ray,
+                            any(gt(k->ray_unlike, zero)) ? &lost : NULL};
+  cone_radiance(w, k->light, v, k->nrm, &cells, k->albedo, out);
+}
+
 INLINE void stage_cone_radiance(const wood_constants *w, int boards, const wood_io *io, block *k) {
-  vf r[3], v[3];
+  vf r[3], v[3], one = splat(1.0f);
   view_of(w, boards, io, k, v);
-  cone_lost lost = {k->stem.c, k->stem.s, k->stem.lost_slope, k->grain.variance};
+  const cone_lost lost = {k->stem.c, k->stem.s, k->stem.lost_slope, k->grain.variance};
   vm some = gt(lost.out + lost.around, splat(0.0f));
-  cone_radiance(w, k->light, v, k->nrm, k->fibre, k->sine, any(some) ? &lost : NULL, k->albedo, r);
-  if (w->has_rays) {
-    /* the cells of a ray lie along the radius */
-    vf zero = splat(0.0f), axis[3] = {k->stem.c, zero, k->stem.s}, shine[3];
-    vf dive = zero - (axis[0] * k->nrm[0] + axis[2] * k->nrm[2]);
-    cone_radiance(w, k->light, v, k->nrm, axis, dive, NULL, k->albedo, shine);
+  /* a picture's vessels are not known */
+  const cone_cells fibres = {k->fibre, k->sine, w->picture ? one : one - k->cover, NULL,
+                             any(some) ? &lost : NULL};
+  cone_radiance(w, k->light, v, k->nrm, &fibres, k->albedo, r);
+  if (w->has_rays && !w->picture) {
+    vf shine[3];
+    ray_shine(w, v, k, shine);
     for (int c = 0; c < 3; c++) r[c] = mix(r[c], shine[c], k->ray);
   }
   if (w->surface.relief) {

@@ -67,6 +67,16 @@ INLINE vf rays_both(block *k, vf second) {
   return first + second - first * second;
 }
 
+/* How its cells lie, for the light about them. Of both layers, those of the ray that covers more.
+ */
+INLINE void stage_ray_lean(const wood_constants *w, const ray_place *p, int layer, vm own,
+                           block *k) {
+  vf far, keep = splat(1.0f) - rays_fade(w, p, &far), lean = splat(0.0f);
+  if (!k->rays_gone) lean = ray_lean_of(k->ray_on) * keep;
+  k->ray_lean = layer ? sel(own, lean, k->ray_lean) : lean;
+  k->ray_unlike = splat(RAY_LEAN * RAY_LEAN / 3.0f) * (splat(1.0f) - keep * keep);
+}
+
 INLINE void stage_rays(const wood_constants *w, int boards, int layer, const wood_io *io,
                        block *k) {
   ray_place p = ray_place_here(boards, layer, k);
@@ -77,6 +87,7 @@ INLINE void stage_rays(const wood_constants *w, int boards, int layer, const woo
   }
   vf ray = rays_faded(w, &p, &k->ray_at, found);
   if (k->knot) ray = ray * (splat(1.0f) - k->knot->cover);
+  if (w->cone) stage_ray_lean(w, &p, layer, lt(k->ray, ray), k);
   k->ray = layer ? rays_both(k, ray) : ray;
   store_lanes(io, WOOD_RAY, k, k->ray);
 }
