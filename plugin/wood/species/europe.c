@@ -373,7 +373,6 @@ static const sozai_value values_plane[] = {
     NUMBER("heartwood_edge", INDISTINCT),
     NUMBER("specular", 0.07),
     RAYS(0.6, 2.6, 230.0, 60.0),
-    SILVER_GRAIN(0.05, 1.5),
     SRGB("ray_colour", 195, 148, 109),
     AGED(182, 136, 92, 4.0),
     FIBRES(20.0, 520.0),
