@@ -44,8 +44,9 @@ INLINE void stage_cone_radiance(const wood_constants *w, int boards, const wood_
   view_of(w, boards, io, k, v);
   const cone_lost lost = {k->stem.c, k->stem.s, k->stem.lost_slope, k->grain.variance};
   vm some = gt(lost.out + lost.around, splat(0.0f));
-  /* a picture's vessels are not known */
-  const cone_cells fibres = {k->fibre, k->sine, w->picture ? one : one - k->cover, NULL,
+  /* a picture's vessels are not known; those that the relief has opened, it shades */
+  int whole = w->picture || w->surface.pores.depth > 0.0f || w->surface.rows.depth > 0.0f;
+  const cone_cells fibres = {k->fibre, k->sine, whole ? one : one - k->cover, NULL,
                              any(some) ? &lost : NULL};
   cone_radiance(w, k->light, v, k->nrm, &fibres, k->albedo, r);
   if (w->has_rays && !w->picture) {
