@@ -74,7 +74,7 @@ static double mean_of(const float *row, const inclinations *to, const double wei
   return mean;
 }
 
-void cone_table_build(wood_constants *w) {
+void cone_table_build(wood_constants *w, double ray_lustre) {
   inclinations to;
   double weight[WOOD_CONE_DIVE][BINS], lobe[BINS], brightest = (double)w->fibre_brightest;
   for (int b = 0; b < BINS; b++) {
@@ -102,7 +102,7 @@ void cone_table_build(wood_constants *w) {
     for (int p = 0; p < WOOD_CONE_PSI; p++) row[p] = (float)((double)row[p] * k);
     w->cone_scale[d] = (float)k;
     w->cone_mean[d] = (float)mean_of(row, &to, weight[d]);
-    double lustre = (double)w->ray_lustre, all = brightest * k * most;
-    w->cone_ray[d] = (float)(lustre * all > MOST ? MOST / all : lustre);
+    double all = brightest * k * most;
+    w->cone_ray[d] = (float)(ray_lustre * all > MOST ? MOST / all : ray_lustre);
   }
 }

@@ -176,7 +176,7 @@ INLINE vu ray_hash_of(const ray_cells *q) {
 
 #define RAY_LEAN 0.09f /* slope of its cells' axis round the stem, at most: five degrees */
 
-/* Rays go round vessels, and none is quite radial. */
+/* Rays go round vessels, and none is quite radial. By bits that ray_body_of has no use for. */
 INLINE vf ray_lean_of(vu hash) {
   vu g = hash_upper(hash + splatu(HASH_Z));
   return (to_float((vi)(g & splatu(63u))) * splat(2.0f / 63.0f) - splat(1.0f)) * splat(RAY_LEAN);

@@ -379,7 +379,6 @@ typedef struct {
   float ior, inverse_ior, cone_width; /* cone_width in radians */
   float coat, coat_alpha;
   float fibre_colour[3], fibre_brightest;
-  float ray_lustre;                                 /* of the rays' lobe, over the fibres' */
   float cone_table[WOOD_CONE_DIVE * WOOD_CONE_PSI]; /* reflectance; rows by the dive's sine */
   float cone_mean[WOOD_CONE_DIVE];                  /* of it over all directions */
   float cone_scale[WOOD_CONE_DIVE];                 /* of the lobe */

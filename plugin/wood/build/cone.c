@@ -19,6 +19,5 @@ void wood_build_cone(wood_constants *w, const settings *s) {
     double k = brightest * (double)w->tint_colour[c];
     w->fibre_colour[c] = (float)(k > 0.0 ? k : 0.0);
   }
-  w->ray_lustre = (float)number_at(s, P_RAY_LUSTRE);
-  if (w->cone) cone_table_build(w);
+  if (w->cone) cone_table_build(w, number_at(s, P_RAY_LUSTRE));
 }
