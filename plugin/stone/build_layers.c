@@ -21,7 +21,7 @@ typedef struct {
   double size, stretch, grading, interlock, gap, roundness, variation, mixing, blur, share[2];
   double zoning;
   double third; /* share of a third kind */
-  double depth, cleavage, turbidity, flatness, cluster, rest, rim, fines, clear;
+  double depth, cleavage, turbidity, flatness, cluster, joined, rest, rim, fines, clear;
   int sorted;
 } body;
 
@@ -67,9 +67,11 @@ static void build_cells(stone_cells *c, uint32_t seed, const body *b, int shaped
   c->radius = 9.0f;
   c->thick = 1.0f;
   c->cluster = (float)b->cluster;
+  c->joins = (uint32_t)(256.0 * b->joined + 0.5);
   if (shaped) {
     c->erode = (float)(0.5 * b->gap / b->size);
-    c->erode_spread = (float)(0.42 * b->grading * (1.0 - b->roundness));
+    /* those of a clot touch */
+    c->erode_spread = (float)(0.42 * b->grading * (1.0 - b->roundness) * (1.0 - 0.7 * b->joined));
     if (b->roundness > 0.0) {
       c->radius = (float)radius_of(b->roundness);
       c->radius_spread = (float)(b->grading * b->roundness);
@@ -161,7 +163,9 @@ static body grains_of(const settings *s) {
             .depth = number_at(s, P_GRAIN_DEPTH),
             .cleavage = number_at(s, P_CLEAVAGE),
             .turbidity = number_at(s, P_TURBIDITY),
-            .cluster = number_at(s, P_GRAIN_CLUSTERING)};
+            .cluster = number_at(s, P_GRAIN_CLUSTERING),
+            .joined = number_at(s, P_GRAIN_SERIATE)};
+  b.size *= 1.0 - 0.5 * b.joined; /* the cells' */
   return b;
 }
 
@@ -200,7 +204,8 @@ static body specks_of(const settings *s) {
             .cleavage = 7.0 * number_at(s, P_CLEAVAGE),
             .flatness = number_at(s, P_SPECK_FLATNESS),
             .rest = 0.6, /* light specks differ less than dark ones, for the eye */
-            .cluster = number_at(s, P_SPECK_CLUSTERING)};
+            .cluster = number_at(s, P_SPECK_CLUSTERING),
+            .joined = number_at(s, P_SPECK_AGGREGATION)};
   return b;
 }
 
@@ -236,7 +241,8 @@ static body holes_of(const settings *s) {
 #define COUNTED_LEAST 2.0f    /* of the fade, */
 #define COUNTED_CLUSTERS 0.8f /* and what is left of it */
 #define COUNTED_EVEN 0.65f
-#define COUNTED_LARGE 0.8f /* of bodies that are no flakes, of full contrast */
+#define COUNTED_LARGE 0.8f  /* of bodies that are no flakes, of full contrast */
+#define COUNTED_JOINED 0.7f /* longer by so much where all cells are of joined crystals */
 #define NEVER_COUNTED 1e9f
 
 /* Relative sd of what is seen within a crystal, of turbidity 1 and of cleavage 1. */
@@ -328,6 +334,7 @@ static void set_counts(stone_cells *c, double contrast, double widest) {
     left += (COUNTED_LARGE - COUNTED_EVEN) * (float)(square * square);
   }
   c->fade_counted *= left;
+  if (!c->shaped) c->fade_counted *= 1.0f + (float)c->joins * (COUNTED_JOINED / 256.0f);
   double from = COUNTED_FROM * contrast / most;
   if (from > COUNTED_FROM) from = COUNTED_FROM;
   if (from < COUNTED_SOONEST) from = COUNTED_SOONEST;

@@ -118,6 +118,14 @@ static const sozai_parameter grain_clustering = {
    "places have up to this part more or less of them.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 0.8, .default_number = {0}};
 
+static const sozai_parameter grain_seriate = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "grain_seriate", .label = "Seriate sizes", .group = "grains", .unit = "",
+   .doc = "How far grains range in size, as in rocks of seriate texture: how often two, four or eight "
+   "that lie together are one crystal. grain_size stays the mean crystal's, by number; the largest "
+   "are up to eight times the least in volume.",
+   .hard_min = 0, .hard_max = 0.6, .soft_min = 0, .soft_max = 0.5, .default_number = {0}};
+
 static const sozai_parameter cleavage = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
    .id = "cleavage", .label = "Cleavage", .group = "grains", .unit = "",
@@ -348,6 +356,13 @@ static const sozai_parameter speck_clustering = {
    .doc = "How much specks keep together: of some four specks' size, places have up to this part "
    "more or less of them.",
    .hard_min = 0, .hard_max = 1, .soft_min = 0, .soft_max = 1, .default_number = {0}};
+
+static const sozai_parameter speck_aggregation = {
+   .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
+   .id = "speck_aggregation", .label = "Speck aggregation", .group = "specks", .unit = "",
+   .doc = "How often specks lie in clots of two, four or eight that touch, as mica does. Their share "
+   "stays what it is.",
+   .hard_min = 0, .hard_max = 0.9, .soft_min = 0, .soft_max = 0.8, .default_number = {0}};
 
 static const sozai_parameter vein_spacing = {
    .size = sizeof(sozai_parameter), .kind = SOZAI_KIND_FLOAT,
@@ -589,6 +604,7 @@ const sozai_parameter *const stone_parameters[STONE_PARAMETERS] = {
    [P_VARIATION] = &grain_variation,
    [P_GRAIN_DEPTH] = &grain_depth,
    [P_GRAIN_CLUSTERING] = &grain_clustering,
+   [P_GRAIN_SERIATE] = &grain_seriate,
    [P_CLEAVAGE] = &cleavage,
    [P_TURBIDITY] = &turbidity,
    [P_BED_THICKNESS] = &bed_thickness,
@@ -624,6 +640,7 @@ const sozai_parameter *const stone_parameters[STONE_PARAMETERS] = {
    [P_SPECK_FLATNESS] = &speck_flatness,
    [P_SPECK_RAGGEDNESS] = &speck_raggedness,
    [P_SPECK_CLUSTERING] = &speck_clustering,
+   [P_SPECK_AGGREGATION] = &speck_aggregation,
    [P_VEIN_SPACING] = &vein_spacing,
    [P_VEIN_WIDTH] = &vein_width,
    [P_VEIN_SOFTNESS] = &vein_softness,

@@ -65,7 +65,7 @@ INLINE vf sections_patch(const stone_cells *c, const sections_face *f, const vi 
   }
   vf patch = vmax(reach - height * height, splat(0.0f));
   for (int k = 0; k < 2; k++) patch = patch * sections_within(dot3(x, f->along[k]), f->wide[k]);
-  *hash = h;
+  *hash = c->shaped ? h : cells_joined(c, at, h);
   return patch;
 }
 

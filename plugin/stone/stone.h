@@ -85,6 +85,7 @@ typedef struct {
   float fines;                 /* how far small ones are more */
   float thick;                 /* of a flake, half, the mean; 1: bodies are none */
   float rim, core;             /* of a body of kind 1, as kind 2 is; what of all is not rim */
+  uint32_t joins;              /* of 256: how often two cells along an axis are one crystal */
   float cluster;               /* how much chances change from place to place, 0..1 */
   float chance[2];             /* below the first: kind 1; below the second: kind 2 */
   float mean[2];               /* expected share of kinds 1 and 2 */
