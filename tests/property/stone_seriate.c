@@ -120,8 +120,8 @@ static double clots(double aggregation, double *covered) {
   return both / some;
 }
 
-/* A share stays what it is, and with clots of up to eight cells' size a cell's next is as likely
- * its own kind's as half the chance along each axis says, and not one in ten. */
+/* A share stays what it is, and a speck's next is another more often than one in ten. Were they as
+ * far apart in clots as by themselves it would be 0.205 of the last. */
 static void specks_gather(void **state) {
   (void)state;
   static const double aggregation[] = {0, 0.45, 0.9};
@@ -132,8 +132,8 @@ static void specks_gather(void **state) {
           aggregation[k], covered);
     print_message("a speck's size from one there is %.3f of another\n", next[k]);
   }
-  CHECK(next[0] < 0.1 && next[1] > next[0] + 0.05 && next[2] > next[1] + 0.05,
-        "clots are none, some and many\n");
+  CHECK(next[0] < 0.1 && next[1] > next[0] + 0.05 && next[2] > 0.23,
+        "clots are none, some, and many that touch\n");
 }
 
 /* Where cells are counted, those of one crystal are as bright as each other. */
