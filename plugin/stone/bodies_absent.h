@@ -66,6 +66,7 @@ STAGE int bodies_absent(const stone_cells *c, const vf low[3], const vf high[3],
     vf reach = cells_radius(c, h) + splat(beyond);
     vm near = and_(lt(square, reach * reach), lti(number, splati(total)));
     if (!any(near)) continue;
+    cells_first(c, at);
     if (any(and_(near, cells_has_body(c, at)))) return 0;
   }
   return 1;

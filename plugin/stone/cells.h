@@ -22,7 +22,8 @@
 #include "stone.h"
 #include "value.h"
 
-/* A cell near the point: where its centre is from there, and its hash. */
+/* A cell near the point: where its centre is from there, its hash, and the place on the lattice
+ * that its kind goes by (cells_first). */
 typedef struct {
   vf x[3], d;
   vu h;
@@ -183,27 +184,24 @@ INLINE void cells_nearest(const stone_cells *c, int graded, int most, const cell
 #include "cells_shared.h"
 #endif
 
-/* Which cells are parts of one crystal. Along each axis a block of 2^3 is whole or two: crystals of
- * one, two, four and eight cells, as in a rock whose sizes are seriate. A crystal is its first
- * cell's. out: how far back along each axis that is, 0 or 1. */
-INLINE void cells_back(const stone_cells *c, const vi at[3], vi out[3]) {
+/* From a cell to the first of those that are one crystal with it, or one clot. Along each axis a
+ * block of 2^3 is whole or two: crystals of one, two, four and eight cells, as in a rock whose
+ * sizes are seriate. */
+INLINE void cells_first(const stone_cells *c, vi at[3]) {
+  if (!c->joins) return;
   vu h = hash_upper((vu)(at[0] >> 1) * splatu(HASH_X) + (vu)(at[1] >> 1) * splatu(HASH_Y) +
                     (vu)(at[2] >> 1) * splatu(HASH_Z) + splatu(c->seed ^ 0x3ad8025fu));
   for (int k = 0; k < 3; k++) {
     vm whole = lti((vi)(h >> (uint32_t)(24 - 8 * k) & splatu(255u)), splati((int32_t)c->joins));
-    out[k] = seli(whole, at[k] & splati(1), splati(0));
+    at[k] = at[k] - seli(whole, at[k] & splati(1), splati(0));
   }
 }
 
-/* What goes by its hash of a crystal that several cells are: its first cell's. */
-INLINE vu cells_joined(const stone_cells *c, const vi at[3], vu h) {
-  static const uint32_t prime[3] = {HASH_X, HASH_Y, HASH_Z};
-  vi back[3];
-  vu sum = splatu(c->seed);
-  if (!c->joins) return h;
-  cells_back(c, at, back);
-  for (int k = 0; k < 3; k++) sum = sum + (vu)(at[k] - back[k]) * splatu(prime[k]);
-  return hash_upper(sum);
+/* What goes by its hash of a crystal, whose first cell that is; h: the cell's own. */
+INLINE vu cells_crystal(const stone_cells *c, const vi first[3], vu h) {
+  if (!c->joins || c->shaped) return h;
+  return hash_upper((vu)first[0] * splatu(HASH_X) + (vu)first[1] * splatu(HASH_Y) +
+                    (vu)first[2] * splatu(HASH_Z) + splatu(c->seed));
 }
 
 /* The cell of a key, of those about the point. */
@@ -220,7 +218,8 @@ INLINE cells_near cells_of_key(const stone_cells *c, int graded, const cells_own
                own->from[2] + to_float(d[2]), o.x);
   o.d = dot3(o.x, o.x);
   if (graded) o.d = o.d + cells_weight(c, o.h);
-  if (!c->shaped) o.h = cells_joined(c, o.at, o.h);
+  cells_first(c, o.at);
+  o.h = cells_crystal(c, o.at, o.h);
   return o;
 }
 
@@ -299,12 +298,6 @@ INLINE vf cells_rich(const stone_cells *c, const vi at[3], vu own) {
 INLINE vf cells_rank(const stone_cells *c, const vi at[3], vf *rich) {
   static const uint32_t step[3] = {0xd1b54a33u, 0xabc98389u, 0x8cb92ba7u};
   vu b = cells_block(c, at[0], at[1], at[2]), rank = b;
-  vi first[3] = {at[0], at[1], at[2]}, back[3];
-  if (c->joins) {
-    cells_back(c, at, back);
-    for (int k = 0; k < 3; k++) first[k] = at[k] - back[k];
-    at = first;
-  }
   for (int k = 0; k < 3; k++) {
     /* each axis either way round, by a bit of the block's own; ~x is -x but for a shift */
     vi flip = (vi)(b << (uint32_t)(29 + k)) >> 31;

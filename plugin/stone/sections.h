@@ -65,7 +65,7 @@ INLINE vf sections_patch(const stone_cells *c, const sections_face *f, const vi 
   }
   vf patch = vmax(reach - height * height, splat(0.0f));
   for (int k = 0; k < 2; k++) patch = patch * sections_within(dot3(x, f->along[k]), f->wide[k]);
-  *hash = c->shaped ? h : cells_joined(c, at, h);
+  *hash = h;
   return patch;
 }
 
@@ -178,7 +178,11 @@ STAGE void sections_count(const stone_cells *c, const vf p[3], const cells_squar
         at[0] = at[0] + splati(1);
         cell[n].patch = sel(column, sections_patch(c, &f, cell[n].at, &cell[n].h), zero);
       }
-      for (int n = 0; n < 2; n++) cell[n].kind = cells_kind_of(c, cell[n].at);
+      for (int n = 0; n < 2; n++) {
+        cells_first(c, cell[n].at);
+        cell[n].h = cells_crystal(c, cell[n].at, cell[n].h);
+        cell[n].kind = cells_kind_of(c, cell[n].at);
+      }
       for (int n = 0; n < 2; n++) sections_add(c, &cell[n], &sum);
     }
   }
