@@ -22,7 +22,7 @@
 static const sozai_generator_info *describe(void) {
   static sozai_generator_info info = {
       .size = sizeof(sozai_generator_info),
-      .revision = 11,
+      .revision = 12,
       .id = "tree",
       .label = "Tree",
       .doc = "A tree grown year by year, or measured: stem, branches, shoots and leaves, and the "

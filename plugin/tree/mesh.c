@@ -87,8 +87,13 @@ int32_t tree_mesh(const tree *t, const sozai_host *host, uint32_t level, mesh_bl
   tube_shape tube;
   leaf_shape leaf;
   mesh_pen pen = {.bark = bark_surface_of(&t->plan)};
+  stem_skin stem;
   int32_t r = host_progress(host, 0.0, "making the mesh");
   if (r) return r;
+  if (t->branch_count && bark_surface_on(&pen.bark, t, &t->branches[0])) {
+    stem_skin_of(&stem, t);
+    pen.stem = &stem;
+  }
   for (uint32_t i = 0; i < t->branch_count; i++) {
     uint64_t p, n;
     if (!tube_shape_of(t, &pen.bark, i, level, &tube)) continue;

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * A tree as one mesh, or as curves: stem and branches as closed tubes that
- * begin on their parent's axis, so that no joint gapes; leaves as sheets.
+ * begin within their parent, so that no joint gapes; leaves as sheets.
  */
 #ifndef SOZAI_TREE_MESH_H
 #define SOZAI_TREE_MESH_H
 
 #include "../generator.h"
 #include "bark_surface.h"
+#include "skin.h"
 #include "tree.h"
 
 /* Numbers of parts, in this order. */
@@ -24,6 +25,7 @@ typedef struct {
   uint64_t point, triangle;
   float colour[3]; /* of the points to come */
   bark_surface bark;
+  const stem_skin *stem; /* NULL: it shows no bark */
 } mesh_pen;
 
 uint32_t pen_point(mesh_pen *pen, const float p[3], const float n[3], float u, float v,
@@ -32,18 +34,18 @@ void pen_triangle(mesh_pen *pen, uint32_t a, uint32_t b, uint32_t c);
 
 /* ---- tube.c ------------------------------------------------------------ */
 
-#define RINGS_MOST 512u
-
 typedef struct {
   uint32_t sides, rings, stride; /* of nodes */
-  int collar;                    /* two more rings where it leaves its parent */
   uint32_t level;                /* of detail */
   int fine;                      /* more sides and rings, where there is bark to be seen */
+  int smooth;                    /* its normals are those of its triangles: with a collar */
 } tube_shape;
 
 /* Whether a branch is drawn at that level, and how. bark: NULL for its axis alone. */
 int tube_shape_of(const tree *t, const bark_surface *bark, uint32_t branch, uint32_t level,
                   tube_shape *out);
+/* How many sides it has, were there no bark to be seen. */
+uint32_t tube_sides(const tree_branch *b, uint32_t level);
 void tube_size(const tube_shape *s, uint64_t *points, uint64_t *triangles);
 void tube_write(mesh_pen *pen, const tree *t, uint32_t branch, const tube_shape *s);
 

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: Apache-2.0
  *
  * A branch as a tube: rings of points about its axis, their seam doubled for
- * u, closed at both ends. Its first ring lies about a point of the parent's
- * axis and is narrower than the parent: the joint is inside.
+ * u, closed at both ends. It begins within its parent: with a collar, whose first
+ * ring lies under the parent's surface, or with a ring about a point of the parent's
+ * axis that is narrower than the parent.
  */
 #include "../core/hash1.h"
-#include "axis.h"
 #include "bark.h"
+#include "collar.h"
 #include "foot.h"
 #include "mesh.h"
-#include "parameters.h"
 #include "turn.h"
 
 static uint32_t sides_of(float r, uint32_t level) {
@@ -19,14 +19,10 @@ static uint32_t sides_of(float r, uint32_t level) {
   return n < 3 ? 3 : n;
 }
 
-typedef struct {
-  float p[3], r, age; /* age: of its bark */
-} ring;
-
-static float apart(const ring *a, const ring *b) {
-  float sum = 0.0f;
-  for (int c = 0; c < 3; c++) sum += (b->p[c] - a->p[c]) * (b->p[c] - a->p[c]);
-  return __builtin_sqrtf(sum);
+uint32_t tube_sides(const tree_branch *b, uint32_t level) {
+  uint32_t n = sides_of(b->radius, level), foot = foot_sides(b, level);
+  uint32_t collar = collar_may_be(b, level) ? collar_sides(b, level) : 0;
+  return foot ? foot : n > collar ? n : collar;
 }
 
 /* ---- finer, where there is bark to be seen ---------------------------------- */
@@ -67,17 +63,13 @@ static uint32_t parts_between(const tree *t, const bark_surface *bark, const tre
   scar_steps(t, b, s->level, from, to, scars);
   float step = finer(finer(low[1], high[1]), scars[1]);
   if (!(step > 0.0f)) return 1;
-  float parts = apart(from, to) / step;
+  float parts = (from->way < 0.0f ? rings_apart(from, to) : from->next) / step;
   return parts < (float)PARTS_MOST ? (uint32_t)parts + 1 : PARTS_MOST;
 }
 
-static uint32_t lay_rings(const tree *t, const tree_branch *b, const tube_shape *s, ring *out);
-
 /* More sides and rings, so many that they show it. */
-static void cut_finer(const tree *t, const bark_surface *bark, const tree_branch *b,
-                      tube_shape *s) {
-  ring rings[RINGS_MOST];
-  uint32_t n = lay_rings(t, b, s, rings);
+static void cut_finer(const tree *t, const bark_surface *bark, const tree_branch *b, tube_shape *s,
+                      const ring *rings, uint32_t n) {
   float round = 0.0f, steps[2];
   for (uint32_t i = 0; i < n; i++) {
     steps_at(t, bark, b, s->level, &rings[i], steps);
@@ -106,114 +98,29 @@ int tube_shape_of(const tree *t, const bark_surface *bark, uint32_t branch, uint
   }
   out->stride = level < 2 ? 1 : level < 4 ? 2 : 4;
   if (branch == 0 && level == 1) out->stride = 2;
-  out->sides = sides_of(b->radius, level);
-  uint32_t more = foot_sides(b, level);
-  if (more) out->sides = more;
-  out->collar = level < 2 && b->order == 1 && b->radius > 1.0f;
-  out->rings = (b->nodes - 2) / out->stride + 2 + (out->collar ? 2u : 0u);
+  out->sides = tube_sides(b, level);
+  out->rings = (b->nodes - 2) / out->stride + 2;
   out->level = level;
-  out->fine = 0;
-  if (bark && bark_surface_on(bark, t, b)) cut_finer(t, bark, b, out);
+  out->fine = out->smooth = 0;
+  if (bark && (collar_may_be(b, level) || bark_surface_on(bark, t, b))) {
+    ring rings[RINGS_MOST], own[RINGS_MOST + COLLAR_RINGS];
+    collar c;
+    uint32_t n = rings_lay(t, b, out->stride, rings);
+    const ring *of = rings;
+    if (collar_of(&c, t, b, bark, level, rings, n)) {
+      collar_rings(&c, own);
+      of = own;
+      out->rings = collar_count(&c);
+      out->smooth = 1;
+    }
+    if (bark_surface_on(bark, t, b)) cut_finer(t, bark, b, out, of, out->rings);
+  }
   return 1;
 }
 
 void tube_size(const tube_shape *s, uint64_t *points, uint64_t *triangles) {
   *points = (uint64_t)s->rings * (s->sides + 1) + 2;
   *triangles = (uint64_t)s->sides * (2ull * (s->rings - 1) + 2);
-}
-
-static void between(const ring *a, const ring *b, float share, float wider, ring *out) {
-  for (int c = 0; c < 3; c++) out->p[c] = a->p[c] + share * (b->p[c] - a->p[c]);
-  out->r = wider * (a->r + share * (b->r - a->r));
-  out->age = a->age + share * (b->age - a->age);
-}
-
-/* Of the parent where the branch leaves it. */
-static float parent_radius(const tree *t, const tree_branch *b) {
-  const tree_branch *stem = &t->branches[b->parent];
-  if (stem->order) {
-    axis_walk w;
-    float p[3];
-    axis_begin(&w, &t->nodes[stem->first], stem->nodes);
-    return axis_to(&w, b->at, p);
-  }
-  for (uint32_t k = 0; k + 1 < stem->nodes; k++) {
-    const tree_node *lower = &t->nodes[stem->first + k];
-    if (lower[1].p[1] >= b->at || k + 2 >= stem->nodes) return lower->r;
-  }
-  return b->radius / (float)t->plan.thickest; /* the base is that at most */
-}
-
-#define COLLAR 0.3f
-
-/* Two rings more: where the branch leaves the parent it is wider, as branches are, the less the
- * thicker they are beside the parent, and a diameter on no longer. */
-static uint32_t add_collar(ring *rings, uint32_t n, float parent, float radius) {
-  float whole = 0.0f, at[2] = {parent, parent + 2.0f * radius};
-  for (uint32_t i = 0; i + 1 < n; i++) whole += apart(&rings[i], &rings[i + 1]);
-  if (at[1] > 0.8f * whole) {
-    at[1] = 0.8f * whole;
-    if (at[0] > 0.4f * whole) at[0] = 0.4f * whole;
-  }
-  float collar = radius < parent ? 1.0f + COLLAR * (1.0f - radius / parent) : 1.0f;
-  for (uint32_t k = 2; k-- > 0;) {
-    uint32_t i = 0;
-    float begin = 0.0f, length = apart(&rings[0], &rings[1]);
-    while (i + 2 < n && begin + length < at[k]) {
-      begin += length;
-      i++;
-      length = apart(&rings[i], &rings[i + 1]);
-    }
-    float share = length > 0.0f ? (at[k] - begin) / length : 0.0f;
-    ring more;
-    between(&rings[i], &rings[i + 1], share < 1.0f ? share : 1.0f, k ? 1.0f : collar, &more);
-    for (uint32_t m = n; m > i + 1; m--) rings[m] = rings[m - 1];
-    rings[i + 1] = more;
-    n++;
-  }
-  return n;
-}
-
-/* The rings' middles and radii. */
-static uint32_t lay_rings(const tree *t, const tree_branch *b, const tube_shape *s, ring *out) {
-  const tree_node *nodes = &t->nodes[b->first];
-  float ages[RINGS_MOST];
-  uint32_t n = 0;
-  bark_ages(t, b, ages);
-  for (uint32_t i = 0; i < b->nodes;
-       i = i + 1 < b->nodes && i + s->stride >= b->nodes ? b->nodes - 1 : i + s->stride) {
-    for (int c = 0; c < 3; c++) out[n].p[c] = nodes[i].p[c];
-    out[n].age = ages[i];
-    out[n++].r = nodes[i].r;
-  }
-  return s->collar ? add_collar(out, n, parent_radius(t, b), b->radius) : n;
-}
-
-static void direction(const ring *rings, uint32_t count, uint32_t i, float out[3]) {
-  uint32_t a = i ? i - 1 : 0, b = i + 1 < count ? i + 1 : i;
-  float sum = 0.0f;
-  for (int c = 0; c < 3; c++) out[c] = rings[b].p[c] - rings[a].p[c], sum += out[c] * out[c];
-  float s = sum > 0.0f ? 1.0f / __builtin_sqrtf(sum) : 0.0f;
-  for (int c = 0; c < 3; c++) out[c] *= s;
-  if (!(sum > 0.0f)) out[1] = 1.0f;
-}
-
-/* The last ring's frame carried on to a new direction without twisting. */
-static void carry(float level[3], const float along[3]) {
-  float d = level[0] * along[0] + level[1] * along[1] + level[2] * along[2], sum = 0.0f;
-  for (int c = 0; c < 3; c++) level[c] -= d * along[c], sum += level[c] * level[c];
-  if (sum < 1e-8f) {
-    turn_level(along, level);
-    return;
-  }
-  sum = 1.0f / __builtin_sqrtf(sum);
-  for (int c = 0; c < 3; c++) level[c] *= sum;
-}
-
-static void cross(const float a[3], const float b[3], float out[3]) {
-  out[0] = a[1] * b[2] - a[2] * b[1];
-  out[1] = a[2] * b[0] - a[0] * b[2];
-  out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
 /* Where a tube ends: of a dead branch, whose tip has broken off, in a splinter. */
@@ -226,63 +133,80 @@ static void end_point(const tree_branch *b, const ring *last, const float along[
   }
 }
 
-/* How a ring lies, and what its bark is like. */
-typedef struct {
-  float level[3], side[3]; /* its plane */
-  bark_ring bark;
-  scars_here scars;
-} ring_frame;
+/* A point with its bark, which is thick in the way out. */
+static void write_point(mesh_pen *pen, const skin_point *q, const float bare[3], const float out[3],
+                        const float normal[3], float u, float v, uint32_t branch) {
+  float p[3];
+  for (int c = 0; c < 3; c++) {
+    p[c] = bare[c] + q->thick * out[c];
+    pen->colour[c] = q->colour[c];
+  }
+  pen_point(pen, p, normal, u, v, branch);
+}
 
-/* What scars make of a place on a ring. */
-static void add_scars(const ring_frame *f, const float round[2], float r, bark_point *q) {
-  float x = round[0] * f->level[0] + round[1] * f->side[0];
-  float z = round[0] * f->level[2] + round[1] * f->side[2], square = x * x + z * z;
-  if (!(square > 0.01f)) return; /* a stem that lies */
-  float inverse = 1.0f / __builtin_sqrtf(square);
-  scar_point s = scars_mark(&f->scars, x * inverse, z * inverse, r);
-  q->tone *= 1.0f - f->scars.dark * (s.mark - f->scars.mean);
-  q->thick += s.rise * f->scars.dark;
+static const float *round_of(const tree *t, const tube_shape *s, uint32_t k) {
+  return t->plan.round[k % s->sides * 1024u / s->sides];
 }
 
 static void write_ring(mesh_pen *pen, const tree *t, uint32_t branch, const tube_shape *s,
-                       const ring *at, const ring_frame *f, float v) {
+                       const ring *at, const ring_skin *skin, float v) {
   const tree_branch *b = &t->branches[branch];
-  const bark_ring *bark = &f->bark;
-  int plain = !(bark->depth > 0.0f || bark->marks > 0.0f || f->scars.dark > 0.0f);
-  float even[3], bare[3], turned[3];
-  for (int c = 0; c < 3; c++) even[c] = pen->colour[c];
-  if (!plain) bark_colours(&t->plan, at->age, bare, turned);
   for (uint32_t k = 0; k <= s->sides; k++) {
-    const float *round = t->plan.round[k % s->sides * 1024u / s->sides];
-    float n[3], p[3], out[2], r = at->r * foot_radius(t, b, at->p[1], k, s->sides, out);
+    const float *round = round_of(t, s, k);
+    float p[3], out[3], normal[3], way[2];
+    float r = at->r * foot_radius(t, b, at->p[1], k, s->sides, way);
     for (int c = 0; c < 3; c++) {
-      n[c] = out[0] * f->level[c] + out[1] * f->side[c];
-      p[c] = at->p[c] + r * (round[0] * f->level[c] + round[1] * f->side[c]);
+      out[c] = round[0] * skin->level[c] + round[1] * skin->side[c];
+      normal[c] = way[0] * skin->level[c] + way[1] * skin->side[c];
+      p[c] = at->p[c] + r * out[c];
     }
-    if (!plain) {
-      /* along the axis and not upright: limbs have it along them, too, each its own */
-      float own = b->order ? (float)(b->key & 0xffffu) : 0.0f;
-      /* as if there were no roots: what they bulge stretches bark, and does not cut into more of it
-       */
-      const float place[3] = {own + at->r * round[0], 100.0f * v, at->r * round[1]};
-      bark_point q = bark_at(&pen->bark, bark, place);
-      if (f->scars.dark > 0.0f) add_scars(f, round, r, &q);
-      r += q.thick;
-      for (int c = 0; c < 3; c++) {
-        p[c] = at->p[c] + r * (round[0] * f->level[c] + round[1] * f->side[c]);
-        float now = q.tone * (bare[c] + q.old * turned[c]);
-        pen->colour[c] = now < 1.0f ? now : 1.0f;
-      }
-    }
-    pen_point(pen, p, n, (float)k / (float)s->sides, v, branch);
+    skin_point q = skin_at(skin, &pen->bark, round, r, v);
+    write_point(pen, &q, p, out, normal, (float)k / (float)s->sides, v, branch);
   }
-  for (int c = 0; c < 3; c++) pen->colour[c] = even[c];
 }
 
-/* Normals of finer tubes: of each point square to the lines between its neighbours. */
-static void set_normals(mesh_block *m, uint64_t first, const tube_shape *s) {
+/* From the parent's bark to the branch's, over a share of the way. */
+static void mix_skins(const skin_point *parent, float share, skin_point *q) {
+  float s = share * share * (3.0f - 2.0f * share);
+  q->thick = parent->thick + s * (q->thick - parent->thick);
+  for (int c = 0; c < 3; c++)
+    q->colour[c] = parent->colour[c] + s * (q->colour[c] - parent->colour[c]);
+}
+
+/* Whether a collar is fine enough for the bark of a stem to run on over it. */
+static int stem_runs_on(const mesh_pen *pen, const tree *t, uint32_t branch, const tube_shape *s) {
+  return s->fine && pen->stem && !t->branches[branch].parent;
+}
+
+/* The same of a collar's, whose points lie each on its line. Where no stem's bark runs on over it,
+ * what the branch has rises from the parent's mean, and its hem lies under all of that. */
+static void write_collar_ring(mesh_pen *pen, const tree *t, uint32_t branch, const tube_shape *s,
+                              const ring *at, const ring_skin *skin, const collar *c,
+                              const collar_line *lines) {
+  int runs_on = stem_runs_on(pen, t, branch, s) && at->way < COLLAR_TUBE;
+  float under = at->way < COLLAR_SEEN ? c->bark * (COLLAR_SEEN - at->way) : 0.0f;
+  float share = at->way - COLLAR_SEEN;
+  share = share > 0.0f ? share < 1.0f ? share : 1.0f : 0.0f;
+  for (uint32_t k = 0; k <= s->sides; k++) {
+    const float *round = round_of(t, s, k);
+    float p[3], out[3];
+    float v = 0.01f * collar_at(c, &lines[k % s->sides], round, at->way, p, out);
+    skin_point q = skin_at(skin, &pen->bark, round, at->r, v);
+    if (runs_on) {
+      skin_point parent = stem_skin_at(pen->stem, t, &pen->bark, s->level, p);
+      mix_skins(&parent, share, &q);
+    } else {
+      q.thick = q.thick * share - under;
+    }
+    write_point(pen, &q, p, out, out, (float)k / (float)s->sides, v, branch);
+  }
+}
+
+/* Normals of finer tubes, and of collars: of each point square to the lines between its neighbours.
+ * kept: how many rings keep theirs. */
+static void set_normals(mesh_block *m, uint64_t first, const tube_shape *s, uint64_t kept) {
   uint64_t across = s->sides + 1;
-  for (uint64_t i = 0; i < s->rings; i++) {
+  for (uint64_t i = kept; i < s->rings; i++) {
     uint64_t below = i ? i - 1 : 0, above = i + 1 < s->rings ? i + 1 : i;
     for (uint64_t k = 0; k < across; k++) {
       uint64_t at = k % s->sides, left = at ? at - 1 : s->sides - 1, right = at + 1;
@@ -292,12 +216,35 @@ static void set_normals(mesh_block *m, uint64_t first, const tube_shape *s) {
         round[c] = p[3 * (i * across + right) + c] - p[3 * (i * across + left) + c];
         along[c] = p[3 * (above * across + at) + c] - p[3 * (below * across + at) + c];
       }
-      cross(round, along, n);
+      skin_side(round, along, n);
       for (int c = 0; c < 3; c++) sum += n[c] * n[c];
       if (!(sum > 1e-12f)) continue;
       sum = 1.0f / __builtin_sqrtf(sum);
       for (uint64_t c = 0; c < 3; c++) m->normals[3 * (first + i * across + k) + c] = sum * n[c];
     }
+  }
+}
+
+/* How unlike two points are in colour. */
+static float unlike(const mesh_block *m, uint32_t a, uint32_t b) {
+  float sum = 0.0f;
+  for (uint32_t c = 0; c < 3; c++) {
+    float off = m->colours[3 * a + c] - m->colours[3 * b + c];
+    sum += off * off;
+  }
+  return sum;
+}
+
+/* Between two rings, parted from the one to the other of its corners that are more alike: a line
+ * that runs athwart would have teeth else (Dyn, Levin and Rippa 1990, IMA Journal of Numerical
+ * Analysis 10, 137-154). */
+static void write_quad(mesh_pen *pen, uint32_t a, uint32_t b, uint32_t c, uint32_t d) {
+  if (unlike(pen->mesh, b, d) < unlike(pen->mesh, a, c)) {
+    pen_triangle(pen, a, b, d);
+    pen_triangle(pen, b, c, d);
+  } else {
+    pen_triangle(pen, a, b, c);
+    pen_triangle(pen, a, c, d);
   }
 }
 
@@ -307,65 +254,92 @@ static void write_triangles(mesh_pen *pen, const tube_shape *s, uint32_t base, u
     pen_triangle(pen, base, base + 2 + k, base + 1 + k);
     for (uint32_t i = 0; i + 1 < s->rings; i++) {
       uint32_t a = base + 1 + i * across + k, c = a + across;
-      pen_triangle(pen, a, a + 1, c + 1);
-      pen_triangle(pen, a, c + 1, c);
+      write_quad(pen, a, a + 1, c + 1, c);
     }
     pen_triangle(pen, tip, last + k, last + k + 1);
   }
 }
 
-/* From one ring's direction to the next one's. */
-static void turn_between(const ring *rings, uint32_t count, uint32_t i, float share, float out[3]) {
-  float next[3], sum = 0.0f;
-  direction(rings, count, i, out);
-  if (!(share > 0.0f)) return;
-  direction(rings, count, i + 1, next);
-  for (int c = 0; c < 3; c++) {
-    out[c] += share * (next[c] - out[c]);
-    sum += out[c] * out[c];
+/* A collar's rings. Gives the point from which the tube begins. kept: adds how many of them have
+ * the parent's normals. */
+static uint32_t write_collar(mesh_pen *pen, const tree *t, uint32_t branch, const tube_shape *s,
+                             const collar *c, const ring *rings, ring_skin *skin, uint64_t *kept) {
+  const tree_branch *b = &t->branches[branch];
+  collar_line lines[SIDES_MOST];
+  float back[3], kept_to = stem_runs_on(pen, t, branch, s) ? 0.0f : COLLAR_SEEN;
+  for (int k = 0; k < 3; k++) {
+    skin->level[k] = c->level[k];
+    skin->side[k] = c->side[k];
+    back[k] = -c->along[k];
   }
-  if (!(sum > 1e-6f)) return;
-  sum = 1.0f / __builtin_sqrtf(sum);
-  for (int c = 0; c < 3; c++) out[c] *= sum;
+  for (uint32_t k = 0; k < s->sides; k++) collar_line_of(c, round_of(t, s, k), &lines[k]);
+  bark_colour(&t->plan, c->age, pen->colour);
+  uint32_t base = pen_point(pen, c->rings[0].p, back, 0.5f, 0.0f, branch);
+  for (uint32_t i = 0;; i++) {
+    int last = rings[i].way >= COLLAR_END;
+    uint32_t parts = last ? 1 : parts_between(t, &pen->bark, b, s, &rings[i], &rings[i + 1]);
+    for (uint32_t part = 0; part < parts; part++) {
+      ring at = rings[i];
+      if (part) rings_between(&rings[i], &rings[i + 1], (float)part / (float)parts, &at);
+      skin_of(skin, t, b, &pen->bark, s->level, &at);
+      *kept += at.way <= kept_to;
+      write_collar_ring(pen, t, branch, s, &at, skin, c, lines);
+    }
+    if (last) return base;
+  }
 }
 
 void tube_write(mesh_pen *pen, const tree *t, uint32_t branch, const tube_shape *s) {
   const tree_branch *b = &t->branches[branch];
-  ring rings[RINGS_MOST], at, before = {.r = 0.0f};
-  uint32_t count = lay_rings(t, b, s, rings), base = 0;
-  int barked = bark_surface_on(&pen->bark, t, b);
-  int scarred = s->level < SCARS_BELOW && scars_on(t, b);
+  ring all[RINGS_MOST], own[RINGS_MOST + COLLAR_RINGS], before = {.r = 0.0f};
+  const ring *rings = all;
+  uint32_t count = rings_lay(t, b, s->stride, all), base = 0, first = 0;
   float along[3], v = 0.0f, end[3];
-  ring_frame f = {.bark = {.depth = 0.0f}, .scars = {.count = 0}};
-  for (uint32_t i = 0; i < count; i++) {
+  uint64_t kept = 0;
+  ring_skin skin;
+  collar c;
+  int collared = collar_of(&c, t, b, &pen->bark, s->level, all, count);
+  if (collared) {
+    collar_rings(&c, own);
+    rings = own;
+    count = collar_count(&c);
+    base = write_collar(pen, t, branch, s, &c, rings, &skin, &kept);
+    while (rings[first].way < COLLAR_END) first++;
+    before = rings[first];
+    v = 0.01f * c.end;
+  }
+  for (uint32_t i = first; i < count; i++) {
     uint32_t parts =
         i + 1 < count ? parts_between(t, &pen->bark, b, s, &rings[i], &rings[i + 1]) : 1;
-    for (uint32_t part = 0; part < parts; part++) {
+    for (uint32_t part = collared && i == first ? 1 : 0; part < parts; part++) {
       float share = (float)part / (float)parts;
-      at = rings[i];
-      if (part) between(&rings[i], &rings[i + 1], share, 1.0f, &at);
-      turn_between(rings, count, i, share, along);
+      int begins = !collared && i == 0 && part == 0;
+      ring at = rings[i];
+      if (part) rings_between(&rings[i], &rings[i + 1], share, &at);
+      rings_direction(rings, count, i, share, along);
       foot_stand(b, at.p[1], along);
-      if (i == 0 && part == 0) {
-        turn_level(along, f.level);
+      if (begins) {
+        turn_level(along, skin.level);
       } else {
-        carry(f.level, along);
+        skin_carry(skin.level, along);
       }
-      cross(along, f.level, f.side);
-      bark_colour(&t->plan, at.age, pen->colour);
-      if (i == 0 && part == 0) {
-        for (int c = 0; c < 3; c++) end[c] = -along[c];
+      skin_side(along, skin.level, skin.side);
+      skin_of(&skin, t, b, &pen->bark, s->level, &at);
+      if (begins) {
+        for (int k = 0; k < 3; k++) {
+          end[k] = -along[k];
+          pen->colour[k] = skin.even[k];
+        }
         base = pen_point(pen, at.p, end, 0.5f, 0.0f, branch);
       } else {
-        v += 0.01f * apart(&before, &at);
+        v += 0.01f * rings_apart(&before, &at);
       }
-      if (barked) f.bark = bark_ring_at(&pen->bark, &t->plan, at.age, at.r, at.p[1], s->level);
-      if (scarred) scars_at(t, at.age, at.r, at.p[1], &f.scars);
-      write_ring(pen, t, branch, s, &at, &f, v);
+      write_ring(pen, t, branch, s, &at, &skin, v);
       before = at;
     }
   }
-  if (s->fine) set_normals(pen->mesh, base + 1, s);
+  if (s->fine || s->smooth) set_normals(pen->mesh, base + 1, s, kept);
   end_point(b, &rings[count - 1], along, end);
+  for (int k = 0; k < 3; k++) pen->colour[k] = skin.even[k];
   write_triangles(pen, s, base, pen_point(pen, end, along, 0.5f, v, branch));
 }

@@ -166,9 +166,42 @@ static void where_they_are(void **unused) {
   }
 }
 
+/* A quad is parted from the one to the other of its corners that are more alike: of arms that droop
+ * to the left and to the right, one would have teeth else. */
+static void arms_without_teeth(void **unused) {
+  (void)unused;
+  sozai_geometry *g =
+      grow("sugi", FEW "turns_year=1 scar_width=6 scar_droop=1 crown_ratio=1", NULL);
+  const sozai_mesh *m = mesh_of(g, 0);
+  rings r = rings_of(m);
+  uint64_t wrong = 0, parted[2] = {0, 0};
+  for (uint64_t k = 0; k < r.sides; k++)
+    for (uint64_t i = 0; i + 1 < r.count; i++) {
+      const uint64_t corner[4] = {index_of(&r, i, k), index_of(&r, i, k + 1),
+                                  index_of(&r, i + 1, k + 1), index_of(&r, i + 1, k)};
+      /* a side's triangles: one at the ground, two for each ring, one at the tip */
+      const uint32_t *t = m->indices + 3 * (k * 2 * r.count + 1 + 2 * i);
+      double tone[4];
+      for (int c = 0; c < 4; c++) tone[c] = (double)m->colours[3 * corner[c] + 1];
+      double rising = fabs(tone[0] - tone[2]), falling = fabs(tone[1] - tone[3]);
+      if (fabs(rising - falling) < 0.05) continue;
+      int rises = t[0] == corner[0] && t[1] == corner[1] && t[2] == corner[2];
+      assert_true(rises || (t[0] == corner[0] && t[1] == corner[1] && t[2] == corner[3]));
+      parted[rises]++;
+      wrong += rises != (rising < falling);
+    }
+  print_message("%llu quads of brows parted one way, %llu the other, %llu athwart a brow\n",
+                (unsigned long long)parted[0], (unsigned long long)parted[1],
+                (unsigned long long)wrong);
+  assert_true(parted[0] > 100 && parted[1] > 100);
+  assert_int_equal(wrong, 0);
+  geometry()->release_mesh(m);
+  geometry()->release(g);
+}
+
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(as_wide_as_asked),
-                                     cmocka_unit_test(drawn_apart),
-                                     cmocka_unit_test(where_they_are)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(as_wide_as_asked), cmocka_unit_test(drawn_apart),
+      cmocka_unit_test(where_they_are), cmocka_unit_test(arms_without_teeth)};
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
