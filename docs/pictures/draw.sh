@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # draw.sh [FOLDER] [PICTURE...]: pictures of these pages, by the command. FOLDER: the script's
-# own, unless given. PICTURE: stones, fibres, log, barks, and of a whole gallery gallery, figured, plies,
+# own, unless given. PICTURE: stones, fibres, log, barks, collars, and of a whole gallery gallery, figured, plies,
 # knots, layouts and trees; none: all. SOZAI: the program, unless build/bin/sozai.
 # Blender's: hosts/blender/examples/draw.sh.
 set -euo pipefail
@@ -91,6 +91,21 @@ shirakaba 60 1500 13'
   oiiotool "$scratch"/bark{1,2,3,4,5,6,7,8}.png --mosaic 4x2 "${untold[@]}" -d uint8 -o "$folder/barks.png"
 }
 
+# Keyaki, mizunara, yamazakura, momiji, shirakaba: where limbs leave their stems
+draw_collars() {
+  local number=0 species age view target zoom
+  while read -r species age view target zoom; do
+    "$sozai" grow tree --species "$species" --age "$age" -p foliage=none -p orders=1 \
+      --camera "$view,20" --target "$target" --zoom "$zoom" --res 240x360 --spp 32 \
+      -o "$scratch/collar$((number += 1)).png"
+  done <<<'keyaki 60 60,15 -60,4800,0 26
+mizunara 90 25,10 0,7350,0 24
+cherry 40 25,5 0,3900,0 16
+momiji 50 25,25 0,1650,0 18
+shirakaba 60 25,5 -60,10000,0 40'
+  oiiotool "$scratch"/collar{1,2,3,4,5}.png --mosaic 5x1 "${untold[@]}" -d uint8 -o "$folder/collars.png"
+}
+
 # Sheets of the whole gallery, as they are there but for figured.
 draw_sheet() {
   [[ -d $scratch/gallery ]] || "$sozai" gallery --all -o "$scratch/gallery"
@@ -103,13 +118,13 @@ draw_sheet() {
 }
 
 names=("$@")
-(($#)) || names=(stones fibres log barks gallery figured plies knots layouts trees)
+(($#)) || names=(stones fibres log barks collars gallery figured plies knots layouts trees)
 for name in "${names[@]}"; do
   case $name in
-    stones | fibres | log | barks) "draw_$name" ;;
+    stones | fibres | log | barks | collars) "draw_$name" ;;
     gallery | figured | plies | knots | layouts | trees) draw_sheet "$name" ;;
     *)
-      echo "no picture $name: stones, fibres, log, barks, gallery, figured, plies, knots, layouts or trees" >&2
+      echo "no picture $name: stones, fibres, log, barks, collars, gallery, figured, plies, knots, layouts or trees" >&2
       exit 1
       ;;
   esac
