@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
 #include "collar.h"
 
-#include "bark.h"
 #include "mesh.h"
 #include "turn.h"
 
@@ -19,8 +18,10 @@
  * under that; and of what lines between its own points do, how high over the parent it ends. */
 #define SUNK 1.3f
 #define RAISED 1.2f
+#define RAISED_FINE 0.4f  /* of branches that have more sides, for their bark */
 #define SUNK_LEAST 0.003f /* of the parent's radius; and so much at most is raised */
 #define RAISED_MOST 0.015f
+#define FURROWED 1.5f    /* mm: shallower bark has no normals of its own on a hem */
 #define THICKEST 0.93f   /* of the parent's radius: thicker ones have none */
 #define LEAST 3.0f       /* mm of radius, */
 #define LEAST_WHOLE 6.0f /* and from where on it is not of a few sides alone */
@@ -51,7 +52,7 @@ static int unit(float v[3]) {
 /* ---- the parent ------------------------------------------------------------- */
 
 /* Of one piece of an axis. */
-static void nearest_of(const tree_node *a, const tree_node *b, const float p[3], nearest *out) {
+static void nearest_of(const ring *a, const ring *b, const float p[3], nearest *out) {
   float d[3], o[3];
   for (int k = 0; k < 3; k++) d[k] = b->p[k] - a->p[k], o[k] = p[k] - a->p[k];
   float square = dot(d, d), t = square > 0.0f ? dot(d, o) / square : 0.0f;
@@ -77,7 +78,7 @@ static void parent_at(const collar *c, const float p[3], nearest *out) {
 }
 
 /* Of the parent's pieces the one nearest to the branch's base. */
-static uint32_t piece_at(const tree_node *nodes, uint32_t count, const float p[3]) {
+static uint32_t piece_at(const ring *nodes, uint32_t count, const float p[3]) {
   uint32_t at = 0;
   float least = 1e30f;
   for (uint32_t i = 0; i + 1 < count; i++) {
@@ -90,12 +91,6 @@ static uint32_t piece_at(const tree_node *nodes, uint32_t count, const float p[3
   return at;
 }
 
-static float apart(const tree_node *a, const tree_node *b) {
-  float d[3];
-  for (int k = 0; k < 3; k++) d[k] = b->p[k] - a->p[k];
-  return __builtin_sqrtf(dot(d, d));
-}
-
 /* How far a circle's sides lie within it, of its radius. */
 static float flat(uint32_t sides) { return 4.9348f / (float)(sides * sides); }
 
@@ -103,48 +98,60 @@ static float flat(uint32_t sides) { return 4.9348f / (float)(sides * sides); }
 static void set_parent(collar *c, const tree *t, const tree_branch *b, const bark_surface *bark,
                        uint32_t level) {
   const tree_branch *on = &t->branches[b->parent];
-  const tree_node *nodes = &t->nodes[on->first];
   const uint32_t room = sizeof c->axis / sizeof *c->axis;
-  float ages[RINGS_MOST];
-  uint32_t at = piece_at(nodes, on->nodes, c->rings[0].p), from = at, to = at + 1;
-  float reach = WINDOW * nodes[at].r, below = 0.0f, above = 0.0f;
+  ring all[RINGS_MOST];
+  uint32_t count = rings_lay(t, on, level, all);
+  uint32_t at = piece_at(all, count, c->rings[0].p), from = at, to = at + 1;
+  const ring *here = &all[at];
+  float reach = WINDOW * here->r, below = 0.0f, above = 0.0f;
   while (from > 0 && below < reach && to - from + 1 < room / 2) {
     from--;
-    below += apart(&nodes[from], &nodes[from + 1]);
+    below += rings_apart(&all[from], &all[from + 1]);
   }
-  while (to + 1 < on->nodes && above < 2.0f * reach && to - from + 1 < room) {
-    above += apart(&nodes[to], &nodes[to + 1]);
+  while (to + 1 < count && above < 2.0f * reach && to - from + 1 < room) {
+    above += rings_apart(&all[to], &all[to + 1]);
     to++;
   }
   c->nodes = to - from + 1;
-  bark_ages(t, on, ages);
-  c->age = ages[at];
-  float thick = 0.0f;
+  c->age = here->age;
   int fine = bark_surface_on(bark, t, on);
+  c->bark = 0.0f;
+  c->furrowed = 0;
   if (fine) {
-    bark_ring there = bark_ring_at(bark, &t->plan, c->age, nodes[at].r, nodes[at].p[1], level);
-    thick = there.depth * bark->furrows.mean;
+    bark_ring there = bark_ring_at(bark, &t->plan, c->age, here->r, here->p[1], level);
+    c->bark = there.depth * bark->furrows.mean;
+    c->furrowed = there.depth * there.cut > FURROWED;
   }
-  c->bark = thick;
-  float wide = b->radius * (1.0f + BESIDE) / nodes[at].r;
-  float lower = RAISED * wide * wide * flat(tube_sides(b, level));
-  c->sunk = (SUNK_LEAST + (fine ? 0.0f : SUNK * flat(tube_sides(on, level)))) * nodes[at].r;
-  c->raised = (lower < RAISED_MOST ? lower : RAISED_MOST) * nodes[at].r;
+  float wide = b->radius * (1.0f + BESIDE) / here->r;
+  float lower = (bark_surface_on(bark, t, b) ? RAISED_FINE : RAISED) * wide * wide *
+                flat(tube_sides(b, level));
+  c->sunk = (SUNK_LEAST + (fine ? 0.0f : SUNK * flat(tube_sides(on, level)))) * here->r;
+  c->raised = (lower < RAISED_MOST ? lower : RAISED_MOST) * here->r;
   for (uint32_t i = 0; i < c->nodes; i++) {
-    c->axis[i] = nodes[from + i];
-    c->axis[i].r += thick;
+    c->axis[i] = all[from + i];
+    c->axis[i].r += c->bark;
   }
 }
 
 /* ---- the branch ------------------------------------------------------------- */
 
+/* Out of its axis; turned: a share of the way to where its rings are round. */
+static void outward(const collar *c, const float round[2], float turned, float out[3]) {
+  for (int k = 0; k < 3; k++) {
+    float level = c->level[k] + turned * (c->end_level[k] - c->level[k]);
+    float side = c->side[k] + turned * (c->end_side[k] - c->side[k]);
+    out[k] = round[0] * level + round[1] * side;
+  }
+}
+
 /* A place on it s mm from its base; along: its direction there. */
-static float branch_at(const collar *c, const float round[2], float s, float p[3], float along[3]) {
+static void branch_at(const collar *c, const float round[2], float s, float turned, float p[3],
+                      float along[3]) {
+  float out[3];
   ring at;
   rings_along(c->rings, c->count, s, &at, along);
-  for (int k = 0; k < 3; k++)
-    p[k] = at.p[k] + at.r * (round[0] * c->level[k] + round[1] * c->side[k]);
-  return at.r;
+  outward(c, round, turned, out);
+  for (int k = 0; k < 3; k++) p[k] = at.p[k] + at.r * out[k];
 }
 
 /* Where a line of it leaves the parent: no step is longer than the way to the surface. Below 0: it
@@ -153,7 +160,7 @@ static float leaves_at(const collar *c, const float round[2], float most, neares
                        float p[3]) {
   float s = 0.0f, along[3];
   for (uint32_t i = 0; i < STEPS_MOST && s < most; i++) {
-    branch_at(c, round, s, p, along);
+    branch_at(c, round, s, 0.0f, p, along);
     parent_at(c, p, there);
     if (there->off > -0.002f * there->r) return s;
     s -= there->off;
@@ -185,7 +192,7 @@ static int line_of(const collar *c, const float round[2], float most, collar_lin
   float edge[3], away[3], along[3], reach[2], *foot = out->bend[0], *tip = out->bend[3];
   float s = leaves_at(c, round, most, &at, edge);
   if (s < 0.0f) return 0;
-  for (int k = 0; k < 3; k++) away[k] = round[0] * c->level[k] + round[1] * c->side[k];
+  outward(c, round, 0.0f, away);
   float in = dot(away, at.normal);
   for (int k = 0; k < 3; k++) away[k] -= in * at.normal[k];
   if (!unit(away)) return 0;
@@ -198,7 +205,7 @@ static int line_of(const collar *c, const float round[2], float most, collar_lin
   }
   sink(c, foot, -c->raised, out->normal);
   sink(c, out->hem, c->sunk, out->hem_normal);
-  branch_at(c, round, s + reach[1], tip, along);
+  branch_at(c, round, s + reach[1], 0.0f, tip, along);
   /* along the surfaces, at both ends */
   float back[3];
   for (int k = 0; k < 3; k++) back[k] = edge[k] - foot[k];
@@ -257,19 +264,20 @@ int collar_of(collar *c, const tree *t, const tree_branch *b, const bark_surface
   if (!(b->radius < THICKEST * at.r && at.off < -b->radius)) return 0;
   /* its axis's direction, where that leaves the parent */
   static const float middle[2] = {0.0f, 0.0f};
-  for (int k = 0; k < 3; k++) c->level[k] = c->side[k] = 0.0f;
+  for (int k = 0; k < 3; k++) c->level[k] = c->side[k] = c->end_level[k] = c->end_side[k] = 0.0f;
   c->begin = leaves_at(c, middle, most, &at, p);
   if (c->begin < 0.0f) return 0;
   ring here;
   rings_along(rings, count, c->begin, &here, c->along);
   turn_level(c->along, c->level);
-  for (int k = 0; k < 3; k++) {
-    int l = (k + 1) % 3, m = (k + 2) % 3;
-    c->side[k] = c->along[l] * c->level[m] - c->along[m] * c->level[l];
-  }
+  skin_side(c->along, c->level, c->side);
   if (!set_extent(c, &t->plan, most)) return 0;
-  rings_along(rings, count, c->end, &here, p);
+  float last[3];
+  rings_along(rings, count, c->end, &here, last);
   c->own_age = here.age;
+  for (int k = 0; k < 3; k++) c->end_level[k] = c->level[k];
+  skin_carry(c->end_level, last);
+  skin_side(last, c->end_level, c->end_side);
   return 1;
 }
 
@@ -313,26 +321,22 @@ void collar_rings(const collar *c, ring *out) {
   for (uint32_t i = from; i < c->count; i++) out[n++] = c->rings[i];
 }
 
-static void outward(const collar *c, const float round[2], float out[3]) {
-  for (int k = 0; k < 3; k++) out[k] = round[0] * c->level[k] + round[1] * c->side[k];
-}
-
 void collar_line_of(const collar *c, const float round[2], collar_line *out) {
   if (line_of(c, round, 1e30f, out)) return;
   /* between lines that leave the parent one that does not: the branch alone */
   float along[3];
-  branch_at(c, round, 0.0f, out->hem, along);
+  branch_at(c, round, 0.0f, 0.0f, out->hem, along);
   for (int k = 0; k < 4; k++)
-    branch_at(c, round, (float)(k + 1) * 0.25f * c->end, out->bend[k], along);
-  outward(c, round, out->normal);
-  outward(c, round, out->hem_normal);
+    branch_at(c, round, (float)(k + 1) * 0.25f * c->end, 0.0f, out->bend[k], along);
+  outward(c, round, 0.0f, out->normal);
+  outward(c, round, 0.0f, out->hem_normal);
   out->along[0] = 0.25f * c->end, out->along[1] = c->end;
 }
 
 float collar_at(const collar *c, const collar_line *line, const float round[2], float way,
                 float p[3], float out[3]) {
   float own[3];
-  outward(c, round, own);
+  outward(c, round, 0.0f, own);
   if (way < COLLAR_SEEN) {
     for (int k = 0; k < 3; k++) {
       p[k] = line->hem[k] + way * (line->bend[0][k] - line->hem[k]);
@@ -342,9 +346,10 @@ float collar_at(const collar *c, const collar_line *line, const float round[2], 
     return line->along[0];
   }
   if (way > COLLAR_TUBE) {
-    float along[3], s = line->along[1] + (way - COLLAR_TUBE) * (c->end - line->along[1]);
-    branch_at(c, round, s, p, along);
-    for (int k = 0; k < 3; k++) out[k] = own[k];
+    float along[3], turned = way - COLLAR_TUBE;
+    float s = line->along[1] + turned * (c->end - line->along[1]);
+    branch_at(c, round, s, turned, p, along);
+    outward(c, round, turned, out);
     return s;
   }
   /* closer to each other where it leaves the parent */

@@ -22,8 +22,9 @@
 #define COLLAR_END 3.0f
 
 typedef struct {
-  tree_node axis[24];                /* the parent's, about the branch's base; r: of its surface */
+  ring axis[48];                     /* the parent's, about the branch's base; r: of its surface */
   uint32_t nodes, parts[3];          /* parts: rings from way to way */
+  int furrowed;                      /* whether bark of the parent stands out there */
   float bark;                        /* mm: how thick it is there, of the parent, in the mean */
   float sunk, raised;                /* mm: how deep under that its hem begins, and how high over
                                         it ends */
@@ -31,6 +32,7 @@ typedef struct {
   float begin, end;                  /* mm along the branch: where it leaves the parent, and from
                                         where on it is a tube */
   float along[3], level[3], side[3]; /* at its beginning: its direction, and square to that */
+  float end_level[3], end_side[3];   /* the same where it is a tube */
   float lengths[3];                  /* mm, the longest, from way to way */
   const ring *rings;                 /* the branch's */
   uint32_t count;

@@ -91,7 +91,7 @@ int32_t tree_mesh(const tree *t, const sozai_host *host, uint32_t level, mesh_bl
   int32_t r = host_progress(host, 0.0, "making the mesh");
   if (r) return r;
   if (t->branch_count && bark_surface_on(&pen.bark, t, &t->branches[0])) {
-    stem_skin_of(&stem, t);
+    stem_skin_of(&stem, t, level);
     pen.stem = &stem;
   }
   for (uint32_t i = 0; i < t->branch_count; i++) {

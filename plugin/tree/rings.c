@@ -3,10 +3,62 @@
 
 #include "bark.h"
 
-uint32_t rings_lay(const tree *t, const tree_branch *b, uint32_t stride, ring *out) {
+#define ROUNDED_FROM 25.0f /* mm of radius */
+#define ROUNDED_NODES 120u
+
+/* Cosines of angles between pieces of an axis: more acute ones are cut into 2, 3 and 4. */
+#define PARTS 4u
+static const float bent[PARTS - 1] = {0.9995f, 0.9962f, 0.9877f};
+
+uint32_t rings_stride(const tree_branch *b, uint32_t level) {
+  if (b->order == 0 && level == 1) return 2;
+  return level < 2 ? 1 : level < 4 ? 2 : 4;
+}
+
+/* Of an axis at its i-th node. */
+static float bend_at(const ring *at, uint32_t count, uint32_t i) {
+  if (i == 0 || i + 1 >= count) return 1.0f;
+  float sum = 0.0f, a = rings_apart(&at[i - 1], &at[i]), b = rings_apart(&at[i], &at[i + 1]);
+  for (int c = 0; c < 3; c++) sum += (at[i].p[c] - at[i - 1].p[c]) * (at[i + 1].p[c] - at[i].p[c]);
+  return a * b > 0.0f ? sum / (a * b) : 1.0f;
+}
+
+/* What is off the line between two nodes of one that goes through all of them (Catmull and Rom
+ * 1974, in Computer Aided Geometric Design). Its ends are straight. */
+static void round_off(const ring *at, uint32_t count, uint32_t i, float t, ring *out) {
+  float square = t * t, cube = t * square;
+  float from = cube - 2.0f * square + t, to = cube - square;
+  for (int c = 0; c < 3; c++) {
+    float line = at[i + 1].p[c] - at[i].p[c];
+    float begin = i ? 0.5f * (at[i + 1].p[c] - at[i - 1].p[c]) : line;
+    float end = i + 2 < count ? 0.5f * (at[i + 2].p[c] - at[i].p[c]) : line;
+    out->p[c] += from * (begin - line) + to * (end - line);
+  }
+}
+
+static uint32_t round_bends(ring *at, uint32_t count, uint32_t most) {
+  ring nodes[ROUNDED_NODES];
+  uint32_t n = 0;
+  for (uint32_t i = 0; i < count; i++) nodes[i] = at[i];
+  for (uint32_t i = 0; i < count; i++) {
+    at[n++] = nodes[i];
+    if (i + 1 == count) break;
+    float a = bend_at(nodes, count, i), b = bend_at(nodes, count, i + 1), bends = a < b ? a : b;
+    uint32_t parts = 1;
+    while (parts < most && bends < bent[parts - 1]) parts++;
+    for (uint32_t k = 1; k < parts; k++) {
+      float share = (float)k / (float)parts;
+      rings_between(&nodes[i], &nodes[i + 1], share, &at[n]);
+      round_off(nodes, count, i, share, &at[n++]);
+    }
+  }
+  return n;
+}
+
+uint32_t rings_lay(const tree *t, const tree_branch *b, uint32_t level, ring *out) {
   const tree_node *nodes = &t->nodes[b->first];
   float ages[RINGS_MOST];
-  uint32_t n = 0;
+  uint32_t n = 0, stride = rings_stride(b, level);
   bark_ages(t, b, ages);
   for (uint32_t i = 0; i < b->nodes;
        i = i + 1 < b->nodes && i + stride >= b->nodes ? b->nodes - 1 : i + stride) {
@@ -14,7 +66,8 @@ uint32_t rings_lay(const tree *t, const tree_branch *b, uint32_t stride, ring *o
     for (int c = 0; c < 3; c++) out[n].p[c] = nodes[i].p[c];
     n++;
   }
-  return n;
+  int rounded = level < 2 && b->order == 1 && b->radius >= ROUNDED_FROM && n <= ROUNDED_NODES;
+  return rounded ? round_bends(out, n, level ? 2 : PARTS) : n;
 }
 
 float rings_apart(const ring *a, const ring *b) {

@@ -16,8 +16,10 @@ typedef struct {
   float next;         /* on a collar: mm, the longest way to the next ring */
 } ring;
 
-/* Those of an axis, at every stride-th of its nodes. */
-uint32_t rings_lay(const tree *t, const tree_branch *b, uint32_t stride, ring *out);
+/* Those of an axis at a level of detail: at its nodes, or every stride-th of them; of limbs also
+ * between them where they bend, on a curve through them. */
+uint32_t rings_stride(const tree_branch *b, uint32_t level);
+uint32_t rings_lay(const tree *t, const tree_branch *b, uint32_t level, ring *out);
 
 float rings_apart(const ring *a, const ring *b);
 

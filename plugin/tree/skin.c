@@ -68,10 +68,10 @@ void skin_side(const float along[3], const float level[3], float side[3]) {
 
 /* ---- the stem --------------------------------------------------------------- */
 
-void stem_skin_of(stem_skin *o, const tree *t) {
+void stem_skin_of(stem_skin *o, const tree *t, uint32_t level_of_detail) {
   const tree_branch *b = &t->branches[0];
   float level[3];
-  o->count = rings_lay(t, b, 1, o->at);
+  o->count = rings_lay(t, b, level_of_detail, o->at);
   for (uint32_t i = 0; i < o->count; i++) {
     float along[3];
     rings_direction(o->at, o->count, i, 0.0f, along);

@@ -42,7 +42,7 @@ typedef struct {
   uint32_t count;
 } stem_skin;
 
-void stem_skin_of(stem_skin *o, const tree *t);
+void stem_skin_of(stem_skin *o, const tree *t, uint32_t level);
 
 /* At a place near its surface. thick: over its mean. */
 skin_point stem_skin_at(const stem_skin *o, const tree *t, const bark_surface *s, uint32_t level,

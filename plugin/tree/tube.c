@@ -96,8 +96,7 @@ int tube_shape_of(const tree *t, const bark_surface *bark, uint32_t branch, uint
     if (level >= 1 && b->order == 3 && (!one_of || branch % one_of)) return 0;
     if (level >= 3 && (hash1(b->key) >> 24) >= (256u >> (level - 2))) return 0;
   }
-  out->stride = level < 2 ? 1 : level < 4 ? 2 : 4;
-  if (branch == 0 && level == 1) out->stride = 2;
+  out->stride = rings_stride(b, level);
   out->sides = tube_sides(b, level);
   out->rings = (b->nodes - 2) / out->stride + 2;
   out->level = level;
@@ -105,8 +104,9 @@ int tube_shape_of(const tree *t, const bark_surface *bark, uint32_t branch, uint
   if (bark && (collar_may_be(b, level) || bark_surface_on(bark, t, b))) {
     ring rings[RINGS_MOST], own[RINGS_MOST + COLLAR_RINGS];
     collar c;
-    uint32_t n = rings_lay(t, b, out->stride, rings);
+    uint32_t n = rings_lay(t, b, level, rings);
     const ring *of = rings;
+    out->rings = n;
     if (collar_of(&c, t, b, bark, level, rings, n)) {
       collar_rings(&c, own);
       of = own;
@@ -266,7 +266,7 @@ static uint32_t write_collar(mesh_pen *pen, const tree *t, uint32_t branch, cons
                              const collar *c, const ring *rings, ring_skin *skin, uint64_t *kept) {
   const tree_branch *b = &t->branches[branch];
   collar_line lines[SIDES_MOST];
-  float back[3], kept_to = stem_runs_on(pen, t, branch, s) ? 0.0f : COLLAR_SEEN;
+  float back[3], kept_to = c->furrowed && stem_runs_on(pen, t, branch, s) ? 0.0f : COLLAR_SEEN;
   for (int k = 0; k < 3; k++) {
     skin->level[k] = c->level[k];
     skin->side[k] = c->side[k];
@@ -293,7 +293,7 @@ void tube_write(mesh_pen *pen, const tree *t, uint32_t branch, const tube_shape 
   const tree_branch *b = &t->branches[branch];
   ring all[RINGS_MOST], own[RINGS_MOST + COLLAR_RINGS], before = {.r = 0.0f};
   const ring *rings = all;
-  uint32_t count = rings_lay(t, b, s->stride, all), base = 0, first = 0;
+  uint32_t count = rings_lay(t, b, s->level, all), base = 0, first = 0;
   float along[3], v = 0.0f, end[3];
   uint64_t kept = 0;
   ring_skin skin;
@@ -305,6 +305,7 @@ void tube_write(mesh_pen *pen, const tree *t, uint32_t branch, const tube_shape 
     count = collar_count(&c);
     base = write_collar(pen, t, branch, s, &c, rings, &skin, &kept);
     while (rings[first].way < COLLAR_END) first++;
+    for (int k = 0; k < 3; k++) skin.level[k] = c.end_level[k];
     before = rings[first];
     v = 0.01f * c.end;
   }
