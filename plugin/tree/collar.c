@@ -248,7 +248,7 @@ int collar_may_be(const tree_branch *b, uint32_t level) {
 
 int collar_of(collar *c, const tree *t, const tree_branch *b, const bark_surface *bark,
               uint32_t level, const ring *rings, uint32_t count) {
-  if (!collar_may_be(b, level)) return 0;
+  if (!collar_may_be(b, level) || t->branches[b->parent].nodes < 2) return 0;
   int whole = b->radius > LEAST_WHOLE;
   c->rings = rings;
   c->count = count;
