@@ -77,20 +77,6 @@ static void parent_at(const collar *c, const float p[3], nearest *out) {
   unit(out->axis);
 }
 
-/* Of the parent's pieces the one nearest to the branch's base. */
-static uint32_t piece_at(const ring *nodes, uint32_t count, const float p[3]) {
-  uint32_t at = 0;
-  float least = 1e30f;
-  for (uint32_t i = 0; i + 1 < count; i++) {
-    nearest n;
-    nearest_of(&nodes[i], &nodes[i + 1], p, &n);
-    if (!(n.off + n.r < least)) continue;
-    least = n.off + n.r;
-    at = i;
-  }
-  return at;
-}
-
 /* How far a circle's sides lie within it, of its radius. */
 static float flat(uint32_t sides) { return 4.9348f / (float)(sides * sides); }
 
@@ -101,7 +87,8 @@ static void set_parent(collar *c, const tree *t, const tree_branch *b, const bar
   const uint32_t room = sizeof c->axis / sizeof *c->axis;
   ring all[RINGS_MOST];
   uint32_t count = rings_lay(t, on, level, all);
-  uint32_t at = piece_at(all, count, c->rings[0].p), from = at, to = at + 1;
+  float share;
+  uint32_t at = rings_nearest(all, count, c->rings[0].p, &share), from = at, to = at + 1;
   const ring *here = &all[at];
   float reach = WINDOW * here->r, below = 0.0f, above = 0.0f;
   while (from > 0 && below < reach && to - from + 1 < room / 2) {

@@ -120,3 +120,25 @@ void rings_along(const ring *rings, uint32_t count, float s, ring *out, float al
   for (int c = 0; c < 3; c++) along[c] = inverse * (rings[i + 1].p[c] - rings[i].p[c]);
   if (!(length > 0.0f)) along[1] = 1.0f;
 }
+
+uint32_t rings_nearest(const ring *rings, uint32_t count, const float p[3], float *share) {
+  uint32_t at = 0;
+  float least = 1e30f;
+  *share = 0.0f;
+  for (uint32_t i = 0; i + 1 < count; i++) {
+    const float *a = rings[i].p, *b = rings[i + 1].p;
+    float d[3], q[3], square = 0.0f, dot = 0.0f, off = 0.0f;
+    for (int c = 0; c < 3; c++) {
+      d[c] = b[c] - a[c], q[c] = p[c] - a[c];
+      square += d[c] * d[c], dot += d[c] * q[c];
+    }
+    float t = square > 0.0f ? dot / square : 0.0f;
+    t = t > 0.0f ? t < 1.0f ? t : 1.0f : 0.0f;
+    for (int c = 0; c < 3; c++) off += (q[c] - t * d[c]) * (q[c] - t * d[c]);
+    if (!(off < least)) continue;
+    least = off;
+    *share = t;
+    at = i;
+  }
+  return at;
+}

@@ -29,6 +29,9 @@ void rings_between(const ring *a, const ring *b, float share, ring *out);
 /* The axis's direction at the i-th, and from there a share of the way to the next one's. */
 void rings_direction(const ring *rings, uint32_t count, uint32_t i, float share, float out[3]);
 
+/* Which of the axis's pieces is nearest to a place, and which share of it. */
+uint32_t rings_nearest(const ring *rings, uint32_t count, const float p[3], float *share);
+
 /* What lies s mm along the axis, of which along is the direction. */
 void rings_along(const ring *rings, uint32_t count, float s, ring *out, float along[3]);
 

@@ -86,32 +86,10 @@ void stem_skin_of(stem_skin *o, const tree *t, uint32_t level_of_detail) {
   }
 }
 
-/* Along which of the axis's pieces a place lies, and how far: a share of it. */
-static uint32_t piece_of(const stem_skin *o, const float p[3], float *share) {
-  uint32_t at = 0;
-  float least = 1e30f;
-  for (uint32_t i = 0; i + 1 < o->count; i++) {
-    const float *a = o->at[i].p, *b = o->at[i + 1].p;
-    float d[3], q[3], square = 0.0f, dot = 0.0f, off = 0.0f;
-    for (int c = 0; c < 3; c++) {
-      d[c] = b[c] - a[c], q[c] = p[c] - a[c];
-      square += d[c] * d[c], dot += d[c] * q[c];
-    }
-    float t = square > 0.0f ? dot / square : 0.0f;
-    t = t > 0.0f ? t < 1.0f ? t : 1.0f : 0.0f;
-    for (int c = 0; c < 3; c++) off += (q[c] - t * d[c]) * (q[c] - t * d[c]);
-    if (!(off < least)) continue;
-    least = off;
-    *share = t;
-    at = i;
-  }
-  return at;
-}
-
 skin_point stem_skin_at(const stem_skin *o, const tree *t, const bark_surface *s, uint32_t level,
                         const float p[3]) {
   float share = 0.0f, along[3], round[2] = {0.0f, 0.0f};
-  uint32_t i = piece_of(o, p, &share);
+  uint32_t i = rings_nearest(o->at, o->count, p, &share);
   ring at;
   ring_skin skin;
   rings_between(&o->at[i], &o->at[i + 1], share, &at);
