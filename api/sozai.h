@@ -206,7 +206,8 @@ typedef struct sozai_channel {
   uint32_t uses;       /* SOZAI_INPUT_*: better with them; see evaluate */
   uint32_t reserved;
   const char *id;
-  const char *unit;
+  const char *unit; /* "mm", "rad"; of "xyz" "" for a direction, of length 1, and "share" for one
+                       as long as the share of the footprint that has it: see fiber_lobe */
   const char *suffixes; /* a letter for each component: "rgb", "xyz", "xz", "" for one */
   const char *doc;
 } sozai_channel;

@@ -20,8 +20,10 @@ static bool is_colour(const sozai_channel *c) {
   return c->components == 3 && strcmp(c->suffixes, "rgb") == 0;
 }
 
+/* Of length 1, or as long as its share. */
 static bool is_direction(const sozai_channel *c) {
-  return c->components == 3 && strcmp(c->suffixes, "xyz") == 0 && !*c->unit;
+  return c->components == 3 && strcmp(c->suffixes, "xyz") == 0 &&
+         (!*c->unit || strcmp(c->unit, "share") == 0);
 }
 
 /* Integers stand for 0 to 1: colours, shares and directions fit, lengths and ids do not. */

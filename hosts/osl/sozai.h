@@ -31,15 +31,19 @@ float sozai_number(string file, string output_name, int channel, float s, float 
 }
 
 // A direction of the texture's axes (x along s, y along t, z out of the surface
-// for a plane; the object's own for an unwrapped mesh), unit. fallback where
-// there is none.
-vector sozai_direction(string file, string output_name, int channel, float s, float t, string wrap,
-                       int unwrapped, vector fallback) {
-  vector d = (vector)sozai_colour(file, output_name, channel, s, t, wrap);
+// for a plane; the object's own for an unwrapped mesh), as the renderer has it,
+// unit. fallback where there is none.
+vector sozai_turned(vector d, int unwrapped, vector fallback) {
   if (length(d) < 0.01) return fallback;
   if (unwrapped) return normalize(transform("object", "common", d));
   vector along = normalize(dPdu - dot(dPdu, N) * N);
   return normalize(d[0] * along + d[1] * normalize(cross(N, along)) + d[2] * N);
+}
+
+vector sozai_direction(string file, string output_name, int channel, float s, float t, string wrap,
+                       int unwrapped, vector fallback) {
+  return sozai_turned((vector)sozai_colour(file, output_name, channel, s, t, wrap), unwrapped,
+                      fallback);
 }
 
 // Fibres below a surface reflect on a cone about their axis. In its place: a

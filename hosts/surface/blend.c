@@ -92,13 +92,13 @@ static int32_t add_copy(task *t, const sozai_batch *part, uint32_t k) {
   return result;
 }
 
-/* Vectors stay of length 1. */
+/* Directions stay of length 1. */
 static void finish(const task *t, const sozai_batch *part, const sozai_channel *ch,
                    const float *sum) {
-  bool vector = wanted_vector(ch);
+  bool direction = wanted_direction(ch);
   for (uint32_t i = 0; i < part->count; i++) {
     float length = 0;
-    if (vector && !has_all(&t->weights, i, true))
+    if (direction && !has_all(&t->weights, i, true))
       for (uint32_t c = 0; c < ch->components; c++)
         length += sum[c * t->wanted.most + i] * sum[c * t->wanted.most + i];
     float scale = length > 0 ? 1 / sqrtf(length) : 1;

@@ -106,7 +106,7 @@ static void finish(const task *t, const sozai_batch *b) {
     const sozai_channel *ch = t->means.channels[i];
     for (uint32_t k = 0; k < b->count; k++) {
       float length = 0;
-      for (size_t c = 0; wanted_vector(ch) && c < 3; c++)
+      for (size_t c = 0; wanted_direction(ch) && c < 3; c++)
         length += sum[c * next + k] * sum[c * next + k];
       float scale = length > 0 ? 1 / sqrtf(length) : share;
       for (size_t c = 0; c < ch->components; c++)

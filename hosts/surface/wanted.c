@@ -47,3 +47,5 @@ bool wanted_filtered(const sozai_channel *c) {
 }
 
 bool wanted_vector(const sozai_channel *c) { return strcmp(c->suffixes, "xyz") == 0; }
+
+bool wanted_direction(const sozai_channel *c) { return wanted_vector(c) && !*c->unit; }

@@ -8,7 +8,7 @@
 #include "kernel.h"
 
 /* Components that a material may have: the stack has room for them, and not much more. */
-#define ACTIVE_OUTPUTS 36
+#define ACTIVE_OUTPUTS 42
 
 /* Stretches of active points where they stand, and what lies scattered side by side in memory of
  * its own, which an answer does not depend on. Inactive points cost a glance, and none of their

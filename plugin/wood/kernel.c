@@ -274,6 +274,7 @@ INLINE void evaluate_light(int boards, const wood_constants *restrict w, const w
                            const wood_wants *restrict want, int lit, block *blocks,
                            uint32_t count) {
   if (want->cone) EACH(stage_cone(w, io, &blocks[k]));
+  if (want->lobes) EACH(stage_lobes(w, boards, io, &blocks[k]));
   if (want->lobe && !lit) EACH(stage_lobe(w, boards, io, &blocks[k]));
   if (!want->radiance) return;
   if (!lit) {

@@ -22,7 +22,7 @@ typedef struct {
 static const sozai_texture_info *describe(void) {
   static sozai_texture_info info = {
       .size = sizeof(sozai_texture_info),
-      .revision = 33,
+      .revision = 34,
       .id = "wood",
       .label = "Wood",
       .doc =

@@ -1660,8 +1660,31 @@ static const sozai_channel channel_height = {
    .id = "height", .unit = "mm", .suffixes = "",
    .doc = "Above the face: of the surface's relief, and the layout's bevels, joints and cupping."};
 
+static const sozai_channel channel_fiber_lobe = {
+   .size = sizeof(sozai_channel), .first = WOOD_FIBER_LOBE, .components = 3,
+   .needs = SOZAI_INPUT_POINT,
+   .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
+   .id = "fiber_lobe", .unit = "share", .suffixes = "xyz",
+   .doc = "`fiber` times the share of the footprint whose fibres shine, object space: 0 where a vessel or a joint is, rays have `ray_lobe`. "
+   "A host that builds the cone itself takes the direction as its axis and the length as a factor of its colour; means of both stay right."};
+
+static const sozai_channel channel_ray_lobe = {
+   .size = sizeof(sozai_channel), .first = WOOD_RAY_LOBE, .components = 3,
+   .needs = SOZAI_INPUT_POINT,
+   .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
+   .id = "ray_lobe", .unit = "share", .suffixes = "xyz",
+   .doc = "Likewise of the rays' cells, which lie along the radius, outwards, and have a cone of their own: flakes flash. 0 with `reflection: kawai`, which has none."};
+
+static const sozai_channel channel_ray_lustre = {
+   .size = sizeof(sozai_channel), .first = WOOD_RAY_LUSTRE, .components = 1,
+   .needs = SOZAI_INPUT_POINT | SOZAI_INPUT_NORMAL,
+   .uses = SOZAI_INPUT_FOOTPRINT,
+   .id = "ray_lustre", .unit = "", .suffixes = "",
+   .doc = "That cone's colour over `cone_colour`; as wide as the fibres'."};
+
 const sozai_channel *const wood_channels[] = {
    &channel_albedo, &channel_radiance, &channel_fiber, &channel_dive, &channel_specular, &channel_roughness, &channel_time, &channel_latewood, &channel_vessel, &channel_reference, &channel_cone_colour, &channel_cone_width, &channel_coat, &channel_coat_roughness, &channel_ray,
-   &channel_board_id, &channel_board_u, &channel_board_v, &channel_board_edge, &channel_normal, &channel_height, &channel_canal, &channel_knot, &channel_parenchyma};
+   &channel_board_id, &channel_board_u, &channel_board_v, &channel_board_edge, &channel_normal, &channel_height, &channel_canal, &channel_knot, &channel_parenchyma,
+   &channel_fiber_lobe, &channel_ray_lobe, &channel_ray_lustre};
 /* clang-format on */
 const uint32_t wood_channel_count = COUNT(wood_channels);

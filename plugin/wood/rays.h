@@ -134,24 +134,30 @@ INLINE void ray_cell_size(const wood_constants *w, const ray_place *p, ray_cells
 
 /* A ray of its cell: where the point is from its middle, and its size there. */
 typedef struct {
-  vf a, thick;         /* mm along the arc: of the point, and half the thickness */
-  vf dense;            /* how much of what is under it a ray hides: thin ones less */
+  vf a, thick; /* mm along the arc: of the point, and half the thickness */
+  vf dense;    /* how much of what is under it a ray hides: thin ones less */
+  vf frayed;   /* squared over thick's: to either side, of edges that the footprint averages */
   vf at, inverse_tall; /* in half heights: of the point, and of a cell */
 } ray_body;
 
-#define RAY_UNEVEN_RADIAL 0.35f /* mm: size of a broad ray's unevenness along the radius, */
-#define RAY_UNEVEN_ALONG 2.5f   /* and along the fibre */
+#define RAY_UNEVEN_RADIAL 0.35f    /* mm: size of a broad ray's unevenness along the radius, */
+#define RAY_UNEVEN_ALONG 2.5f      /* and along the fibre */
+#define RAY_UNEVEN_VARIANCE 0.184f /* of value noise between -1 and 1: 1/3 (1 - 18/70)^2 */
 
 /* Factor of a broad ray's thickness; within ray_uneven of 1, which is its mean. root:
- * the ray's own. Far from every ray it does not matter. */
-INLINE vf ray_unevenness(const wood_constants *w, const ray_place *p, vu root) {
+ * the ray's own. Far from every ray it does not matter. To frayed is added three times the
+ * variance that the footprint averages, which is that of edges spread evenly as far as its root. */
+INLINE vf ray_unevenness(const wood_constants *w, const ray_place *p, vu root, vf *frayed) {
   noise_axis out = noise_split_cubic(p->rho * splat(1.0f / RAY_UNEVEN_RADIAL), HASH_X);
   noise_axis up = noise_split_cubic(p->y * splat(1.0f / RAY_UNEVEN_ALONG), HASH_Y);
   vf across, along, n = noise_value2(&out, &up, root, &across, &along);
   vf keep = splat(w->ray_uneven / HASH_ONE);
   vf size = vmax(vsqrt(p->bb), p->along * splat(RAY_UNEVEN_RADIAL / RAY_UNEVEN_ALONG));
   if (filter_touches(size, RAY_UNEVEN_RADIAL)) {
-    keep = keep * filter_keep(size, RAY_UNEVEN_RADIAL);
+    vf left = filter_keep(size, RAY_UNEVEN_RADIAL);
+    float variance = w->ray_uneven * w->ray_uneven * RAY_UNEVEN_VARIANCE;
+    *frayed = *frayed + splat(3.0f * variance) * (splat(1.0f) - left * left);
+    keep = keep * left;
   }
   return splat(1.0f) + keep * n;
 }
@@ -159,13 +165,16 @@ INLINE vf ray_unevenness(const wood_constants *w, const ray_place *p, vu root) {
 #define RAY_ROW 0.02f /* mm: height of a row of a ray's cells, usual in wood (IAWA lists, 1989) */
 
 /* Factor of a ray's thickness in one row of its cells, of which there are not as many as in the
- * next; its mean is 1. hash: the ray's own. Far from every ray it does not matter. */
-INLINE vf ray_raggedness(const wood_constants *w, const ray_place *p, vu hash) {
+ * next; its mean is 1. hash: the ray's own. Far from every ray it does not matter. frayed: as
+ * above. */
+INLINE vf ray_raggedness(const wood_constants *w, const ray_place *p, vu hash, vf *frayed) {
   vi row;
   vfloor(p->y * splat(1.0f / RAY_ROW), &row);
   vu h = hash_mix(hash + (vu)row * splatu(HASH_Y));
   vf part = to_float((vi)(h >> 16)) * splat(2.0f / 65535.0f) - splat(1.0f);
-  return splat(1.0f) + splat(w->ray_ragged) * filter_keep(p->along, RAY_ROW) * part;
+  vf left = filter_keep(p->along, RAY_ROW);
+  *frayed = *frayed + splat(w->ray_ragged * w->ray_ragged) * (splat(1.0f) - left * left);
+  return splat(1.0f) + splat(w->ray_ragged) * left * part;
 }
 
 /* The hash of the ray that a cell has. */
@@ -205,9 +214,10 @@ INLINE ray_body ray_body_of(const wood_constants *w, const ray_place *p, const r
   /* what neither of the two can make thick enough is not asked for them; what one of them
    * can, is asked for both, or it would depend on the lanes beside it whether it is */
   vf most = r.thick * splat((1.0f + w->ray_uneven) * (1.0f + w->ray_ragged)) + q->reach;
+  r.frayed = splat(0.0f);
   if (any(lt(vabs(r.a), most))) {
-    if (w->ray_uneven > 0.0f) r.thick = r.thick * ray_unevenness(w, p, h);
-    if (any(lt(p->along, splat(2.0f * RAY_ROW)))) r.thick = r.thick * ray_raggedness(w, p, h);
+    if (w->ray_uneven > 0.0f) r.thick = r.thick * ray_unevenness(w, p, h, &r.frayed);
+    r.thick = r.thick * ray_raggedness(w, p, h, &r.frayed);
   }
   r.inverse_tall = one / tall;
   r.at = (q->y - centre) * r.inverse_tall;
@@ -220,7 +230,12 @@ INLINE vf ray_body_cover(const wood_constants *w, const ray_place *p, const ray_
   vf e = splat(0.5f) * p->along * splat(w->inverse_ray_cell) * r->inverse_tall;
   e = vmax(e, splat(1e-3f));
   vf lens = (ray_lens(w, r->at + e) - ray_lens(w, r->at - e)) / (e + e);
-  return r->dense * ray_overlap(r->a - q->reach, r->a + q->reach, r->thick * lens);
+  vf thick = r->thick * lens, reach = q->reach;
+  if (any(gt(r->frayed, splat(0.0f)))) {
+    vf wider = vsqrt(reach * reach + r->frayed * thick * thick);
+    reach = sel(gt(r->frayed, splat(0.0f)), wider, reach);
+  }
+  return r->dense * ray_overlap(r->a - reach, r->a + reach, thick);
 }
 
 INLINE vf ray_of_cell(const wood_constants *w, const ray_place *p, const ray_cells *q) {

@@ -435,7 +435,10 @@ enum {
   WOOD_KNOT = 32,
   WOOD_COAT_ROUGHNESS = 33,
   WOOD_PARENCHYMA = 34,
-  WOOD_COMPONENTS = 35
+  WOOD_FIBER_LOBE = 35,
+  WOOD_RAY_LOBE = 38,
+  WOOD_RAY_LUSTRE = 41,
+  WOOD_COMPONENTS = 42
 };
 
 typedef void wood_radius(const wood_constants *w, uint32_t count, const float *t,

@@ -99,10 +99,12 @@ def nodes():
     material = plane(kind="wood", preset="oak")
     tree = material.sozai.group
     maps = {n.label for n in tree.nodes if n.type == "TEX_IMAGE"}
-    check("a plain board's maps", maps == {"albedo", "fiber"}, maps)
-    glossy = next(n for n in tree.nodes if n.type == "BSDF_ANISOTROPIC")
-    check("fibres give the tangent", bool(glossy.inputs["Tangent"].links))
-    check("and the normal", bool(glossy.inputs["Normal"].links))
+    check("a plain board's maps, of broad rays", maps == {"albedo", "fiber_lobe", "ray_lobe"}, maps)
+    lobes = [n for n in tree.nodes if n.type == "BSDF_ANISOTROPIC"]
+    check("fibres and rays each have a lobe", len(lobes) == 2, len(lobes))
+    for glossy in lobes:
+        check("they give the tangent", bool(glossy.inputs["Tangent"].links))
+        check("and the normal", bool(glossy.inputs["Normal"].links))
     out = material.node_tree.get_output_node("CYCLES").inputs["Surface"].links[0]
     check("the group shades", out.from_node.node_tree == tree)
     # what an artist links stays
@@ -113,7 +115,7 @@ def nodes():
     material.sozai.displace = True
     bpy.ops.sozai.update()
     maps = {n.label for n in tree.nodes if n.type == "TEX_IMAGE"}
-    check("a displaced floor's maps", maps == {"albedo", "fiber", "height"}, maps)
+    check("a displaced floor's maps", maps == {"albedo", "fiber_lobe", "ray_lobe", "height"}, maps)
     check("links outlive an update", bool(glow.inputs["Color"].links))
     check("displacement", bool(material.node_tree.get_output_node("CYCLES")
                                .inputs["Displacement"].links))
@@ -121,6 +123,16 @@ def nodes():
     bpy.ops.sozai.update()
     check("an update adds no nodes", len(tree.nodes) == count, len(tree.nodes))
     check("one group and no more", sum(n.type == "GROUP" for n in material.node_tree.nodes) == 1)
+    bpy.ops.sozai.set(parameter="ray_lustre", value="0")
+    bpy.ops.sozai.update()
+    maps = {n.label for n in tree.nodes if n.type == "TEX_IMAGE"}
+    check("dull rays want no map", maps == {"albedo", "fiber_lobe", "height"}, maps)
+    material.sozai.displace = False
+    bpy.ops.sozai.set(parameter="layout", value="none")
+    bpy.ops.sozai.set(parameter="surface", value="brushed")
+    bpy.ops.sozai.update()
+    maps = {n.label for n in tree.nodes if n.type == "TEX_IMAGE"}
+    check("a brushed board has a relief", maps == {"albedo", "fiber_lobe", "normal"}, maps)
     stone = plane(kind="stone", preset="sandstone")
     bpy.ops.sozai.set(parameter="finish", value="split")
     bpy.ops.sozai.update()
@@ -159,7 +171,8 @@ def bake():
     material.sozai.texel = 2
     bpy.ops.sozai.bake(format="exr", use=True)
     names = sorted(os.listdir(os.path.join(folder, "baked")))
-    check("baked", names == ["teak.albedo.exr", "teak.fiber.exr", "teak.roughness.exr"], names)
+    check("baked", names == ["teak.albedo.exr", "teak.fiber.exr", "teak.fiber_lobe.exr",
+                              "teak.roughness.exr"], names)
     image = next(n.image for n in material.sozai.group.nodes if n.label == "albedo") \
         if material.sozai.group else None
     check("not before there are nodes" if image is None else "used",

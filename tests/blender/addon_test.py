@@ -102,10 +102,12 @@ def render(s, name, width, height, samples=16):
             for y in range(height)]
 
 
-def evaluate(recipe, points, normal, footprint, channel="albedo"):
-    """[r, g, b] of each point in mm, by the plugin, without OpenImageIO or Blender."""
-    lines = ["px,py,pz,nx,ny,nz,footprint"]
-    lines += [",".join("%.9g" % v for v in (*p, *normal, footprint)) for p in points]
+def evaluate(recipe, points, normal, footprint, channel="albedo", light=(0, 0, 1)):
+    """[r, g, b] of each point in mm, by the plugin, without OpenImageIO or Blender; seen along the
+    normal."""
+    lines = ["px,py,pz,nx,ny,nz,footprint,lx,ly,lz,vx,vy,vz"]
+    lines += [",".join("%.9g" % v for v in (*p, *normal, footprint, *light, *normal))
+              for p in points]
     done = subprocess.run([sozai, "eval", recipe, "--channels", channel],
                           input="\n".join(lines) + "\n", capture_output=True, text=True,
                           check=True)

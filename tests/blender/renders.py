@@ -4,6 +4,7 @@ import math
 import os
 
 import bpy
+from mathutils import Vector
 from addon_test import check, compare, evaluate, finish, look_from, render, scene, scratch, \
     show_output
 
@@ -115,6 +116,41 @@ def fibre():
     check("and lies aslant", min(abs(mean[0]), abs(mean[1])) > 0.2, mean)
 
 
+def flash():
+    """Flakes of quarter-sawn oak beside its fibres, in the sun from aside and from along them."""
+    s = scene("flash", enable=False)
+    bpy.ops.mesh.primitive_plane_add(size=0.12)
+    bpy.ops.sozai.new(kind="wood", preset="mizunara")
+    bpy.context.object.active_material.sozai.texel = 0.25
+    bpy.ops.sozai.set(parameter="cut", value="quarter")
+    bpy.ops.sozai.update()
+    look_from(s, (0, 0, 1), (0, 0, 0), 0.12)
+    sun = bpy.data.objects.new("sun", bpy.data.lights.new("sun", "SUN"))
+    sun.data.energy, sun.data.angle = math.pi, 0
+    s.collection.objects.link(sun)
+    points = [(x, y, 0) for x, y in middles(120, 120, 1)]
+    recipe = os.path.join(scratch, "sozai", "mizunara.sozai")
+    rays = [r[0] for r in evaluate(recipe, points, (0, 0, 1), 1, "ray")]
+    flashes = []
+    for name, light in (("aside", (0.57, 0, 0.82)), ("along", (0, 0.57, 0.82))):
+        sun.rotation_euler = Vector(light).to_track_quat("Z", "Y").to_euler()
+        seen = [p[0] for p in flatten(render(s, "flash-" + name, 120, 120))]
+        told = [p[0] for p in evaluate(recipe, points, (0, 0, 1), 1, "radiance", light)]
+        over = []
+        for values in (seen, told):
+            flakes = [v for v, r in zip(values, rays) if r > 0.8]
+            fibres = [v for v, r in zip(values, rays) if r < 0.05]
+            over.append(sum(flakes) / len(flakes) - sum(fibres) / len(fibres))
+        print("sun from %s: flakes over fibres by %.4f in Cycles, %.4f in radiance" %
+              (name, *over))
+        check("flakes as bright as radiance's, sun from " + name,
+              abs(over[0] - over[1]) < 0.3 * abs(over[1]), over)
+        flashes.append(over)
+    more = [b - a for a, b in zip(*flashes)]
+    check("they flash from along the fibres", more[1] > 0.05 and 0.4 < more[0] / more[1] < 1.4,
+          more)
+
+
 def missing():
     """Without its file a picture is Cycles' magenta, and the render goes on."""
     block = next(o for o in bpy.data.objects if o.type == "MESH")
@@ -138,4 +174,5 @@ floor()
 unwrapped()
 fibre()
 missing()
+flash()
 finish()

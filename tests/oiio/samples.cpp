@@ -124,6 +124,46 @@ void mean_of_parts(void **) {
   direct_close(d);
 }
 
+// Vectors as long as their shares are means as they are; a direction stays of length 1.
+void lengths(void **) {
+  const char *const text = "material: wood\npreset: mizunara\nparams: {cut: quarter}\n"
+                           "image: {resolution: 64, size: 32, format: float, outputs: [albedo, "
+                           "fiber, fiber_lobe, ray_lobe], subimages: single, samples: 4}\n";
+  std::string file = direct_write("lobes.sozai", text);
+  direct *d = direct_open(file.c_str());
+  Pixels p = read(file, 0);
+  double shortest = 1, most = 0;
+  for (const char *channel : {"fiber", "fiber_lobe", "ray_lobe"}) {
+    auto name = std::find(p.spec.channelnames.begin(), p.spec.channelnames.end(),
+                          std::string(channel) + ".x");
+    int first = int(name - p.spec.channelnames.begin());
+    for (uint32_t x = 0; x < 64; x++) {
+      uint32_t y = (7 * x + 1) % 64;
+      double mean[3] = {0}, length = 0;
+      for (uint32_t k = 0; k < 16; k++) {
+        float one[3];
+        part_of(d, channel, x, y, 64, 32, k % 4, k / 4, 4, 0.125f, one);
+        for (int c = 0; c < 3; c++) mean[c] += double(one[c]) / 16;
+      }
+      for (int c = 0; c < 3; c++) length += std::pow(double(p.at(x, y, first + c)), 2);
+      length = std::sqrt(length);
+      if (channel == std::string("fiber")) {
+        assert_true(std::fabs(length - 1) < 1e-5);
+        continue;
+      }
+      for (int c = 0; c < 3; c++)
+        assert_true(std::fabs(double(p.at(x, y, first + c)) - mean[c]) < 1e-3);
+      if (channel == std::string("ray_lobe"))
+        most = std::max(most, length);
+      else
+        shortest = std::min(shortest, length);
+    }
+  }
+  std::printf("fibres' lobe %.2f at least, rays' %.2f at most\n", shortest, most);
+  assert_true(shortest < 0.5 && most > 0.5);
+  direct_close(d);
+}
+
 // Whatever else is read with it, and from whatever tile on.
 void alone_or_together(void **) {
   std::string file = direct_write(
@@ -179,7 +219,7 @@ void seamless(void **) {
 
 int main() {
   const CMUnitTest tests[] = {cmocka_unit_test(nearer_to_the_truth),
-                              cmocka_unit_test(mean_of_parts), cmocka_unit_test(alone_or_together),
-                              cmocka_unit_test(seamless)};
+                              cmocka_unit_test(mean_of_parts), cmocka_unit_test(lengths),
+                              cmocka_unit_test(alone_or_together), cmocka_unit_test(seamless)};
   return cmocka_run_group_tests(tests, nullptr, nullptr);
 }

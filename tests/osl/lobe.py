@@ -223,7 +223,7 @@ def main():
     shared = {
         "sozai.h": ("clamp(%g * ior * width" % NUMBERS[0], "max(%g, along)" % NUMBERS[1],
                     "fade * %g * tint" % NUMBERS[2], "smoothstep(%g, %g, " % used.END_GRAIN),
-        "sozai_wood.osl": ("min(%g * fibre_tint" % used.REFLECTED,)}
+        "sozai_wood.osl": ("min(%g * (fibre_colour" % used.REFLECTED,)}
     for name, texts in shared.items():
         with open(os.path.join(HOSTS, "osl", name), encoding="utf-8") as file:
             shader = file.read()

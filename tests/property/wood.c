@@ -104,7 +104,7 @@ static float **array_of(points *p, unsigned k) {
 int wood_is_panel(const char *preset) {
   return strstr(preset, "plywood") || strstr(preset, "_lvl") || strstr(preset, "blockboard");
 }
-#define OUTS 35
+#define OUTS 42
 #define ARRAYS (13 + OUTS)
 
 void points_clear(points *p) { p->count = 0; }

@@ -37,7 +37,7 @@ int wood_is_panel(const char *preset);
 typedef struct {
   unsigned count, room;
   float *point[3], *normal[3], *light[3], *view[3], *footprint;
-  float *out[35];
+  float *out[42];
 } points;
 
 /* Components, as describe lists them. */
@@ -63,7 +63,10 @@ enum {
   CANAL,
   KNOT,
   COAT_ROUGHNESS,
-  PARENCHYMA
+  PARENCHYMA,
+  FIBER_LOBE,
+  RAY_LOBE = 38,
+  RAY_LUSTRE = 41
 };
 
 void points_clear(points *p);

@@ -109,6 +109,13 @@ def floor():
     camera(s, (0.0, -1.05, 0.8), (0.0, 0.0, 0.0), 32)
 
 
+def oak(name, sun):
+    s = scene(name, 640, 480, sun=(35, sun))
+    plane(1.6, kind="wood", preset="mizunara")
+    settle({"layout": "strip", "cut": "quarter", "board_width": "130"}, texel=0.4)
+    camera(s, (0.0, -0.6, 0.5), (0.0, 0.02, 0.0), 50)
+
+
 def felt():
     s = scene("felt", 640, 640, sun=(42, 215))
     painted(plane(40.0), (0.4, 0.37, 0.33))
@@ -135,7 +142,9 @@ def pine():
     camera(s, (1.6, -4.6, 1.7), (0.25, 0, 2.3), 45)
 
 
-DRAWN = {"board": board, "floor": floor, "felt": felt, "sugi": sugi, "pine": pine}
+# the same, but for where the sun stands
+DRAWN = {"board": board, "floor": floor, "oak-behind": lambda: oak("behind", 180),
+         "oak-aside": lambda: oak("aside", 90), "felt": felt, "sugi": sugi, "pine": pine}
 
 wanted = os.environ["SOZAI_WANTED"].split() or list(DRAWN)
 unknown = [w for w in wanted if w not in DRAWN]

@@ -13,7 +13,7 @@ def shared_channels(described, material, group):
     if "normal" in wanted or "height" in wanted:
         wanted += ["normal", "height"]
     there = [c["id"] for c in described["channels"]]
-    return [c for c in there if c in wanted + ["roughness"]]
+    return [c for c in there if c in wanted + ["roughness", "fiber"]]
 
 
 def bake(material, scene, kind, pixels, use):

@@ -8,7 +8,7 @@ artist links to its outputs stays linked.
   Albedo        diffuse reflectance
   Roughness     as the Principled BSDF counts it
   Normal        world space, of the relief
-  Fibre         world space, unit; zero without fibres
+  Fibre         world space, unit; zero where there is none, as in open vessels
   Height        scene's units, for a Displacement node
 """
 import bpy
@@ -94,7 +94,10 @@ class Builder:
 
     def scaled(self, vector, factor, row=0):
         made = self.node("ShaderNodeVectorMath", "", row, operation="SCALE")
-        self.link(vector, made.inputs[0])
+        if isinstance(vector, bpy.types.NodeSocket):
+            self.link(vector, made.inputs[0])
+        else:
+            made.inputs[0].default_value = vector
         scale = made.inputs["Scale"]
         if isinstance(factor, bpy.types.NodeSocket):
             self.link(factor, scale)
@@ -105,7 +108,10 @@ class Builder:
     def math(self, operation, a, b, row=0):
         made = self.node("ShaderNodeMath", "", row, operation=operation)
         self.link(a, made.inputs[0])
-        made.inputs[1].default_value = b
+        if isinstance(b, bpy.types.NodeSocket):
+            self.link(b, made.inputs[1])
+        else:
+            made.inputs[1].default_value = b
         return made.outputs[0]
 
 
@@ -176,8 +182,10 @@ def to_world(build, settings, vector, row):
     return build.vector_math("NORMALIZE", transform.outputs[0], row=row)
 
 
-def fibre_lobe(build, fibre, normal, figures, row):
-    """A glossy lobe about the normal square to the fibre: Marschner's cone, nearly."""
+def fibre_lobe(build, fibre, share, normal, figures, lustre, row):
+    """A glossy lobe about the normal square to the fibre: Marschner's cone, nearly.
+
+    lustre: over the fibres' own, of the same for a ray's cells."""
     width, ior = figures["cone_width"], figures["ior"]
     roughness, anisotropy = lobe.anisotropic(width, ior)
     # Through the surface the fibre is seen to dive more steeply.
@@ -193,17 +201,38 @@ def fibre_lobe(build, fibre, normal, figures, row):
     fade.inputs["From Max"].default_value = lobe.END_GRAIN[1]
     square = build.vector_math("NORMALIZE", square, label="square to the fibre", row=row)
     glossy = build.node("ShaderNodeBsdfAnisotropic", "fibres", row, distribution="GGX")
-    tint = [figures["cone_colour_" + c] for c in "rgb"]
-    colour = [min(1.0, lobe.SCALE * c) for c in tint]
-    strength = build.node("ShaderNodeVectorMath", "", row, operation="SCALE")
-    strength.inputs[0].default_value = colour
-    build.link(fade.outputs["Result"], strength.inputs["Scale"])
-    build.link(strength.outputs["Vector"], glossy.inputs["Color"])
+    colour = tuple(min(1.0, lobe.SCALE * lustre * c) for c in tint_of(figures))
+    strength = build.math("MULTIPLY", fade.outputs["Result"], share, row)
+    build.link(build.scaled(colour, strength, row), glossy.inputs["Color"])
     glossy.inputs["Roughness"].default_value = roughness
     glossy.inputs["Anisotropy"].default_value = anisotropy
     build.link(square, glossy.inputs["Normal"])
     build.link(seen, glossy.inputs["Tangent"])
-    return glossy.outputs["BSDF"], [max(0.0, 1.0 - lobe.REFLECTED * c) for c in tint]
+    return glossy.outputs["BSDF"]
+
+
+def tint_of(figures):
+    return [figures["cone_colour_" + c] for c in "rgb"]
+
+
+def add_lobes(build, settings, maps, normal, figures, out):
+    """The lobes of the fibres, and of rays where those have a map: (BSDFs, what they leave).
+
+    A map's vectors lie along the axis and are as long as its share of the texel."""
+    bsdfs, taken = [], None
+    for row, (channel, lustre) in enumerate((("fiber_lobe", 1.0),
+                                             ("ray_lobe", figures["ray_lustre"])), 4):
+        if channel not in maps:
+            continue
+        axis = to_world(build, settings, maps[channel], row)
+        out.setdefault("Fibre", axis)
+        share = build.vector_math("LENGTH", maps[channel], label="share of the texel", row=row)
+        bsdfs.append(fibre_lobe(build, axis, share, normal, figures, lustre, row))
+        part = build.scaled(tuple(lobe.REFLECTED * lustre * c for c in tint_of(figures)), share,
+                            row)
+        taken = part if taken is None else build.vector_math("ADD", taken, part, row=row)
+    left = build.vector_math("SUBTRACT", (1.0, 1.0, 1.0), taken, row=4)
+    return bsdfs, build.vector_math("MAXIMUM", left, (0.0, 0.0, 0.0), "what the lobes leave", 4)
 
 
 def build_group(material, images, extent, figures):
@@ -236,14 +265,14 @@ def build_group(material, images, extent, figures):
         principled.inputs["IOR"].default_value = ior
         shine.default_value = 0.5 * figures["coat"]
     surface = principled.outputs["BSDF"]
-    if "fiber" in maps:
-        out["Fibre"] = to_world(build, settings, maps["fiber"], 4)
-        fibres, left = fibre_lobe(build, out["Fibre"], normal, figures, 4)
-        base = build.vector_math("MULTIPLY", base, left, "what the fibres leave")
-        both = build.node("ShaderNodeAddShader")
-        build.link(surface, both.inputs[0])
-        build.link(fibres, both.inputs[1])
-        surface = both.outputs[0]
+    if "fiber_lobe" in maps:
+        bsdfs, left = add_lobes(build, settings, maps, normal, figures, out)
+        base = build.vector_math("MULTIPLY", base, left)
+        for bsdf in bsdfs:
+            both = build.node("ShaderNodeAddShader")
+            build.link(surface, both.inputs[0])
+            build.link(bsdf, both.inputs[1])
+            surface = both.outputs[0]
     build.link(base, principled.inputs["Base Color"])
     out["Shader"] = surface
     if "height" in maps:

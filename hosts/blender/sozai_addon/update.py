@@ -10,6 +10,7 @@ from . import mesh_export, nodes, parameters, program, recipe, state
 from .program import Problem
 
 RAW = "Non-Color"  # as stored: light in sozai is scene-linear already
+BROAD_RAY = 100.0  # um: of wider ones each is seen to flash, and is worth a map of its own
 
 
 def folder():
@@ -66,13 +67,20 @@ def resolution_of(settings, extent, scene):
     return [max(1, round(pixels * side / longest)) for side in extent]
 
 
+def rays_flash(group):
+    return (getattr(group, "p_reflection", "") == "fibre_cone" and group.p_ray_lustre > 0 and
+            group.p_ray_density > 0 and group.p_ray_width >= BROAD_RAY)
+
+
 def wanted_channels(described, material, group):
     there = {c["id"] for c in described["channels"]}
     wanted = ["albedo"]
     layout = getattr(group, "p_layout", "none") != "none"
-    if "fiber" in there:
-        wanted.append("fiber")
-        relief = layout  # of wood the boards alone have one
+    if "fiber_lobe" in there:
+        wanted.append("fiber_lobe")
+        if rays_flash(group):
+            wanted.append("ray_lobe")
+        relief = layout or getattr(group, "p_surface", "smooth") != "smooth"
     else:
         relief = getattr(group, "p_finish", "") != "polished"
         wanted += [c for c in ("roughness",) if c in there]
@@ -83,12 +91,15 @@ def wanted_channels(described, material, group):
     return wanted
 
 
-def figures_of(described, group, base, programme):
+def figures_of(described, group, base, programme, texel):
     """What is about the same everywhere; creating the texture also checks every parameter."""
     there = {c["id"] for c in described["channels"]}
-    asked = ("albedo", "cone_colour", "cone_width", "coat", "coat_roughness")
+    asked = ("cone_colour", "cone_width", "ray_lustre", "coat", "coat_roughness")
     asked = [c for c in asked if c in there]
-    figures = program.evaluate(programme, base, asked)
+    figures = program.evaluate(programme, base, ["albedo"])
+    if asked:
+        # not wider by slopes that the maps have, nor a coat that is less where those are steep
+        figures.update(program.evaluate(programme, base, asked, footprint=texel))
     figures["ior"] = getattr(group, "p_ior", 1.5)
     figures.setdefault("coat", 1.0)  # a stone's surface reflects all that it does
     figures["roughness"] = figures.pop("coat_roughness", 0.5)
@@ -176,7 +187,7 @@ def update(material, scene):
     paths, tiles, base = write_recipes(material, described, group, scene, extent)
     if tiles != [1001] and 1001 not in tiles:
         raise Problem("'%s': Blender wants the first UDIM tile, 1001, to be in use" % material.name)
-    figures = figures_of(described, group, base, state.program_path)
+    figures = figures_of(described, group, base, state.program_path, settings.texel)
     images = {c: image_for(material, c, path, tiles) for c, path in paths.items()}
     tree = nodes.build_group(material, images, extent, figures)
     nodes.use_group(material, tree)

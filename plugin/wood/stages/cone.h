@@ -27,16 +27,58 @@ INLINE void stage_cone(const wood_constants *w, const wood_io *io, block *k) {
   store_lanes(io, WOOD_COAT_ROUGHNESS, k, vsqrt(vsqrt(alpha2)));
 }
 
-/* The cells of a ray lie along the radius, each ray's a little askew. */
-INLINE void ray_shine(const wood_constants *w, const vf v[3], const block *k, vf out[3]) {
+/* The cells of a ray lie along the radius, each ray's a little askew; and the sine of their dive.
+ */
+INLINE vf ray_axis(const block *k, vf axis[3]) {
   vf zero = splat(0.0f), one = splat(1.0f), c = k->stem.c, s = k->stem.s;
   vf whole = inverse_root(one + k->ray_lean * k->ray_lean);
-  vf axis[3] = {(c - k->ray_lean * s) * whole, zero, (s + k->ray_lean * c) * whole};
-  vf dive = zero - (axis[0] * k->nrm[0] + axis[2] * k->nrm[2]);
-  const cone_lost lost = {c, s, zero, k->ray_unlike};
+  axis[0] = (c - k->ray_lean * s) * whole;
+  axis[1] = zero;
+  axis[2] = (s + k->ray_lean * c) * whole;
+  return zero - (axis[0] * k->nrm[0] + axis[2] * k->nrm[2]);
+}
+
+INLINE void ray_shine(const wood_constants *w, const vf v[3], const block *k, vf out[3]) {
+  vf zero = splat(0.0f), one = splat(1.0f), axis[3], dive = ray_axis(k, axis);
+  const cone_lost lost = {k->stem.c, k->stem.s, zero, k->ray_unlike};
   const cone_cells cells = {axis, dive, one, w->cone_ray,
                             any(gt(k->ray_unlike, zero)) ? &lost : NULL};
   cone_radiance(w, k->light, v, k->nrm, &cells, k->albedo, out);
+}
+
+/* Whether fibres shine over vessels, too: a picture's are not known, and those that the relief has
+ * opened, it shades. */
+INLINE int fibres_are_whole(const wood_constants *w) {
+  return w->picture || w->surface.pores.depth > 0.0f || w->surface.rows.depth > 0.0f;
+}
+
+INLINE int rays_shine(const wood_constants *w) { return w->cone && w->has_rays && !w->picture; }
+
+/* Both lobes' axes, as long as the share of the footprint that they have: so that a host may
+ * average them as it likes. */
+INLINE void stage_lobes(const wood_constants *w, int boards, const wood_io *io, block *k) {
+  vf one = splat(1.0f), fibres = one, rays = splat(0.0f), lustre = rays;
+  vf axis[3] = {rays, rays, rays}, back[3];
+  if (w->cone && !fibres_are_whole(w)) fibres = one - k->cover;
+  if (rays_shine(w)) {
+    vf sine = ray_axis(k, axis);
+    cone_dive dive = cone_dive_of(sine), fibre = cone_dive_of(k->sine);
+    rays = k->ray;
+    fibres = fibres * (one - rays);
+    /* beside cone_colour, which is what the fibres' dive leaves */
+    lustre = cone_along(w->cone_ray, &dive) * cone_along(w->cone_scale, &dive) /
+             cone_along(w->cone_scale, &fibre);
+  }
+  if (boards) {
+    vf wood = one - k->board.unit.joint; /* the joint has neither */
+    fibres = fibres * wood;
+    rays = rays * wood;
+  }
+  from_log(w, boards, k, k->fibre, back);
+  for (int c = 0; c < 3; c++) store_lanes(io, WOOD_FIBER_LOBE + c, k, back[c] * fibres);
+  from_log(w, boards, k, axis, back);
+  for (int c = 0; c < 3; c++) store_lanes(io, WOOD_RAY_LOBE + c, k, back[c] * rays);
+  store_lanes(io, WOOD_RAY_LUSTRE, k, lustre);
 }
 
 INLINE void stage_cone_radiance(const wood_constants *w, int boards, const wood_io *io, block *k) {
@@ -44,12 +86,10 @@ INLINE void stage_cone_radiance(const wood_constants *w, int boards, const wood_
   view_of(w, boards, io, k, v);
   const cone_lost lost = {k->stem.c, k->stem.s, k->stem.lost_slope, k->grain.variance};
   vm some = gt(lost.out + lost.around, splat(0.0f));
-  /* a picture's vessels are not known; those that the relief has opened, it shades */
-  int whole = w->picture || w->surface.pores.depth > 0.0f || w->surface.rows.depth > 0.0f;
-  const cone_cells fibres = {k->fibre, k->sine, whole ? one : one - k->cover, NULL,
+  const cone_cells fibres = {k->fibre, k->sine, fibres_are_whole(w) ? one : one - k->cover, NULL,
                              any(some) ? &lost : NULL};
   cone_radiance(w, k->light, v, k->nrm, &fibres, k->albedo, r);
-  if (w->has_rays && !w->picture) {
+  if (rays_shine(w)) {
     vf shine[3];
     ray_shine(w, v, k, shine);
     for (int c = 0; c < 3; c++) r[c] = mix(r[c], shine[c], k->ray);
