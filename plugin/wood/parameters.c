@@ -1566,7 +1566,7 @@ static const sozai_channel channel_cone_colour = {
    .needs = SOZAI_INPUT_POINT | SOZAI_INPUT_NORMAL,
    .uses = SOZAI_INPUT_FOOTPRINT,
    .id = "cone_colour", .unit = "", .suffixes = "rgb",
-   .doc = "Colour k of the fibres' cone, for a host that builds the lobe itself: about `fiber`, "
+   .doc = "Colour k of the fibres' cone, for a host that builds the lobe itself: about `fiber_lobe`, and as long as that, "
    "below a surface of `ior`. Scene-linear, in the working space."};
 
 static const sozai_channel channel_cone_width = {

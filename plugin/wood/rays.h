@@ -135,8 +135,9 @@ INLINE void ray_cell_size(const wood_constants *w, const ray_place *p, ray_cells
 /* A ray of its cell: where the point is from its middle, and its size there. */
 typedef struct {
   vf a, thick; /* mm along the arc: of the point, and half the thickness */
-  vf dense;    /* how much of what is under it a ray hides: thin ones less */
-  vf frayed;   /* squared over thick's: to either side, of edges that the footprint averages */
+  vf outer;  /* the same in the footprint's half that is farther from the pith, thick's the other */
+  vf dense;  /* how much of what is under it a ray hides: thin ones less */
+  vf frayed; /* squared over thick's: to either side, of edges that the footprint averages */
   vf at, inverse_tall; /* in half heights: of the point, and of a cell */
 } ray_body;
 
@@ -144,22 +145,34 @@ typedef struct {
 #define RAY_UNEVEN_ALONG 2.5f      /* and along the fibre */
 #define RAY_UNEVEN_VARIANCE 0.184f /* of value noise between -1 and 1: 1/3 (1 - 18/70)^2 */
 
-/* Factor of a broad ray's thickness; within ray_uneven of 1, which is its mean. root:
- * the ray's own. Far from every ray it does not matter. To frayed is added three times the
- * variance that the footprint averages, which is that of edges spread evenly as far as its root. */
-INLINE vf ray_unevenness(const wood_constants *w, const ray_place *p, vu root, vf *frayed) {
-  noise_axis out = noise_split_cubic(p->rho * splat(1.0f / RAY_UNEVEN_RADIAL), HASH_X);
+INLINE vf ray_uneven_at(const ray_place *p, vf rho, vu root) {
+  noise_axis out = noise_split_cubic(rho * splat(1.0f / RAY_UNEVEN_RADIAL), HASH_X);
   noise_axis up = noise_split_cubic(p->y * splat(1.0f / RAY_UNEVEN_ALONG), HASH_Y);
-  vf across, along, n = noise_value2(&out, &up, root, &across, &along);
-  vf keep = splat(w->ray_uneven / HASH_ONE);
-  vf size = vmax(vsqrt(p->bb), p->along * splat(RAY_UNEVEN_RADIAL / RAY_UNEVEN_ALONG));
-  if (filter_touches(size, RAY_UNEVEN_RADIAL)) {
-    vf left = filter_keep(size, RAY_UNEVEN_RADIAL);
-    float variance = w->ray_uneven * w->ray_uneven * RAY_UNEVEN_VARIANCE;
-    *frayed = *frayed + splat(3.0f * variance) * (splat(1.0f) - left * left);
-    keep = keep * left;
+  vf across, along;
+  return noise_value2(&out, &up, root, &across, &along);
+}
+
+/* Factors of a broad ray's thickness in the inner half of the footprint and in the outer; within
+ * ray_uneven of 1, which is their mean, and the same under a small footprint. root: the ray's own.
+ * Far from every ray it does not matter. To frayed is added three times the variance that a half
+ * averages, which is that of edges spread evenly as far as its root. */
+INLINE void ray_unevenness(const wood_constants *w, const ray_place *p, vu root, vf factor[2],
+                           vf *frayed) {
+  vf one = splat(1.0f), keep = splat(w->ray_uneven / HASH_ONE), reach = vsqrt(p->bb);
+  vf size = vmax(reach, p->along * splat(RAY_UNEVEN_RADIAL / RAY_UNEVEN_ALONG));
+  if (!filter_touches(size, RAY_UNEVEN_RADIAL)) {
+    factor[0] = factor[1] = one + keep * ray_uneven_at(p, p->rho, root);
+    return;
   }
-  return splat(1.0f) + keep * n;
+  vf half = splat(0.5f) * reach;
+  vf step = sel(gt(size, splat(0.5f * RAY_UNEVEN_RADIAL)), splat(0.5f) * half, splat(0.0f));
+  vf left = filter_keep(vmax(half, p->along * splat(RAY_UNEVEN_RADIAL / RAY_UNEVEN_ALONG)),
+                        RAY_UNEVEN_RADIAL);
+  float variance = w->ray_uneven * w->ray_uneven * RAY_UNEVEN_VARIANCE;
+  *frayed = *frayed + splat(3.0f * variance) * (one - left * left);
+  keep = keep * left;
+  factor[0] = one + keep * ray_uneven_at(p, p->rho - step, root);
+  factor[1] = one + keep * ray_uneven_at(p, p->rho + step, root);
 }
 
 #define RAY_ROW 0.02f /* mm: height of a row of a ray's cells, usual in wood (IAWA lists, 1989) */
@@ -213,15 +226,34 @@ INLINE ray_body ray_body_of(const wood_constants *w, const ray_place *p, const r
   r.a = q->at - place * q->arc;
   /* what neither of the two can make thick enough is not asked for them; what one of them
    * can, is asked for both, or it would depend on the lanes beside it whether it is */
-  vf most = r.thick * splat((1.0f + w->ray_uneven) * (1.0f + w->ray_ragged)) + q->reach;
+  float uneven = w->ray_uneven, ragged = w->ray_ragged;
+  float soft = 1.0f + uneven + ragged; /* frayed's root at most, and no less */
+  vf most = r.thick * splat((1.0f + uneven) * (1.0f + ragged) * soft) + q->reach;
   r.frayed = splat(0.0f);
+  r.outer = r.thick;
   if (any(lt(vabs(r.a), most))) {
-    if (w->ray_uneven > 0.0f) r.thick = r.thick * ray_unevenness(w, p, h, &r.frayed);
-    r.thick = r.thick * ray_raggedness(w, p, h, &r.frayed);
+    if (uneven > 0.0f) {
+      vf factor[2];
+      ray_unevenness(w, p, h, factor, &r.frayed);
+      r.outer = r.thick * factor[1];
+      r.thick = r.thick * factor[0];
+    }
+    vf row = ray_raggedness(w, p, h, &r.frayed);
+    r.thick = r.thick * row;
+    r.outer = r.outer * row;
   }
   r.inverse_tall = one / tall;
   r.at = (q->y - centre) * r.inverse_tall;
   return r;
+}
+
+INLINE vf ray_half_cover(const ray_cells *q, const ray_body *r, vf thick) {
+  vf reach = q->reach;
+  if (any(gt(r->frayed, splat(0.0f)))) {
+    vf wider = vsqrt(reach * reach + r->frayed * thick * thick);
+    reach = sel(gt(r->frayed, splat(0.0f)), wider, reach);
+  }
+  return ray_overlap(r->a - reach, r->a + reach, thick);
 }
 
 /* How much of the footprint it covers. */
@@ -230,12 +262,9 @@ INLINE vf ray_body_cover(const wood_constants *w, const ray_place *p, const ray_
   vf e = splat(0.5f) * p->along * splat(w->inverse_ray_cell) * r->inverse_tall;
   e = vmax(e, splat(1e-3f));
   vf lens = (ray_lens(w, r->at + e) - ray_lens(w, r->at - e)) / (e + e);
-  vf thick = r->thick * lens, reach = q->reach;
-  if (any(gt(r->frayed, splat(0.0f)))) {
-    vf wider = vsqrt(reach * reach + r->frayed * thick * thick);
-    reach = sel(gt(r->frayed, splat(0.0f)), wider, reach);
-  }
-  return r->dense * ray_overlap(r->a - reach, r->a + reach, thick);
+  vf inner = ray_half_cover(q, r, r->thick * lens);
+  if (!any(not_(eq(r->thick, r->outer)))) return r->dense * inner;
+  return r->dense * (splat(0.5f) * (inner + ray_half_cover(q, r, r->outer * lens)));
 }
 
 INLINE vf ray_of_cell(const wood_constants *w, const ray_place *p, const ray_cells *q) {
