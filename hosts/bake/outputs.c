@@ -20,15 +20,10 @@ static bool is_colour(const sozai_channel *c) {
   return c->components == 3 && strcmp(c->suffixes, "rgb") == 0;
 }
 
-/* Of length 1, or as long as its share. */
-static bool is_direction(const sozai_channel *c) {
-  return c->components == 3 && strcmp(c->suffixes, "xyz") == 0 &&
-         (!*c->unit || strcmp(c->unit, "share") == 0);
-}
-
 /* Integers stand for 0 to 1: colours, shares and directions fit, lengths and ids do not. */
 static bool fits_integers(const sozai_channel *c) {
-  return is_colour(c) || is_direction(c) || (c->components == 1 && !*c->unit && !channel_is_id(c));
+  return is_colour(c) || channel_is_axis(c) ||
+         (c->components == 1 && !*c->unit && !channel_is_id(c));
 }
 
 /* ---- the format ----------------------------------------------------------------- */
@@ -156,9 +151,9 @@ static void add_layers(bake_outputs *o, bake_file *f, const sozai_channel *c,
     l->component = c->first + k;
     l->type = type_of(o, choice, c);
     bool tangent = choice->tangent && strcmp(c->id, "normal") == 0;
-    l->code = is_colour(c)                                        ? BAKE_COLOUR
-              : is_direction(c) && (integers(l->type) || tangent) ? BAKE_DIRECTION
-                                                                  : BAKE_PLAIN;
+    l->code = is_colour(c)                                           ? BAKE_COLOUR
+              : channel_is_axis(c) && (integers(l->type) || tangent) ? BAKE_DIRECTION
+                                                                     : BAKE_PLAIN;
     f->pixel_bytes += bake_type_bytes(l->type);
     f->colours = f->colours || is_colour(c);
   }

@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <string.h>
+#include "channel.h"
 #include "wanted.h"
 
 typedef struct weights {
@@ -95,7 +96,7 @@ static int32_t add_copy(task *t, const sozai_batch *part, uint32_t k) {
 /* Directions stay of length 1. */
 static void finish(const task *t, const sozai_batch *part, const sozai_channel *ch,
                    const float *sum) {
-  bool direction = wanted_direction(ch);
+  bool direction = channel_is_direction(ch);
   for (uint32_t i = 0; i < part->count; i++) {
     float length = 0;
     if (direction && !has_all(&t->weights, i, true))

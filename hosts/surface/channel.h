@@ -10,5 +10,10 @@
 bool channel_is_id(const sozai_channel *c);
 /* Lengths, years and ids go past what a half can say. */
 bool channel_fits_half(const sozai_channel *c);
+bool channel_is_vector(const sozai_channel *c);
+/* Of length 1. */
+bool channel_is_direction(const sozai_channel *c);
+/* The same, or as long as its share, 0 to 1. */
+bool channel_is_axis(const sozai_channel *c);
 
 #endif

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 #include "blend.h"
+#include "channel.h"
 #include "wanted.h"
 
 typedef struct task {
@@ -93,7 +94,7 @@ static void add_parts(task *t, uint32_t count) {
   size_t at = 0;
   for (uint32_t i = 0; i < t->means.channel_count; i++) {
     const sozai_channel *ch = t->means.channels[i];
-    if (wanted_vector(ch) && !has_sides(ch)) turn(t, t->one + at, t->sum + at, count);
+    if (channel_is_vector(ch) && !has_sides(ch)) turn(t, t->one + at, t->sum + at, count);
     for (uint32_t c = 0; c < ch->components; c++, at += t->means.most)
       for (uint32_t k = 0; k < count; k++) t->sum[at + k] += t->one[at + k];
   }
@@ -106,7 +107,7 @@ static void finish(const task *t, const sozai_batch *b) {
     const sozai_channel *ch = t->means.channels[i];
     for (uint32_t k = 0; k < b->count; k++) {
       float length = 0;
-      for (size_t c = 0; wanted_direction(ch) && c < 3; c++)
+      for (size_t c = 0; channel_is_direction(ch) && c < 3; c++)
         length += sum[c * next + k] * sum[c * next + k];
       float scale = length > 0 ? 1 / sqrtf(length) : share;
       for (size_t c = 0; c < ch->components; c++)

@@ -45,7 +45,3 @@ sozai_batch wanted_part(const sozai_batch *b, uint32_t first, uint32_t most, flo
 bool wanted_filtered(const sozai_channel *c) {
   return (c->uses | c->needs) & SOZAI_INPUT_FOOTPRINT;
 }
-
-bool wanted_vector(const sozai_channel *c) { return strcmp(c->suffixes, "xyz") == 0; }
-
-bool wanted_direction(const sozai_channel *c) { return wanted_vector(c) && !*c->unit; }

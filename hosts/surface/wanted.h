@@ -26,9 +26,5 @@ sozai_batch wanted_part(const sozai_batch *b, uint32_t first, uint32_t most, flo
 /* Whether a channel is a quantity: what is not filtered is a name, and nothing
  * lies between two. */
 bool wanted_filtered(const sozai_channel *c);
-/* Whether it is a vector; and whether that is a direction, of length 1, and not as long as its
- * share. */
-bool wanted_vector(const sozai_channel *c);
-bool wanted_direction(const sozai_channel *c);
 
 #endif

@@ -1566,8 +1566,8 @@ static const sozai_channel channel_cone_colour = {
    .needs = SOZAI_INPUT_POINT | SOZAI_INPUT_NORMAL,
    .uses = SOZAI_INPUT_FOOTPRINT,
    .id = "cone_colour", .unit = "", .suffixes = "rgb",
-   .doc = "Colour k of the fibres' cone, for a host that builds the lobe itself: about `fiber_lobe`, and as long as that, "
-   "below a surface of `ior`. Scene-linear, in the working space."};
+   .doc = "Colour k of the fibres' cone, for a host that builds the lobe itself: about `fiber_lobe`, whose length is a factor of it, "
+   "below a surface of `ior`. The same all over. Scene-linear, in the working space."};
 
 static const sozai_channel channel_cone_width = {
    .size = sizeof(sozai_channel), .first = WOOD_CONE_WIDTH, .components = 1,
@@ -1662,25 +1662,24 @@ static const sozai_channel channel_height = {
 
 static const sozai_channel channel_fiber_lobe = {
    .size = sizeof(sozai_channel), .first = WOOD_FIBER_LOBE, .components = 3,
-   .needs = SOZAI_INPUT_POINT,
-   .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
+   .needs = SOZAI_INPUT_POINT | SOZAI_INPUT_NORMAL,
+   .uses = SOZAI_INPUT_FOOTPRINT,
    .id = "fiber_lobe", .unit = "share", .suffixes = "xyz",
-   .doc = "`fiber` times the share of the footprint whose fibres shine, object space: 0 where a vessel or a joint is, rays have `ray_lobe`. "
-   "A host that builds the cone itself takes the direction as its axis and the length as a factor of its colour; means of both stay right."};
+   .doc = "For a host that builds the fibres' lobe itself: `fiber`, object space, as long as the share of the footprint that shines so, which is a factor of `cone_colour`. Means of it stay right. It may be 0: where a joint is, and with `reflection: fibre_cone` in a flake (see `ray_lobe`) or a vessel, unless the relief shades those or a picture stands for the section."};
 
 static const sozai_channel channel_ray_lobe = {
    .size = sizeof(sozai_channel), .first = WOOD_RAY_LOBE, .components = 3,
-   .needs = SOZAI_INPUT_POINT,
-   .uses = SOZAI_INPUT_NORMAL | SOZAI_INPUT_FOOTPRINT,
+   .needs = SOZAI_INPUT_POINT | SOZAI_INPUT_NORMAL,
+   .uses = SOZAI_INPUT_FOOTPRINT,
    .id = "ray_lobe", .unit = "share", .suffixes = "xyz",
-   .doc = "Likewise of the rays' cells, which lie along the radius, outwards, and have a cone of their own: flakes flash. 0 with `reflection: kawai`, which has none."};
+   .doc = "The same of the cone about rays' cells, by which flakes flash: the radius, outwards, as long as the share of the footprint that shines so, a factor of `cone_colour` times `ray_lustre`. 0 beside rays, and with `reflection: kawai`."};
 
 static const sozai_channel channel_ray_lustre = {
    .size = sizeof(sozai_channel), .first = WOOD_RAY_LUSTRE, .components = 1,
    .needs = SOZAI_INPUT_POINT | SOZAI_INPUT_NORMAL,
    .uses = SOZAI_INPUT_FOOTPRINT,
-   .id = "ray_lustre", .unit = "", .suffixes = "",
-   .doc = "That cone's colour over `cone_colour`; as wide as the fibres'."};
+   .id = "ray_lustre", .unit = "ratio", .suffixes = "",
+   .doc = "The parameter, for `ray_lobe`: the same all over. 0 with `reflection: kawai`."};
 
 const sozai_channel *const wood_channels[] = {
    &channel_albedo, &channel_radiance, &channel_fiber, &channel_dive, &channel_specular, &channel_roughness, &channel_time, &channel_latewood, &channel_vessel, &channel_reference, &channel_cone_colour, &channel_cone_width, &channel_coat, &channel_coat_roughness, &channel_ray,

@@ -227,8 +227,7 @@ INLINE ray_body ray_body_of(const wood_constants *w, const ray_place *p, const r
   /* what neither of the two can make thick enough is not asked for them; what one of them
    * can, is asked for both, or it would depend on the lanes beside it whether it is */
   float uneven = w->ray_uneven, ragged = w->ray_ragged;
-  float soft = 1.0f + uneven + ragged; /* frayed's root at most, and no less */
-  vf most = r.thick * splat((1.0f + uneven) * (1.0f + ragged) * soft) + q->reach;
+  vf most = r.thick * splat((1.0f + uneven) * (1.0f + ragged) * w->ray_soft) + q->reach;
   r.frayed = splat(0.0f);
   r.outer = r.thick;
   if (any(lt(vabs(r.a), most))) {
@@ -310,7 +309,7 @@ INLINE vm ray_may_reach(const wood_constants *w, const ray_cells *q, vf far) {
  * known of the cell: making the ray itself is the dear part. */
 INLINE vf rays_cover(const wood_constants *w, const ray_place *p, const ray_cells *q, vf nearest) {
   vf sum = nearest, left = q->at, right = q->arc - q->at, zero = splat(0.0f);
-  vf beyond = q->reach - vmax(ray_clear(w, p), zero), far = vmin(left, right);
+  vf beyond = q->reach - ray_clear(w, p), far = vmin(left, right);
   vm up = lt(right, left);
   for (int side = 0; side < 2; side++) {
     ray_cells n = *q;
@@ -340,10 +339,11 @@ INLINE vf rays_share(const wood_constants *w, const ray_place *p, const ray_cell
 }
 
 #define RAY_SWAY_FROM 20.0f /* mm */
+#define RAY_RIPPLE 0x2545f491u
 
-/* turn: theta' / 2 pi. c, s: the direction from the pith. */
+/* turn: theta' / 2 pi. c, s: the direction from the pith. along: mm, of the footprint along y. */
 INLINE ray_turn ray_turn_of(const wood_constants *w, vu own, vf rho, vf turn, vf y, vf c, vf s,
-                            noise_held *held) {
+                            vf along, noise_held *held) {
   ray_turn p;
   vi unused;
   /* by c and s, or the two sides of a board with the pith in it would mirror each other */
@@ -357,7 +357,20 @@ INLINE ray_turn ray_turn_of(const wood_constants *w, vu own, vf rho, vf turn, vf
   vf from = splat(RAY_SWAY_FROM), per = splat(w->ray_stray) * vmin(rho / from, splat(1.0f));
   p.lean = lean * per * splat(w->ray_wave_radial);
   p.sway = sway * per * splat(w->ray_wave_along);
-  turn = turn + stray * splat(0.15915494f * w->ray_stray) / vmax(rho, from);
+  stray = stray * splat(w->ray_stray);
+  if (w->ray_ripple > 0.0f) {
+    /* and with single bundles, which part a flake that lies flat in the cut into ribbons */
+    vf quick, rise, fall;
+    out = noise_split_cubic(rho * splat(w->ray_ripple_radial) + c, HASH_X);
+    up = noise_split_cubic(y * splat(w->ray_ripple_along) + s, HASH_Y);
+    quick = noise_value2(&out, &up, seed + splatu(RAY_RIPPLE), &rise, &fall);
+    vf keep = splat(w->ray_ripple) * filter_keep(along, 1.0f / w->ray_ripple_along);
+    vf of = keep * vmin(rho / from, splat(1.0f));
+    p.lean = p.lean + rise * of * splat(w->ray_ripple_radial);
+    p.sway = p.sway + fall * of * splat(w->ray_ripple_along);
+    stray = stray + quick * keep;
+  }
+  turn = turn + stray * splat(0.15915494f) / vmax(rho, from);
   p.turn = turn - vfloor(turn, &unused);
   return p;
 }

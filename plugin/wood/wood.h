@@ -320,10 +320,13 @@ typedef struct {
   float ray_blunt;                         /* 0: a lens; 1: of even width but for the tips */
   int32_t ray_sides;                       /* cells to either side that are looked at */
   float ray_room;     /* of its cell's arc, that a ray's middle keeps from the edge */
-  float ray_thickest; /* mm: half the width of the widest */
+  float ray_thickest; /* mm: half the width of the widest, with its soft edge, */
+  float ray_soft;     /* which makes it so many times as wide */
   float ray_cover;    /* expected */
   float ray_stray;    /* mm of a sheet's waves, over HASH_ONE */
   float ray_wave_radial, ray_wave_along; /* 1/mm */
+  float ray_ripple;                      /* mm of broad rays' second waves, likewise, or 0 */
+  float ray_ripple_radial, ray_ripple_along;
   float ray_sharp2;                      /* mm2: no edge is sharper */
   float ray_uneven;                      /* of the thickness, within which it varies */
   float ray_ragged;                      /* the same, from row to row of its cells */
@@ -383,6 +386,7 @@ typedef struct {
   float cone_mean[WOOD_CONE_DIVE];                  /* of it over all directions */
   float cone_scale[WOOD_CONE_DIVE];                 /* of the lobe */
   float cone_ray[WOOD_CONE_DIVE];                   /* of the rays', over that */
+  float ray_lustre, inverse_ray_lustre;             /* of which it is the most; 0 for none */
 
   wood_boards boards;
   wood_plies plies;

@@ -51,7 +51,10 @@ static void the_papers_lobe(void **state) {
       for (unsigned i = 0; i < 2000; i++) {
         double f[3] = {(double)p.out[FIBER][i], (double)p.out[FIBER + 1][i],
                        (double)p.out[FIBER + 2][i]};
-        double want = (double)p.out[CONE_COLOUR][i] *
+        double lobe[3], left;
+        for (int n = 0; n < 3; n++) lobe[n] = (double)p.out[FIBER_LOBE + n][i];
+        left = sqrt(dot(lobe, lobe)); /* where it would reflect more than it receives */
+        double want = (double)p.out[CONE_COLOUR][i] * left *
                       lobe_of(l[i], v[i], f, iors[k], widths[k] * PI / 180, 0);
         worst = fmax(worst, fabs((double)p.out[RADIANCE][i] - want) / (1e-3 + want));
         assert_true(fabs((double)p.out[CONE_WIDTH][i] - widths[k] * PI / 180) < 1e-4);

@@ -81,8 +81,10 @@ static const char *wrong(const asked *a, const sozai_texture_info *info, unsigne
       if ((strcmp(c->id, "albedo") == 0 || strcmp(c->id, "radiance") == 0) && x < 0) return c->id;
       square += x * x;
     }
-    int direction = strcmp(c->id, "normal") == 0 || strcmp(c->id, "fiber") == 0;
-    if (direction && fabs(square - 1) > 1e-4) return c->id;
+    /* a direction, or as long as its share */
+    int vector = strcmp(c->suffixes, "xyz") == 0;
+    if (vector && !*c->unit && fabs(square - 1) > 1e-4) return c->id;
+    if (vector && strcmp(c->unit, "share") == 0 && square > 1 + 1e-4) return c->id;
   }
   return NULL;
 }

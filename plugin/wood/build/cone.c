@@ -19,5 +19,7 @@ void wood_build_cone(wood_constants *w, const settings *s) {
     double k = brightest * (double)w->tint_colour[c];
     w->fibre_colour[c] = (float)(k > 0.0 ? k : 0.0);
   }
+  w->ray_lustre = w->cone ? (float)number_at(s, P_RAY_LUSTRE) : 0.0f;
+  w->inverse_ray_lustre = w->ray_lustre > 0.0f ? 1.0f / w->ray_lustre : 0.0f;
   if (w->cone) cone_table_build(w, number_at(s, P_RAY_LUSTRE));
 }

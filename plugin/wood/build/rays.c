@@ -41,18 +41,27 @@ static double build_thickness(wood_constants *w, double half, double arc, double
   if (half > most) half = most;
   w->ray_half = (float)half;
   w->ray_room = (float)RAY_ROOM;
-  w->ray_thickest = (float)(thickest * half);
+  /* and what a footprint that averages its unevenness sees of it beyond */
+  w->ray_soft = (float)(1.0 + uneven + ragged_of(half));
+  w->ray_thickest = (float)(thickest * half * (double)w->ray_soft);
   return half;
 }
 
-/* Sheets sway along the fibre: fine ones little, broad ones by slopes of some degrees
- * over more than their height, for which a cut along them shows ribbons. Along the
- * radius they are nearly straight. */
+/* Sheets sway along the fibre: fine ones little, broad ones by slopes of some degrees over more
+ * than their height, for which a cut along them shows ribbons. Along the radius they are nearly
+ * straight, or a flake would be the crescent about a wave's crest. Broad ones follow single bundles
+ * of fibres, too: by that, what lies flat in a cut is no blot but ribbons that part and meet. Our
+ * figures, by eye. */
 static void build_sway(wood_constants *w, double height, double broad) {
   double along = (0.4 + 0.7 * broad) * height, slope = 0.05 + 0.02 * broad;
   w->ray_stray = (float)(slope * along / NOISE_BOUND);
-  w->ray_wave_radial = (float)(1.0 / (8.0 + 3.5 * height));
+  double out = (8.0 + 3.5 * height) * (1.0 + 2.0 * broad);
+  w->ray_wave_radial = (float)(1.0 / out);
   w->ray_wave_along = (float)(1.0 / along);
+  double ripple = 0.22 * along;
+  w->ray_ripple = (float)(0.08 * broad * ripple / NOISE_BOUND);
+  w->ray_ripple_along = (float)(1.0 / ripple);
+  w->ray_ripple_radial = (float)(1.0 / (4.0 * ripple));
 }
 
 void wood_build_rays(wood_constants *w, const settings *s) {

@@ -10,11 +10,8 @@
 
 /* What a host needs to build the cone itself. */
 INLINE void stage_cone(const wood_constants *w, const wood_io *io, block *k) {
-  cone_dive dive = cone_dive_of(k->sine);
-  vf scale = w->cone ? cone_along(w->cone_scale, &dive) : splat(1.0f);
-  for (int c = 0; c < 3; c++) {
-    store_lanes(io, WOOD_CONE_COLOUR + c, k, splat(w->fibre_colour[c]) * scale);
-  }
+  for (int c = 0; c < 3; c++) store_lanes(io, WOOD_CONE_COLOUR + c, k, splat(w->fibre_colour[c]));
+  store_lanes(io, WOOD_RAY_LUSTRE, k, splat(w->ray_lustre));
   vf width2 = splat(w->cone_width * w->cone_width) + splat(4.0f) * lost_towards_normal(k);
   store_lanes(io, WOOD_CONE_WIDTH, k, vsqrt(width2));
   vf coat = splat(w->coat), alpha2 = coat_alpha2(w, k);
@@ -54,20 +51,22 @@ INLINE int fibres_are_whole(const wood_constants *w) {
 
 INLINE int rays_shine(const wood_constants *w) { return w->cone && w->has_rays && !w->picture; }
 
-/* Both lobes' axes, as long as the share of the footprint that they have: so that a host may
- * average them as it likes. */
+/* Both lobes' axes, as long as the share of the footprint that they have, and less where they would
+ * reflect more than they receive: so that a host may average them as it likes. */
 INLINE void stage_lobes(const wood_constants *w, int boards, const wood_io *io, block *k) {
-  vf one = splat(1.0f), fibres = one, rays = splat(0.0f), lustre = rays;
-  vf axis[3] = {rays, rays, rays}, back[3];
-  if (w->cone && !fibres_are_whole(w)) fibres = one - k->cover;
+  vf one = splat(1.0f), fibres = one, rays = splat(0.0f), back[3];
+  vf axis[3] = {rays, rays, rays};
+  if (w->cone) {
+    cone_dive dive = cone_dive_of(k->sine);
+    fibres = cone_along(w->cone_scale, &dive);
+    if (!fibres_are_whole(w)) fibres = fibres * (one - k->cover);
+  }
   if (rays_shine(w)) {
     vf sine = ray_axis(k, axis);
-    cone_dive dive = cone_dive_of(sine), fibre = cone_dive_of(k->sine);
-    rays = k->ray;
-    fibres = fibres * (one - rays);
-    /* beside cone_colour, which is what the fibres' dive leaves */
-    lustre = cone_along(w->cone_ray, &dive) * cone_along(w->cone_scale, &dive) /
-             cone_along(w->cone_scale, &fibre);
+    cone_dive dive = cone_dive_of(sine);
+    fibres = fibres * (one - k->ray);
+    rays = k->ray * cone_along(w->cone_scale, &dive) * cone_along(w->cone_ray, &dive) *
+           splat(w->inverse_ray_lustre);
   }
   if (boards) {
     vf wood = one - k->board.unit.joint; /* the joint has neither */
@@ -78,7 +77,6 @@ INLINE void stage_lobes(const wood_constants *w, int boards, const wood_io *io, 
   for (int c = 0; c < 3; c++) store_lanes(io, WOOD_FIBER_LOBE + c, k, back[c] * fibres);
   from_log(w, boards, k, axis, back);
   for (int c = 0; c < 3; c++) store_lanes(io, WOOD_RAY_LOBE + c, k, back[c] * rays);
-  store_lanes(io, WOOD_RAY_LUSTRE, k, lustre);
 }
 
 INLINE void stage_cone_radiance(const wood_constants *w, int boards, const wood_io *io, block *k) {
