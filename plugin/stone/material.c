@@ -20,7 +20,7 @@ typedef struct {
 static const sozai_texture_info *describe(void) {
   static sozai_texture_info info = {
       .size = sizeof(sozai_texture_info),
-      .revision = 37,
+      .revision = 38,
       .id = "stone",
       .label = "Stone",
       .doc = "Solid stone: crystals, beds, inclusions, specks, veins and holes as one field in "

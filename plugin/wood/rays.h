@@ -154,7 +154,7 @@ INLINE vf ray_uneven_at(const ray_place *p, vf rho, vu root) {
 
 /* Factors of a broad ray's thickness in the inner half of the footprint and in the outer; within
  * ray_uneven of 1, which is their mean, and the same under a small footprint. root: the ray's own.
- * Far from every ray it does not matter. To frayed is added three times the variance that a half
+ * Far from every ray it does not matter. frayed is three times the variance that a half
  * averages, which is that of edges spread evenly as far as its root. */
 INLINE void ray_unevenness(const wood_constants *w, const ray_place *p, vu root, vf factor[2],
                            vf *frayed) {
@@ -169,7 +169,7 @@ INLINE void ray_unevenness(const wood_constants *w, const ray_place *p, vu root,
   vf left = filter_keep(vmax(half, p->along * splat(RAY_UNEVEN_RADIAL / RAY_UNEVEN_ALONG)),
                         RAY_UNEVEN_RADIAL);
   float variance = w->ray_uneven * w->ray_uneven * RAY_UNEVEN_VARIANCE;
-  *frayed = *frayed + splat(3.0f * variance) * (one - left * left);
+  *frayed = splat(3.0f * variance) * (one - left * left);
   keep = keep * left;
   factor[0] = one + keep * ray_uneven_at(p, p->rho - step, root);
   factor[1] = one + keep * ray_uneven_at(p, p->rho + step, root);
@@ -178,16 +178,13 @@ INLINE void ray_unevenness(const wood_constants *w, const ray_place *p, vu root,
 #define RAY_ROW 0.02f /* mm: height of a row of a ray's cells, usual in wood (IAWA lists, 1989) */
 
 /* Factor of a ray's thickness in one row of its cells, of which there are not as many as in the
- * next; its mean is 1. hash: the ray's own. Far from every ray it does not matter. frayed: as
- * above. */
-INLINE vf ray_raggedness(const wood_constants *w, const ray_place *p, vu hash, vf *frayed) {
+ * next; its mean is 1. hash: the ray's own. Far from every ray it does not matter. */
+INLINE vf ray_raggedness(const wood_constants *w, const ray_place *p, vu hash) {
   vi row;
   vfloor(p->y * splat(1.0f / RAY_ROW), &row);
   vu h = hash_mix(hash + (vu)row * splatu(HASH_Y));
   vf part = to_float((vi)(h >> 16)) * splat(2.0f / 65535.0f) - splat(1.0f);
-  vf left = filter_keep(p->along, RAY_ROW);
-  *frayed = *frayed + splat(w->ray_ragged * w->ray_ragged) * (splat(1.0f) - left * left);
-  return splat(1.0f) + splat(w->ray_ragged) * left * part;
+  return splat(1.0f) + splat(w->ray_ragged) * filter_keep(p->along, RAY_ROW) * part;
 }
 
 /* The hash of the ray that a cell has. */
@@ -227,7 +224,7 @@ INLINE ray_body ray_body_of(const wood_constants *w, const ray_place *p, const r
   /* what neither of the two can make thick enough is not asked for them; what one of them
    * can, is asked for both, or it would depend on the lanes beside it whether it is */
   float uneven = w->ray_uneven, ragged = w->ray_ragged;
-  vf most = r.thick * splat((1.0f + uneven) * (1.0f + ragged) * w->ray_soft) + q->reach;
+  vf most = r.thick * splat((1.0f + uneven) * (1.0f + ragged) * w->ray_softer) + q->reach;
   r.frayed = splat(0.0f);
   r.outer = r.thick;
   if (any(lt(vabs(r.a), most))) {
@@ -237,9 +234,11 @@ INLINE ray_body ray_body_of(const wood_constants *w, const ray_place *p, const r
       r.outer = r.thick * factor[1];
       r.thick = r.thick * factor[0];
     }
-    vf row = ray_raggedness(w, p, h, &r.frayed);
-    r.thick = r.thick * row;
-    r.outer = r.outer * row;
+    if (any(lt(p->along, splat(2.0f * RAY_ROW)))) {
+      vf row = ray_raggedness(w, p, h);
+      r.thick = r.thick * row;
+      r.outer = r.outer * row;
+    }
   }
   r.inverse_tall = one / tall;
   r.at = (q->y - centre) * r.inverse_tall;
@@ -289,17 +288,25 @@ INLINE void ray_next(const wood_constants *w, const ray_place *p, vm up, vf far,
   q->at = sel(up, zero - far, q->arc + far);
 }
 
+/* mm: half the width of the widest ray, with the soft edge that it has under a footprint. */
+INLINE vf ray_widest(const wood_constants *w, const ray_place *p) {
+  if (!(w->ray_uneven > 0.0f)) return splat(w->ray_thickest);
+  const float out = 0.5f * RAY_UNEVEN_RADIAL, up = 0.5f * RAY_UNEVEN_ALONG;
+  vm soft = or_(gt(p->bb, splat(0.999f * out * out)), gt(p->along, splat(0.999f * up)));
+  return splat(w->ray_thickest) * sel(soft, splat(w->ray_softer), splat(1.0f));
+}
+
 /* mm that rays keep from the edges of their cells at a point's radius, whichever sector's. */
 INLINE vf ray_clear(const wood_constants *w, const ray_place *p) {
   vf length = splat(w->ray_length);
   vf farthest = vmax(p->rho + splat(0.5f) * length, splat(0.8f) * length);
   vf most = farthest * splat(w->ray_per_radius) + splat(1.0f); /* cells to a sector */
-  return splat(w->ray_room) * ray_sector_arc(w, p) / most - splat(w->ray_thickest);
+  return splat(w->ray_room) * ray_sector_arc(w, p) / most - ray_widest(w, p);
 }
 
 /* Whether the ray of a cell whose edge is `far` away might reach into the footprint. */
-INLINE vm ray_may_reach(const wood_constants *w, const ray_cells *q, vf far) {
-  vf gap = far + splat(w->ray_room) * q->arc - splat(w->ray_thickest);
+INLINE vm ray_may_reach(const wood_constants *w, const ray_place *p, const ray_cells *q, vf far) {
+  vf gap = far + splat(w->ray_room) * q->arc - ray_widest(w, p);
   return and_(lt(gap, q->reach), lt(q->from, splat(RAY_NONE)));
 }
 
@@ -317,7 +324,7 @@ INLINE vf rays_cover(const wood_constants *w, const ray_place *p, const ray_cell
       vm meets = gt(beyond, far);
       if (!any(meets)) break;
       ray_next(w, p, up, far, &n);
-      meets = and_(meets, ray_may_reach(w, &n, far));
+      meets = and_(meets, ray_may_reach(w, p, &n, far));
       if (any(meets)) sum = sum + sel(meets, ray_of_cell(w, p, &n), zero);
       far = far + n.arc;
     }
@@ -341,7 +348,8 @@ INLINE vf rays_share(const wood_constants *w, const ray_place *p, const ray_cell
 #define RAY_SWAY_FROM 20.0f /* mm */
 #define RAY_RIPPLE 0x2545f491u
 
-/* turn: theta' / 2 pi. c, s: the direction from the pith. along: mm, of the footprint along y. */
+/* turn: theta' / 2 pi. c, s: the direction from the pith. along: mm, of the footprint along y.
+ * held: of both waves. */
 INLINE ray_turn ray_turn_of(const wood_constants *w, vu own, vf rho, vf turn, vf y, vf c, vf s,
                             vf along, noise_held *held) {
   ray_turn p;
@@ -363,7 +371,8 @@ INLINE ray_turn ray_turn_of(const wood_constants *w, vu own, vf rho, vf turn, vf
     vf quick, rise, fall;
     out = noise_split_cubic(rho * splat(w->ray_ripple_radial) + c, HASH_X);
     up = noise_split_cubic(y * splat(w->ray_ripple_along) + s, HASH_Y);
-    quick = noise_value2(&out, &up, seed + splatu(RAY_RIPPLE), &rise, &fall);
+    quick = noise_value2_held(&out, HASH_X, &up, HASH_Y, seed + splatu(RAY_RIPPLE), &held[1], &rise,
+                              &fall);
     vf keep = splat(w->ray_ripple) * filter_keep(along, 1.0f / w->ray_ripple_along);
     vf of = keep * vmin(rho / from, splat(1.0f));
     p.lean = p.lean + rise * of * splat(w->ray_ripple_radial);

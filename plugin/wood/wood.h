@@ -320,16 +320,16 @@ typedef struct {
   float ray_blunt;                         /* 0: a lens; 1: of even width but for the tips */
   int32_t ray_sides;                       /* cells to either side that are looked at */
   float ray_room;     /* of its cell's arc, that a ray's middle keeps from the edge */
-  float ray_thickest; /* mm: half the width of the widest, with its soft edge, */
-  float ray_soft;     /* which makes it so many times as wide */
+  float ray_thickest; /* mm: half the width of the widest, */
+  float ray_softer;   /* and times this with edges that a footprint averages, at most */
   float ray_cover;    /* expected */
   float ray_stray;    /* mm of a sheet's waves, over HASH_ONE */
   float ray_wave_radial, ray_wave_along; /* 1/mm */
   float ray_ripple;                      /* mm of broad rays' second waves, likewise, or 0 */
   float ray_ripple_radial, ray_ripple_along;
-  float ray_sharp2;                      /* mm2: no edge is sharper */
-  float ray_uneven;                      /* of the thickness, within which it varies */
-  float ray_ragged;                      /* the same, from row to row of its cells */
+  float ray_sharp2; /* mm2: no edge is sharper */
+  float ray_uneven; /* of the thickness, within which it varies */
+  float ray_ragged; /* the same, from row to row of its cells */
 
   /* shifted brightness */
   float fibre_scale[WOOD_FIBRE_OCTAVES];     /* amplitude, over the noise's bound */

@@ -41,9 +41,8 @@ static double build_thickness(wood_constants *w, double half, double arc, double
   if (half > most) half = most;
   w->ray_half = (float)half;
   w->ray_room = (float)RAY_ROOM;
-  /* and what a footprint that averages its unevenness sees of it beyond */
-  w->ray_soft = (float)(1.0 + uneven + ragged_of(half));
-  w->ray_thickest = (float)(thickest * half * (double)w->ray_soft);
+  w->ray_thickest = (float)(thickest * half);
+  w->ray_softer = (float)(1.0 + uneven);
   return half;
 }
 

@@ -172,7 +172,7 @@ static const sozai_value values_hard_maple[] = {
     RAYS(2.2, 0.6, 75.0, 28.0),
     SRGB("ray_colour", 219, 187, 148),
     AGED(206, 162, 110, 4.0),
-    MINERAL_STREAKS(0.012, 2.2, 220.0),
+    MINERAL_STREAKS(0.002, 2.2, 220.0),
     SRGB("streak_colour", 146, 128, 98),
     FIBRES(20.0, 560.0),
 };
@@ -199,7 +199,7 @@ static const sozai_value values_yellow_birch[] = {
     RAYS(4.0, 0.4, 40.0, 25.0),
     SRGB("ray_colour", 197, 154, 115),
     AGED(172, 124, 82, 4.0),
-    MINERAL_STREAKS(0.01, 2.0, 160.0),
+    MINERAL_STREAKS(0.002, 2.0, 160.0),
     SRGB("streak_colour", 132, 106, 82),
     FIBRES(20.0, 550.0),
 };

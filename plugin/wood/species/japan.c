@@ -193,7 +193,7 @@ static const sozai_value values_itayakaede[] = {
     RAYS(2.4, 0.6, 80.0, 30.0),
     SRGB("ray_colour", 221, 186, 144),
     AGED(208, 164, 110, 4.0),
-    MINERAL_STREAKS(0.012, 2.2, 220.0),
+    MINERAL_STREAKS(0.002, 2.2, 220.0),
     SRGB("streak_colour", 148, 130, 100),
     FIBRES(20.0, 560.0),
 };

@@ -41,7 +41,7 @@ typedef struct {
 
 /* What blocks that follow one another mostly share: the cells of wide noises. */
 typedef struct {
-  noise_held pith, undulation[2], interlocked, slope[2], drift, sway;
+  noise_held pith, undulation[2], interlocked, slope[2], drift, sway[2];
 } wood_held;
 
 INLINE void wood_held_none(wood_held *h) {

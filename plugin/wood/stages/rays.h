@@ -25,7 +25,7 @@ INLINE ray_place ray_place_here(int boards, int layer, const block *k) {
 
 INLINE void stage_ray_turn(const wood_constants *w, int boards, block *k) {
   k->ray_from = ray_turn_of(w, own_of(boards, k), k->stem.rho, k->turn, k->p[1], k->stem.c,
-                            k->stem.s, k->extent, &k->held->sway);
+                            k->stem.s, k->extent, k->held->sway);
 }
 
 /* The first layer is through: the second's sectors begin where the first's have their middles. */
