@@ -58,7 +58,7 @@ static void build_sway(wood_constants *w, double height, double broad) {
   w->ray_wave_radial = (float)(1.0 / out);
   w->ray_wave_along = (float)(1.0 / along);
   double ripple = 0.22 * along;
-  w->ray_ripple = (float)(0.08 * broad * ripple / NOISE_BOUND);
+  w->ray_ripple = (float)(0.05 * broad * ripple / NOISE_BOUND);
   w->ray_ripple_along = (float)(1.0 / ripple);
   w->ray_ripple_radial = (float)(1.0 / (4.0 * ripple));
 }
