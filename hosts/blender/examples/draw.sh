@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # draw.sh [FOLDER] [PICTURE...]: the pictures of docs/blender.md, by the add-on and
 # Cycles, without a window. FOLDER: docs/pictures of this checkout, unless given.
-# PICTURE: board, floor, oak-behind, oak-aside, felt, sugi, pine; none: all. SOZAI: the program, unless build/bin/sozai.
+# PICTURE: board, floor, oak-behind, oak-aside, felt, sugi, pine; none: all.
+# SOZAI: the program, unless build/bin/sozai.
 set -euo pipefail
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
 root=$(cd -- "$here/../../.." && pwd)

@@ -83,35 +83,30 @@ class Builder:
     def link(self, source, target):
         self.tree.links.new(source, target)
 
+    def put(self, value, target):
+        """A socket is linked, a number or a tuple is the input's own value."""
+        if isinstance(value, bpy.types.NodeSocket):
+            self.link(value, target)
+        else:
+            target.default_value = value
+
     def vector_math(self, operation, a, b=None, label="", row=0):
         made = self.node("ShaderNodeVectorMath", label, row, operation=operation)
         for socket, value in zip(made.inputs, (a, b)):
-            if isinstance(value, bpy.types.NodeSocket):
-                self.link(value, socket)
-            elif value is not None:
-                socket.default_value = value
+            if value is not None:
+                self.put(value, socket)
         return made.outputs["Value" if operation in ("DOT_PRODUCT", "LENGTH") else "Vector"]
 
     def scaled(self, vector, factor, row=0):
         made = self.node("ShaderNodeVectorMath", "", row, operation="SCALE")
-        if isinstance(vector, bpy.types.NodeSocket):
-            self.link(vector, made.inputs[0])
-        else:
-            made.inputs[0].default_value = vector
-        scale = made.inputs["Scale"]
-        if isinstance(factor, bpy.types.NodeSocket):
-            self.link(factor, scale)
-        else:
-            scale.default_value = factor
+        self.put(vector, made.inputs[0])
+        self.put(factor, made.inputs["Scale"])
         return made.outputs["Vector"]
 
     def math(self, operation, a, b, row=0):
         made = self.node("ShaderNodeMath", "", row, operation=operation)
-        self.link(a, made.inputs[0])
-        if isinstance(b, bpy.types.NodeSocket):
-            self.link(b, made.inputs[1])
-        else:
-            made.inputs[1].default_value = b
+        self.put(a, made.inputs[0])
+        self.put(b, made.inputs[1])
         return made.outputs[0]
 
 
@@ -185,7 +180,7 @@ def to_world(build, settings, vector, row):
 def fibre_lobe(build, fibre, share, normal, figures, lustre, row):
     """A glossy lobe about the normal square to the fibre: Marschner's cone, nearly.
 
-    lustre: over the fibres' own, of the same for a ray's cells."""
+    share: of the texel, that has it. lustre: 1 of fibres, of rays' cells how much brighter."""
     width, ior = figures["cone_width"], figures["ior"]
     roughness, anisotropy = lobe.anisotropic(width, ior)
     # Through the surface the fibre is seen to dive more steeply.

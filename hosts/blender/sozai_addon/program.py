@@ -73,15 +73,14 @@ def describe_all(program):
     return materials, grown
 
 
-def evaluate(program, recipe, channels, point=(0, 0, 0), normal=(0, 0, 1), footprint=1000):
-    """Components of the channels at a point; a recipe that is refused raises Problem."""
-    row = ",".join("%.9g" % x for x in (*point, *normal, footprint))
+def evaluate(program, recipe, channels, footprints):
+    """Components of the channels at the origin, face up, under each footprint in mm; a recipe that
+    is refused raises Problem."""
+    rows = "".join("0,0,0,0,0,1,%.9g\n" % f for f in footprints)
     out = run(program, "eval", recipe, "--channels", ",".join(channels),
-              stdin="px,py,pz,nx,ny,nz,footprint\n" + row + "\n").splitlines()
-    values = {}
-    for name, text in zip(out[0].split(","), out[1].split(",")):
-        values[name] = float(text)
-    return values
+              stdin="px,py,pz,nx,ny,nz,footprint\n" + rows).splitlines()
+    names = out[0].split(",")
+    return [dict(zip(names, map(float, line.split(",")))) for line in out[1:]]
 
 
 def reader_folder(program, chosen=""):

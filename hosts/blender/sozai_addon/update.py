@@ -94,12 +94,11 @@ def wanted_channels(described, material, group):
 def figures_of(described, group, base, programme, texel):
     """What is about the same everywhere; creating the texture also checks every parameter."""
     there = {c["id"] for c in described["channels"]}
-    asked = ("cone_colour", "cone_width", "ray_lustre", "coat", "coat_roughness")
+    asked = ("albedo", "cone_colour", "cone_width", "ray_lustre", "coat", "coat_roughness")
     asked = [c for c in asked if c in there]
-    figures = program.evaluate(programme, base, ["albedo"])
-    if asked:
-        # not wider by slopes that the maps have, nor a coat that is less where those are steep
-        figures.update(program.evaluate(programme, base, asked, footprint=texel))
+    # lobes are not to be wider by slopes that the maps have, nor a coat less where those are steep
+    afar, figures = program.evaluate(programme, base, asked, (1000, texel))
+    figures.update((name, afar[name]) for name in afar if name.startswith("albedo_"))
     figures["ior"] = getattr(group, "p_ior", 1.5)
     figures.setdefault("coat", 1.0)  # a stone's surface reflects all that it does
     figures["roughness"] = figures.pop("coat_roughness", 0.5)
